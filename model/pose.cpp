@@ -1,0 +1,46 @@
+#include "model/pose.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace wheelwright {
+
+double wrap_angle(double angle_rad) {
+  constexpr double turn = 2.0 * std::numbers::pi;
+  const double wrapped = std::remainder(angle_rad, turn);
+  return wrapped <= -std::numbers::pi ? wrapped + turn : wrapped;
+}
+
+Pose move_along_arc(const Pose& pose, const Twist& twist, double duration_s) {
+  const double turned = twist.w_rad_s * duration_s;
+  const double half = 0.5 * turned;
+  // The chord of an arc is its length times sin(half)/half, in the direction halfway through the turn.
+  const double chord_ratio = std::abs(half) < 1e-4 ? 1.0 - half * half / 6.0 : std::sin(half) / half;
+  const double chord = twist.v_m_s * duration_s * chord_ratio;
+  const double direction = pose.theta_rad + half;
+  return {pose.x_m + chord * std::cos(direction), pose.y_m + chord * std::sin(direction),
+          pose.theta_rad + turned};
+}
+
+Pose relative_to(const Pose& origin, const Pose& pose) {
+  const double dx = pose.x_m - origin.x_m;
+  const double dy = pose.y_m - origin.y_m;
+  const double c = std::cos(origin.theta_rad);
+  const double s = std::sin(origin.theta_rad);
+  return {c * dx + s * dy, -s * dx + c * dy, pose.theta_rad - origin.theta_rad};
+}
+
+double distance_between_m(const Pose& a, const Pose& b) {
+  return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
+}
+
+Twist twist_of_wheels(const WheelPair& speed_m_s, double wheel_base_m) {
+  return {0.5 * (speed_m_s.left + speed_m_s.right), (speed_m_s.right - speed_m_s.left) / wheel_base_m};
+}
+
+WheelPair wheels_of_twist(const Twist& twist, double wheel_base_m) {
+  const double half_difference = 0.5 * twist.w_rad_s * wheel_base_m;
+  return {twist.v_m_s - half_difference, twist.v_m_s + half_difference};
+}
+
+}  // namespace wheelwright
