@@ -1,0 +1,343 @@
+#include "config/load/drive_log_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <string_view>
+
+#include "config/load/atomic_file.hpp"
+#include "config/load/text_format.hpp"
+
+namespace wheelwright::config {
+namespace {
+
+using std::string_view;
+
+enum Column : std::size_t {
+  time,
+  cmd_left,
+  cmd_right,
+  ticks_left,
+  ticks_right,
+  ref_x,
+  ref_y,
+  ref_theta,
+  gyro_z,
+  battery_v,
+  column_count
+};
+
+constexpr std::array<string_view, column_count> column_names{
+    "t",     "cmd_left", "cmd_right", "ticks_left", "ticks_right",
+    "ref_x", "ref_y",    "ref_theta", "gyro_z",     "battery_v"};
+
+constexpr std::size_t absent = std::numeric_limits<std::size_t>::max();
+constexpr double largest_command_m_s = 100.0;
+constexpr double largest_tick_count = 9e15;
+constexpr double restart_below_s = 1.0;
+
+string_view trim(string_view text) {
+  constexpr string_view blanks = " \t\r";
+  const auto first = text.find_first_not_of(blanks);
+  if (first == string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::optional<double> to_number(string_view field) {
+  double value = 0.0;
+  if (!field.empty() && field.front() == '+') field.remove_prefix(1);
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (error != std::errc() || end != field.data() + field.size()) return std::nullopt;
+  return value;
+}
+
+class Parser {
+ public:
+  Parser(string_view text, std::string name) : text_(text), name_(std::move(name)) {}
+
+  std::vector<DriveLog> run() {
+    string_view line;
+    while (next_line(line)) {
+      if (line.empty()) continue;
+      if (line.front() == '#') {
+        metadata_line(line.substr(1));
+      } else if (fields_.empty()) {
+        header_line(line);
+      } else {
+        sample_line(line);
+      }
+    }
+    if (fields_.empty()) fail("the header row 't,cmd_left,cmd_right,...' is missing");
+    if (runs_.empty()) fail("holds no samples");
+    for (auto& run : runs_) complete(run);
+    return std::move(runs_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const {
+    throw LogError(name_ + ":" + std::to_string(line_number_) + ": " + what);
+  }
+
+  bool next_line(string_view& line) {
+    if (text_.empty()) return false;
+    const auto end = text_.find('\n');
+    line = trim(text_.substr(0, end));
+    text_ = end == string_view::npos ? string_view{} : text_.substr(end + 1);
+    ++line_number_;
+    return true;
+  }
+
+  double positive_metadata(string_view key, string_view value, double maximum) const {
+    const auto number = to_number(value);
+    if (!number || !(*number > 0.0) || *number > maximum) {
+      fail("'" + std::string(key) + "' is '" + std::string(value) +
+           "', but must be a number above 0 and up to " + plain_number(maximum));
+    }
+    return *number;
+  }
+
+  void metadata_line(string_view text) {
+    const auto colon = text.find(':');
+    if (colon == string_view::npos) return;
+    const string_view key = trim(text.substr(0, colon));
+    const string_view value = trim(text.substr(colon + 1));
+    if (key == "wheelwright_drive_log") {
+      if (value != "1")
+        fail("this is a drive log of version " + std::string(value) + "; only version 1 is known");
+    } else if (key == "wheel_base_m") {
+      header_.wheel_base_m = positive_metadata(key, value, 10.0);
+    } else if (key == "period_s") {
+      header_.period_s = positive_metadata(key, value, 10.0);
+    } else if (key == "metres_per_tick_left") {
+      metres_per_tick_.left = positive_metadata(key, value, 1.0);
+    } else if (key == "metres_per_tick_right") {
+      metres_per_tick_.right = positive_metadata(key, value, 1.0);
+    } else {
+      header_.other_metadata.emplace_back(key, value);
+    }
+  }
+
+  void header_line(string_view line) {
+    position_.fill(absent);
+    while (true) {
+      const auto comma = line.find(',');
+      const string_view name = trim(line.substr(0, comma));
+      if (std::find(fields_.begin(), fields_.end(), name) != fields_.end()) {
+        fail("column '" + std::string(name) + "' stands twice");
+      }
+      const auto* known = std::find(column_names.begin(), column_names.end(), name);
+      if (known != column_names.end()) {
+        position_.at(static_cast<std::size_t>(known - column_names.begin())) = fields_.size();
+      } else {
+        extra_position_.push_back(fields_.size());
+        header_.extra_columns.push_back({std::string(name), {}});
+      }
+      fields_.emplace_back(name);
+      if (comma == string_view::npos) break;
+      line.remove_prefix(comma + 1);
+    }
+    for (const Column needed : {time, cmd_left, cmd_right}) {
+      if (position_[needed] == absent) {
+        fail("the header row has no column '" + std::string(column_names[needed]) + "'");
+      }
+    }
+    if ((position_[ticks_left] == absent) != (position_[ticks_right] == absent)) {
+      fail("ticks_left and ticks_right must both be there or neither");
+    }
+    header_.name = name_;
+  }
+
+  void split(string_view line) {
+    values_.clear();
+    while (true) {
+      const auto comma = line.find(',');
+      values_.push_back(trim(line.substr(0, comma)));
+      if (comma == string_view::npos) break;
+      line.remove_prefix(comma + 1);
+    }
+    if (values_.size() != fields_.size()) {
+      fail("has " + std::to_string(values_.size()) + " fields, but the header names " +
+           std::to_string(fields_.size()) + " columns");
+    }
+  }
+
+  std::optional<double> field(Column column, double limit) const {
+    const std::size_t at = position_.at(column);
+    if (at == absent || values_[at].empty()) return std::nullopt;
+    const auto number = to_number(values_[at]);
+    if (!number || !std::isfinite(*number) || std::abs(*number) > limit) {
+      fail("'" + std::string(column_names[column]) + "' is '" + std::string(values_[at]) +
+           "', but must be a number of at most " + plain_number(limit) + " in size");
+    }
+    return number;
+  }
+
+  void sample_line(string_view line) {
+    split(line);
+    DriveSample sample;
+    const auto t = field(time, 1e9);
+    if (!t) fail("'t' is empty; each row needs its time in seconds");
+    sample.t_s = *t;
+    start_run_if_needed(sample.t_s);
+    DriveLog& run = runs_.back();
+    const DriveSample* before = run.samples.empty() ? nullptr : &run.samples.back();
+
+    const auto left = field(cmd_left, largest_command_m_s);
+    const auto right = field(cmd_right, largest_command_m_s);
+    if ((!left || !right) && before == nullptr) fail("the first row of a run needs cmd_left and cmd_right");
+    sample.command_m_s = {left ? *left : before->command_m_s.left,
+                          right ? *right : before->command_m_s.right};
+
+    const auto counts_left = field(ticks_left, largest_tick_count);
+    const auto counts_right = field(ticks_right, largest_tick_count);
+    if (counts_left && counts_right) sample.ticks = {std::llround(*counts_left), std::llround(*counts_right)};
+    constexpr double anything = 1e9;
+    sample.reference_x_m = field(ref_x, anything);
+    sample.reference_y_m = field(ref_y, anything);
+    sample.reference_theta_rad = field(ref_theta, anything);
+    sample.gyro_z_rad_s = field(gyro_z, anything);
+    sample.battery_v = field(battery_v, anything);
+    run.samples.push_back(sample);
+    for (std::size_t i = 0; i < extra_position_.size(); ++i) {
+      run.extra_columns[i].values.push_back(
+          to_number(values_[extra_position_[i]]).value_or(std::numeric_limits<double>::quiet_NaN()));
+    }
+  }
+
+  void start_run_if_needed(double t_s) {
+    if (!runs_.empty()) {
+      const double last = runs_.back().samples.back().t_s;
+      if (t_s > last) return;
+      if (t_s >= restart_below_s || t_s == last) {
+        fail("time goes from " + plain_number(last) + " to " + plain_number(t_s) +
+             " s, but must rise (a new run starts below 1 s)");
+      }
+    }
+    runs_.push_back(header_);
+    runs_.back().first_line = line_number_;
+  }
+
+  void complete(DriveLog& run) const {
+    if (run.wheel_base_m <= 0.0)
+      throw LogError(name_ + ": '# wheel_base_m: ...' is missing above the header row");
+    const bool any_ticks = std::any_of(run.samples.begin(), run.samples.end(),
+                                       [](const DriveSample& sample) { return sample.ticks.has_value(); });
+    if (any_ticks && (metres_per_tick_.left <= 0.0 || metres_per_tick_.right <= 0.0)) {
+      throw LogError(name_ + ": has tick columns, but no '# metres_per_tick_left: ...' and '..._right: ...'");
+    }
+    if (metres_per_tick_.left > 0.0 && metres_per_tick_.right > 0.0) run.metres_per_tick = metres_per_tick_;
+    if (run.period_s <= 0.0) run.period_s = median_step(run);
+  }
+
+  double median_step(const DriveLog& run) const {
+    if (run.samples.size() < 2) throw LogError(name_ + ": '# period_s: ...' is missing above the header row");
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < run.samples.size(); ++i) {
+      steps.push_back(run.samples[i].t_s - run.samples[i - 1].t_s);
+    }
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    return *middle;
+  }
+
+  string_view text_;
+  std::string name_;
+  std::size_t line_number_ = 0;
+  DriveLog header_;
+  WheelPair metres_per_tick_;
+  std::vector<std::string> fields_;
+  std::array<std::size_t, column_count> position_{};
+  std::vector<std::size_t> extra_position_;
+  std::vector<string_view> values_;
+  std::vector<DriveLog> runs_;
+};
+
+void append_optional(std::string& text, const std::optional<double>& value, int decimals) {
+  if (value) text += fixed_number(*value, decimals);
+}
+
+bool any(const DriveLog& log, std::optional<double> DriveSample::*field) {
+  return std::any_of(log.samples.begin(), log.samples.end(),
+                     [field](const DriveSample& sample) { return (sample.*field).has_value(); });
+}
+
+struct OptionalColumn {
+  Column column;
+  std::optional<double> DriveSample::*field;
+  int decimals;
+};
+
+constexpr std::array<OptionalColumn, 5> optional_columns{{{ref_x, &DriveSample::reference_x_m, 6},
+                                                          {ref_y, &DriveSample::reference_y_m, 6},
+                                                          {ref_theta, &DriveSample::reference_theta_rad, 6},
+                                                          {gyro_z, &DriveSample::gyro_z_rad_s, 6},
+                                                          {battery_v, &DriveSample::battery_v, 3}}};
+
+}  // namespace
+
+std::vector<DriveLog> parse_drive_logs(const std::string& text, const std::string& name) {
+  return Parser(text, name).run();
+}
+
+std::vector<DriveLog> load_drive_logs(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::error_code ignored;
+  if (!stream || std::filesystem::is_directory(path, ignored)) {
+    throw LogError(path.string() + ": cannot be read; does the file exist?");
+  }
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return parse_drive_logs(text.str(), path.string());
+}
+
+DriveLog load_drive_log(const std::filesystem::path& path) {
+  auto runs = load_drive_logs(path);
+  if (runs.size() != 1) {
+    throw LogError(path.string() + ": holds " + std::to_string(runs.size()) +
+                   " runs (the second starts in line " + std::to_string(runs[1].first_line) +
+                   "), but one is wanted here; split the file");
+  }
+  return std::move(runs.front());
+}
+
+void save_drive_log(const DriveLog& log, const std::filesystem::path& path) {
+  std::string text = "# wheelwright_drive_log: 1\n";
+  for (const auto& [key, value] : log.other_metadata) text += "# " + key + ": " + value + "\n";
+  text += "# wheel_base_m: " + plain_number(log.wheel_base_m) + "\n";
+  text += "# period_s: " + plain_number(log.period_s) + "\n";
+  if (log.metres_per_tick) {
+    text += "# metres_per_tick_left: " + plain_number(log.metres_per_tick->left) + "\n";
+    text += "# metres_per_tick_right: " + plain_number(log.metres_per_tick->right) + "\n";
+  }
+  text += "t,cmd_left,cmd_right";
+  if (log.metres_per_tick) text += ",ticks_left,ticks_right";
+  std::vector<OptionalColumn> used;
+  for (const auto& entry : optional_columns) {
+    if (!any(log, entry.field)) continue;
+    used.push_back(entry);
+    text += "," + std::string(column_names[entry.column]);
+  }
+  text += "\n";
+  for (const auto& sample : log.samples) {
+    text += fixed_number(sample.t_s, 6) + "," + fixed_number(sample.command_m_s.left, 6) + "," +
+            fixed_number(sample.command_m_s.right, 6);
+    if (log.metres_per_tick) {
+      text += ",";
+      if (sample.ticks) text += std::to_string(sample.ticks->left);
+      text += ",";
+      if (sample.ticks) text += std::to_string(sample.ticks->right);
+    }
+    for (const auto& entry : used) {
+      text += ",";
+      append_optional(text, sample.*entry.field, entry.decimals);
+    }
+    text += "\n";
+  }
+  if (const auto error = write_file_atomically(path, text)) throw LogError(*error);
+}
+
+}  // namespace wheelwright::config
