@@ -1,0 +1,15 @@
+// Do the commands of a set of runs show what each wheel does?
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "model/drive_log.hpp"
+#include "model/identification/refusal.hpp"
+
+namespace wheelwright {
+
+// Nothing where both wheels were driven, and not always alike; else what is missing and how to get it.
+std::optional<Refusal> find_missing_excitation(std::span<const DriveLog> logs);
+
+}  // namespace wheelwright

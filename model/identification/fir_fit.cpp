@@ -1,0 +1,166 @@
+#include "model/identification/fir_fit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "model/identification/excitation.hpp"
+#include "model/identification/least_squares.hpp"
+#include "model/identification/response_prior.hpp"
+#include "model/identification/travel_equations.hpp"
+
+namespace wheelwright {
+namespace {
+
+struct Factored {
+  LeastSquaresAccumulator::Factor factor;
+  double drift_ratio = 0.0;
+  double log_variance_sum = 0.0;
+};
+
+Factored factor_equations(std::span<const DriveLog> logs, double period_s, std::size_t taps,
+                          double drift_ratio) {
+  LeastSquaresAccumulator accumulator(static_cast<Eigen::Index>(2 * taps), 2);
+  const double log_variance_sum =
+      whitened_travel_equations(logs, period_s, taps, drift_ratio,
+                                [&](const Eigen::RowVectorXd& regressors, const Eigen::RowVector2d& targets) {
+                                  accumulator.add_row(regressors, targets);
+                                });
+  return {accumulator.factor(), drift_ratio, log_variance_sum};
+}
+
+double negative_log_likelihood(const Factored& candidate) {
+  const auto rows = static_cast<double>(candidate.factor.rows);
+  double value = candidate.log_variance_sum;  // half of it for each of the two wheels
+  for (const double square_sum : candidate.factor.residual_square_sum) {
+    value += 0.5 * rows * std::log(std::max(square_sum / rows, 1e-30));
+  }
+  return value;
+}
+
+double most_likely_drift_ratio(std::span<const DriveLog> logs, double period_s, std::size_t taps) {
+  double best_ratio = 0.0;
+  double best_value = std::numeric_limits<double>::infinity();
+  for (const double ratio : {0.0, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1.0}) {
+    const double value = negative_log_likelihood(factor_equations(logs, period_s, taps, ratio));
+    if (value >= best_value) continue;
+    best_value = value;
+    best_ratio = ratio;
+  }
+  return best_ratio;
+}
+
+// The problem of one wheel with only the first `taps` taps: the leading block of the triangle; what the rest
+// of the triangle explained goes back into the residual.
+ResponseProblem problem_of(const LeastSquaresAccumulator::Factor& factor, Eigen::Index wheel,
+                           std::size_t taps) {
+  const auto columns = static_cast<Eigen::Index>(2 * taps);
+  ResponseProblem problem;
+  problem.r = factor.r.topLeftCorner(columns, columns);
+  problem.z = factor.z.col(wheel).head(columns);
+  problem.residual_square_sum =
+      factor.residual_square_sum[wheel] + factor.z.col(wheel).tail(factor.z.rows() - columns).squaredNorm();
+  problem.rows = factor.rows;
+  problem.own_column = wheel;
+  return problem;
+}
+
+// The shortest length after which no tail is left that is both above its own uncertainty and above a
+// thousandth of the whole response.
+std::size_t length_worth_keeping(const ResponseEstimate& estimate) {
+  const Eigen::Index columns = estimate.response.size();
+  const double whole = estimate.response.cwiseAbs().sum();
+  for (Eigen::Index tap = columns / 2; tap > 1; --tap) {
+    for (Eigen::Index channel = 0; channel < 2; ++channel) {
+      Eigen::VectorXd tail = Eigen::VectorXd::Zero(columns);
+      for (Eigen::Index c = 2 * (tap - 1) + channel; c < columns; c += 2) tail[c] = 1.0;
+      const double sum = tail.dot(estimate.response);
+      const double deviation = std::sqrt(std::max(0.0, tail.dot(estimate.covariance * tail)));
+      if (std::abs(sum) > 3.0 * deviation && std::abs(sum) > 0.001 * whole)
+        return static_cast<std::size_t>(tap);
+    }
+  }
+  return 1;
+}
+
+WheelResponse to_response(const Eigen::VectorXd& columns) {
+  WheelResponse response;
+  for (Eigen::Index i = 0; i < columns.size(); i += 2) {
+    response.from_left.push_back(columns[i]);
+    response.from_right.push_back(columns[i + 1]);
+  }
+  return response;
+}
+
+WheelFit describe(const ResponseEstimate& estimate, double drift_ratio, double period_s) {
+  const Eigen::Index columns = estimate.response.size();
+  WheelFit fit;
+  const auto channel = [&](Eigen::Index first, double& gain, double& standard_error) {
+    Eigen::VectorXd pick = Eigen::VectorXd::Zero(columns);
+    for (Eigen::Index c = first; c < columns; c += 2) pick[c] = 1.0;
+    gain = pick.dot(estimate.response);
+    standard_error = std::sqrt(std::max(0.0, pick.dot(estimate.covariance * pick)));
+  };
+  channel(0, fit.gain.from_left, fit.gain_standard_error.from_left);
+  channel(1, fit.gain.from_right, fit.gain_standard_error.from_right);
+  fit.position_noise_m = std::sqrt(estimate.noise_variance);
+  fit.drift_m_per_sqrt_s = std::sqrt(estimate.noise_variance * drift_ratio / period_s);
+  return fit;
+}
+
+std::optional<Refusal> find_unfit_log(std::span<const DriveLog> logs) {
+  if (logs.empty()) return Refusal{"no run was given"};
+  for (const auto& log : logs) {
+    if (!log.has_ticks()) {
+      return Refusal{log.name +
+                     ": has no encoder counts on its first row; a fit of wheel speeds needs ticks"};
+    }
+    if (std::abs(log.wheel_base_m - logs.front().wheel_base_m) > 1e-9) {
+      return Refusal{log.name + ": its wheel base differs from that of " + logs.front().name +
+                     "; fit runs of one robot together"};
+    }
+    if (std::abs(log.period_s - logs.front().period_s) > 0.02 * logs.front().period_s) {
+      return Refusal{log.name + ": its period differs from that of " + logs.front().name +
+                     " by more than 2 %; fit runs of one period together"};
+    }
+  }
+  return find_missing_excitation(logs);
+}
+
+}  // namespace
+
+tl::expected<FirFit, Refusal> fit_fir(std::span<const DriveLog> logs, const FirFitOptions& options) {
+  if (auto refusal = find_unfit_log(logs)) return tl::unexpected(*refusal);
+  const double period_s = options.period_s.value_or(logs.front().period_s);
+  const std::size_t longest = options.length.value_or(options.longest);
+
+  const double drift_ratio = most_likely_drift_ratio(logs, period_s, std::min<std::size_t>(longest, 20));
+  const Factored factored = factor_equations(logs, period_s, longest, drift_ratio);
+  const auto needed = static_cast<Eigen::Index>(4 * longest);
+  if (factored.factor.rows < needed) {
+    return tl::unexpected(Refusal{"only " + std::to_string(factored.factor.rows) + " usable samples, but " +
+                                  std::to_string(needed) + " are needed; record a longer run"});
+  }
+
+  std::size_t length = longest;
+  if (!options.length) {
+    length = 1;
+    for (const Eigen::Index wheel : {0, 1}) {
+      const auto estimate = estimate_response(problem_of(factored.factor, wheel, longest));
+      length = std::max(length, length_worth_keeping(estimate));
+    }
+  }
+
+  FirFit fit;
+  const std::array<ResponseEstimate, 2> estimates{estimate_response(problem_of(factored.factor, 0, length)),
+                                                  estimate_response(problem_of(factored.factor, 1, length))};
+  fit.model = {ModelType::fir, period_s, logs.front().wheel_base_m, to_response(estimates[0].response),
+               to_response(estimates[1].response)};
+  fit.left = describe(estimates[0], drift_ratio, period_s);
+  fit.right = describe(estimates[1], drift_ratio, period_s);
+  fit.rows = static_cast<std::size_t>(factored.factor.rows);
+  return fit;
+}
+
+}  // namespace wheelwright

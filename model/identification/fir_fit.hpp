@@ -1,0 +1,54 @@
+// Identification of the moving-average (FIR) model from drive logs.
+//
+// The paper derives the impulse response from the step response by differentiation (eq. 2-7). With 0.44 mm
+// encoder ticks and a sensor refresh that beats against the poll, a difference of counts is mostly noise. So
+// the same quantity is estimated in the integrated domain: wheel travel is the impulse response convolved
+// with the commanded distance, a linear least-squares problem in the responses, in which counts enter
+// undifferenced. For a step this is the derivative of the averaged step response; it holds for any other
+// drive as well.
+//
+//   * Noise: white in position plus a random walk (slip); their ratio is chosen by likelihood, and rows are
+//     whitened by the Kalman filter of that noise, which leaves independent equations.
+//   * Prior: responses decay and are smooth ("tuned/correlated" kernel, Chen, Ohlsson & Ljung, Automatica 48
+//     (2012) 1525-1535); its size and decay are chosen by marginal likelihood, so exact data are not shrunk.
+//   * Length: from the data, as long as the tail is worth it.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include <tl/expected.hpp>
+
+#include "model/drive_log.hpp"
+#include "model/identification/refusal.hpp"
+#include "model/linear_model.hpp"
+
+namespace wheelwright {
+
+struct FirFitOptions {
+  std::optional<std::size_t> length;  // periods; found from the data where absent
+  std::size_t longest = 40;           // periods, upper bound of the search
+  std::optional<double> period_s;     // of the model; that of the first log where absent
+};
+
+// What one wheel's fit says of itself.
+struct WheelFit {
+  DcGain gain;  // m/s per m/s
+  DcGain gain_standard_error;
+  double position_noise_m = 0.0;    // standard deviation of one reading of wheel travel
+  double drift_m_per_sqrt_s = 0.0;  // random walk of wheel travel against the model
+};
+
+struct FirFit {
+  LinearModel model;
+  WheelFit left;
+  WheelFit right;
+  std::size_t rows = 0;  // samples used
+};
+
+// Fits all runs together. Runs start from rest; after a gap in time, the first samples, whose past is
+// unknown, are left out. Refuses, with the reason, where the data cannot show the responses.
+tl::expected<FirFit, Refusal> fit_fir(std::span<const DriveLog> logs, const FirFitOptions& options = {});
+
+}  // namespace wheelwright

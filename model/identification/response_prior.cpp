@@ -1,0 +1,88 @@
+#include "model/identification/response_prior.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace wheelwright {
+namespace {
+
+struct Prior {
+  double log10_own = 0.0;
+  double log10_cross = -3.0;
+  double decay = 0.8;
+};
+
+Eigen::MatrixXd prior_covariance(const Prior& prior, Eigen::Index columns, Eigen::Index own_column) {
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(columns, columns);
+  const double own = std::pow(10.0, prior.log10_own);
+  const double cross = std::pow(10.0, prior.log10_cross);
+  for (Eigen::Index a = 0; a < columns; ++a) {
+    for (Eigen::Index b = a % 2; b < columns; b += 2) {
+      const double size = a % 2 == own_column ? own : cross;
+      covariance(a, b) = size * std::pow(prior.decay, static_cast<double>(std::max(a / 2, b / 2)));
+    }
+  }
+  return covariance;
+}
+
+// z is Gaussian with covariance R P R' + s I under the prior.
+Eigen::LLT<Eigen::MatrixXd> evidence_factor(const ResponseProblem& problem, const Eigen::MatrixXd& prior,
+                                            double noise_variance) {
+  Eigen::MatrixXd covariance = problem.r * prior * problem.r.transpose();
+  // Exact data would leave no noise at all and a covariance that is singular in rounding.
+  const double floor = 1e-15 * covariance.diagonal().maxCoeff();
+  covariance.diagonal().array() += std::max(noise_variance, floor);
+  return Eigen::LLT<Eigen::MatrixXd>(covariance);
+}
+
+double negative_log_evidence(const ResponseProblem& problem, const Prior& prior, double noise_variance) {
+  const auto factor =
+      evidence_factor(problem, prior_covariance(prior, problem.r.cols(), problem.own_column), noise_variance);
+  if (factor.info() != Eigen::Success) return std::numeric_limits<double>::infinity();
+  const Eigen::VectorXd whitened = factor.matrixL().solve(problem.z);
+  return 0.5 * whitened.squaredNorm() + factor.matrixLLT().diagonal().array().log().sum();
+}
+
+// One variable at a time with a shrinking step: the surface is smooth and has three dimensions.
+Prior best_prior(const ResponseProblem& problem, double noise_variance) {
+  Prior best;
+  double best_value = negative_log_evidence(problem, best, noise_variance);
+  const auto consider = [&](Prior candidate) {
+    candidate.log10_own = std::clamp(candidate.log10_own, -8.0, 3.0);
+    candidate.log10_cross = std::clamp(candidate.log10_cross, -12.0, 3.0);
+    candidate.decay = std::clamp(candidate.decay, 0.4, 0.985);
+    const double value = negative_log_evidence(problem, candidate, noise_variance);
+    if (value >= best_value) return;
+    best_value = value;
+    best = candidate;
+  };
+  for (double step = 1.0; step > 0.1; step *= 0.6) {
+    for (int round = 0; round < 2; ++round) {
+      for (const double sign : {-1.0, 1.0}) {
+        consider({best.log10_own + sign * step, best.log10_cross, best.decay});
+        consider({best.log10_own, best.log10_cross + 2.0 * sign * step, best.decay});
+        consider({best.log10_own, best.log10_cross, best.decay + 0.15 * sign * step});
+      }
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+ResponseEstimate estimate_response(const ResponseProblem& problem) {
+  const auto spare = std::max<Eigen::Index>(1, problem.rows - problem.r.cols());
+  ResponseEstimate estimate;
+  estimate.noise_variance = problem.residual_square_sum / static_cast<double>(spare);
+  const Prior prior = best_prior(problem, estimate.noise_variance);
+  const Eigen::MatrixXd covariance = prior_covariance(prior, problem.r.cols(), problem.own_column);
+  const auto factor = evidence_factor(problem, covariance, estimate.noise_variance);
+  const Eigen::MatrixXd gain = factor.solve(problem.r * covariance).transpose();
+  estimate.response = gain * problem.z;
+  estimate.covariance = covariance - gain * problem.r * covariance;
+  return estimate;
+}
+
+}  // namespace wheelwright

@@ -1,0 +1,30 @@
+// Regularised estimate of a wheel's impulse responses with a prior whose size is found by marginal
+// likelihood.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace wheelwright {
+
+// A least-squares problem for one wheel, reduced to its triangle: z = R h + e, plus `residual_square_sum`
+// that no h explains, from `rows` equations. Columns alternate between the wheel's own and the other wheel's
+// command.
+struct ResponseProblem {
+  Eigen::MatrixXd r;
+  Eigen::VectorXd z;
+  double residual_square_sum = 0.0;
+  Eigen::Index rows = 0;
+  Eigen::Index own_column = 0;  // 0 where the even columns are the wheel's own command, 1 where the odd are
+};
+
+struct ResponseEstimate {
+  Eigen::VectorXd response;     // posterior mean of h
+  Eigen::MatrixXd covariance;   // posterior covariance of h
+  double noise_variance = 0.0;  // of one whitened equation
+};
+
+// Prior: h_i of a channel has covariance size * decay^max(i,j), own and cross channel each with a size of
+// their own, independent of each other. Sizes and decay maximise the marginal likelihood.
+ResponseEstimate estimate_response(const ResponseProblem& problem);
+
+}  // namespace wheelwright
