@@ -1,0 +1,141 @@
+// wheelwright fit: drive logs in, model file out.
+#include <array>
+#include <chrono>
+#include <ctime>
+#include <iomanip>
+#include <memory>
+#include <optional>
+#include <ostream>
+
+#include "config/load/model_file.hpp"
+#include "config/load/text_format.hpp"
+#include "model/free_run.hpp"
+#include "model/identification/fir_fit.hpp"
+#include "model/score.hpp"
+#include "tools/wheelwright/commands.hpp"
+#include "tools/wheelwright/log_checks.hpp"
+
+namespace wheelwright::tools {
+namespace {
+
+using config::fixed_number;
+
+struct FitOptions {
+  std::vector<std::string> logs;
+  std::string output;
+  std::string type = "fir";
+  std::string order = "auto";
+  std::optional<double> max_command_m_s;
+};
+
+std::optional<std::size_t> parse_order(const std::string& text) {
+  constexpr std::size_t largest = 200;
+  if (text == "auto") return std::nullopt;
+  const bool digits =
+      !text.empty() && text.size() <= 3 && text.find_first_not_of("0123456789") == std::string::npos;
+  const std::size_t order = digits ? std::stoul(text) : 0;
+  if (order < 1 || order > largest) {
+    throw UsageError("--order is '" + text + "', but must be 'auto' or a whole number from 1 to 200");
+  }
+  return order;
+}
+
+void check_type(const std::string& type) {
+  if (type == "fir") return;
+  if (type == "arma") throw UsageError("--type arma is not known to this build; it knows fir only");
+  throw UsageError("--type is '" + type + "', but must be fir or arma");
+}
+
+std::vector<DriveLog> load_training_runs(const FitOptions& options) {
+  auto runs = load_all_runs(options.logs);
+  for (const auto& run : runs) {
+    if (const auto impossible = find_impossible_command(run, options.max_command_m_s)) {
+      throw UsageError(*impossible + ", or allow it with --max-command");
+    }
+  }
+  return runs;
+}
+
+std::string now_as_text() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  std::array<char, 32> buffer{};
+  std::strftime(buffer.data(), buffer.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return buffer.data();
+}
+
+RobotModel to_robot_model(const FirFit& fit, const std::vector<std::string>& sources, const DriveLog& first) {
+  RobotModel model;
+  model.robot = robot_name(first);
+  model.created = now_as_text();
+  model.source = sources;
+  model.core = fit.model;
+  model.left_fit = fit.left;
+  model.right_fit = fit.right;
+  return model;
+}
+
+void print_wheel(std::ostream& out, const std::string& name, double own, double own_error, double other,
+                 double other_error, const WheelFit& fit) {
+  out << "  " << std::left << std::setw(7) << name << std::right << std::setw(9) << fixed_number(own, 4)
+      << " +- " << fixed_number(own_error, 4) << std::setw(11) << fixed_number(other, 4) << " +- "
+      << fixed_number(other_error, 4) << std::setw(13) << fixed_number(1000.0 * fit.position_noise_m, 3)
+      << std::setw(18) << fixed_number(1000.0 * fit.drift_m_per_sqrt_s, 3) << "\n";
+}
+
+void print_fit(std::ostream& out, const FirFit& fit, const std::vector<DriveLog>& runs) {
+  ScoreSums sums;
+  for (const auto& run : runs) sums.add(free_run(fit.model, run), run);
+  const Score score = sums.score();
+  const std::size_t taps = fit.model.left.from_left.size();
+  out << "fir model from " << runs.size() << (runs.size() == 1 ? " run, " : " runs, ") << fit.rows
+      << " rows; response of " << taps << (taps == 1 ? " period, " : " periods, ")
+      << fixed_number(1000.0 * fit.model.period_s * static_cast<double>(taps), 1) << " ms\n\n"
+      << "  wheel      gain, own motor  gain, other motor  noise [mm]  drift [mm/sqrt s]\n";
+  const auto& left = fit.left;
+  const auto& right = fit.right;
+  print_wheel(out, "left", left.gain.from_left, left.gain_standard_error.from_left, left.gain.from_right,
+              left.gain_standard_error.from_right, left);
+  print_wheel(out, "right", right.gain.from_right, right.gain_standard_error.from_right, right.gain.from_left,
+              right.gain_standard_error.from_left, right);
+  out << "\n  gain is m/s reached per m/s commanded, +- one standard error; noise is of one reading of "
+         "travel\n";
+  out << "  free run on these runs: distance " << fixed_number(1000.0 * score.distance_rms_m.value_or(0.0), 2)
+      << " mm RMS, wheel speed " << fixed_number(1000.0 * score.wheel_speed_rms_m_s.value_or(0.0), 2)
+      << " mm/s RMS\n";
+}
+
+ExitStatus run_fit(const FitOptions& options, Streams streams) {
+  check_type(options.type);
+  FirFitOptions fit_options;
+  fit_options.length = parse_order(options.order);
+  const auto runs = load_training_runs(options);
+  const auto result = fit_fir(runs, fit_options);
+  if (!result) throw DataRefusal(result.error().reason);
+  config::save_model(to_robot_model(*result, options.logs, runs.front()), options.output);
+  print_fit(streams.out, *result, runs);
+  streams.out << "  wrote " << options.output << "\n";
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+Action add_fit(CLI::App& app) {
+  const auto options = std::make_shared<FitOptions>();
+  CLI::App* command = app.add_subcommand("fit", "Identify a model of the robot from drive logs");
+  command->add_option("LOG", options->logs, "Drive logs with encoder counts; all their runs are used")
+      ->required();
+  command->add_option("-o,--output", options->output, "Model file to write")->required();
+  command->add_option("--type", options->type, "fir (moving average) or arma")->capture_default_str();
+  command->add_option("--order", options->order, "Length of the response in periods, or auto")
+      ->capture_default_str();
+  command
+      ->add_option("--max-command", options->max_command_m_s,
+                   "Largest wheel command that the robot takes, m/s; larger ones are refused as garbage")
+      ->check(CLI::PositiveNumber);
+  command->footer("Example: wheelwright fit run1.csv run2.csv -o robot.yaml");
+  return [options](Streams streams) { return run_fit(*options, streams); };
+}
+
+}  // namespace wheelwright::tools

@@ -1,0 +1,122 @@
+// wheelwright score: how far a model's free run and measured runs are apart.
+#include "model/score.hpp"
+
+#include <iomanip>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "config/load/model_file.hpp"
+#include "config/load/text_format.hpp"
+#include "tools/wheelwright/commands.hpp"
+#include "tools/wheelwright/log_checks.hpp"
+
+namespace wheelwright::tools {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct ScoreOptions {
+  std::string model;
+  std::vector<std::string> logs;
+  bool json = false;
+};
+
+struct ScoredRun {
+  std::string name;
+  std::size_t rows = 0;
+  Score score;
+  std::optional<WheelPair> end_error_m;
+};
+
+ordered_json to_json(const AtHorizon& figure) {
+  return {{"horizon_s", figure.horizon_s}, {"value", figure.value}};
+}
+
+ordered_json to_json(const Score& score) {
+  ordered_json json = ordered_json::object();
+  if (score.wheel_speed_rms_m_s) json["wheel_speed_rms_m_s"] = *score.wheel_speed_rms_m_s;
+  if (score.distance_rms_m) json["distance_rms_m"] = *score.distance_rms_m;
+  if (score.position_rms_m) json["position_rms_m"] = to_json(*score.position_rms_m);
+  if (score.heading_rms_rad) json["heading_rms_rad"] = to_json(*score.heading_rms_rad);
+  return json;
+}
+
+// In thousandths, as the table shows everything; a dash where there is nothing.
+std::string thousandths(const std::optional<double>& value) {
+  return value ? config::fixed_number(1000.0 * *value, 1) : "-";
+}
+
+std::string thousandths(const std::optional<AtHorizon>& figure) {
+  if (!figure) return "-";
+  return config::fixed_number(1000.0 * figure->value, 1) + " / " +
+         config::fixed_number(figure->horizon_s, 1) + " s";
+}
+
+void print_row(std::ostream& out, const ScoredRun& run) {
+  std::optional<double> left;
+  std::optional<double> right;
+  if (run.end_error_m) {
+    left = run.end_error_m->left;
+    right = run.end_error_m->right;
+  }
+  out << std::right << std::setw(7) << run.rows << std::setw(10) << thousandths(run.score.wheel_speed_rms_m_s)
+      << std::setw(12) << thousandths(run.score.distance_rms_m) << std::setw(10) << thousandths(left)
+      << std::setw(10) << thousandths(right) << std::setw(17) << thousandths(run.score.position_rms_m)
+      << std::setw(17) << thousandths(run.score.heading_rms_rad) << "  " << run.name << "\n";
+}
+
+void print_table(std::ostream& out, const std::vector<ScoredRun>& runs, const Score& all) {
+  out << "          speed    distance    distance at end         position          heading\n"
+         "   rows  mm/s RMS     mm RMS   left mm  right mm  mm RMS / after mrad RMS / after  log\n";
+  std::size_t rows = 0;
+  for (const auto& run : runs) {
+    print_row(out, run);
+    rows += run.rows;
+  }
+  if (runs.size() > 1) print_row(out, {"all", rows, all, std::nullopt});
+}
+
+std::string run_name(const DriveLog& log, bool only_run_of_file) {
+  return only_run_of_file ? log.name : log.name + ":" + std::to_string(log.first_line);
+}
+
+ExitStatus run_score(const ScoreOptions& options, Streams streams) {
+  const RobotModel model = config::load_model(options.model);
+  ScoreSums sums;
+  std::vector<ScoredRun> runs;
+  for (const auto& path : options.logs) {
+    const auto logs = load_all_runs({path});
+    for (const auto& log : logs) {
+      warn_of_doubtful_log(log, model.core, streams.err);
+      const auto motion = free_run(model.core, log);
+      sums.add(motion, log);
+      runs.push_back({run_name(log, logs.size() == 1), log.samples.size(), score_run(motion, log),
+                      end_distance_error_m(motion, log)});
+    }
+  }
+  const Score all = sums.score();
+  if (all.empty())
+    throw DataRefusal("the logs hold neither encoder counts nor reference poses to compare with");
+  if (options.json) {
+    streams.out << to_json(all).dump() << "\n";
+  } else {
+    print_table(streams.out, runs, all);
+  }
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+Action add_score(CLI::App& app) {
+  const auto options = std::make_shared<ScoreOptions>();
+  CLI::App* command = app.add_subcommand("score", "How far a model's free run and measured runs are apart");
+  command->add_option("MODEL", options->model, "Model file")->required();
+  command->add_option("LOG", options->logs, "Drive logs with encoder counts or reference poses")->required();
+  command->add_flag("--json", options->json, "All logs together as JSON, in m/s, m and rad");
+  command->footer(
+      "Errors are predicted minus measured.\nExample: wheelwright score robot.yaml run2.csv run3.csv");
+  return [options](Streams streams) { return run_score(*options, streams); };
+}
+
+}  // namespace wheelwright::tools

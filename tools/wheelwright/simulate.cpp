@@ -1,0 +1,64 @@
+// wheelwright simulate: a model and a log's commands in, predicted motion out.
+#include <memory>
+#include <ostream>
+
+#include "config/load/atomic_file.hpp"
+#include "config/load/drive_log_file.hpp"
+#include "config/load/model_file.hpp"
+#include "config/load/text_format.hpp"
+#include "model/free_run.hpp"
+#include "tools/wheelwright/commands.hpp"
+#include "tools/wheelwright/log_checks.hpp"
+
+namespace wheelwright::tools {
+namespace {
+
+struct SimulateOptions {
+  std::string model;
+  std::string log;
+  std::string output;
+};
+
+std::string to_csv(const std::vector<PredictedMotion>& motion) {
+  constexpr int decimals = 9;
+  std::string text = "t,speed_left,speed_right,v,w,x,y,theta\n";
+  for (const auto& row : motion) {
+    text += config::plain_number(row.t_s);
+    for (const double value : {row.speed_m_s.left, row.speed_m_s.right, row.twist.v_m_s, row.twist.w_rad_s,
+                               row.pose.x_m, row.pose.y_m, row.pose.theta_rad}) {
+      text += "," + config::fixed_number(value, decimals);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+ExitStatus run_simulate(const SimulateOptions& options, Streams streams) {
+  const RobotModel model = config::load_model(options.model);
+  const DriveLog log = config::load_drive_log(options.log);
+  warn_of_doubtful_log(log, model.core, streams.err);
+  const auto motion = free_run(model.core, log);
+  if (const auto error = config::write_file_atomically(options.output, to_csv(motion)))
+    throw UsageError(*error);
+  const PredictedMotion& last = motion.back();
+  streams.out << motion.size() << " rows, " << config::fixed_number(last.t_s - motion.front().t_s, 1)
+              << " s; ends at x " << config::fixed_number(last.pose.x_m, 3) << " m, y "
+              << config::fixed_number(last.pose.y_m, 3) << " m, theta "
+              << config::fixed_number(last.pose.theta_rad, 3) << " rad\nwrote " << options.output << "\n";
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+Action add_simulate(CLI::App& app) {
+  const auto options = std::make_shared<SimulateOptions>();
+  CLI::App* command = app.add_subcommand("simulate", "Free run of a model over the commands of a log");
+  command->add_option("MODEL", options->model, "Model file")->required();
+  command->add_option("LOG", options->log, "Drive log of one run; its measurements are not used")->required();
+  command->add_option("-o,--output", options->output, "CSV to write: t, wheel speeds, v, w, x, y, theta")
+      ->required();
+  command->footer("Example: wheelwright simulate robot.yaml run2.csv -o predicted.csv");
+  return [options](Streams streams) { return run_simulate(*options, streams); };
+}
+
+}  // namespace wheelwright::tools
