@@ -37,16 +37,18 @@ OpenInterfaceServer::OpenInterfaceServer(const SimulationConfig& config, Mechani
   publish_mode();
 }
 
-void OpenInterfaceServer::receive(std::uint8_t byte, Nanoseconds now) {
+bool OpenInterfaceServer::receive(std::uint8_t byte, Nanoseconds now) {
   now_ = now;
-  if (power_ != Power::awake) return;
+  if (power_ != Power::awake) return false;
   constexpr std::uint8_t start = 128;
   constexpr std::uint8_t reset = 7;
-  if (mode_ == OiMode::off && byte != start && byte != reset) return;
-  if (const auto command = parser_.feed(byte)) {
-    last_command_ = now;
-    obey(*command);
-  }
+  if (mode_ == OiMode::off && byte != start && byte != reset) return false;
+  const auto command = parser_.feed(byte);
+  if (!command) return false;
+  last_command_ = now;
+  obey(*command);
+  const bool drives = command->opcode == 137 || command->opcode == 145 || command->opcode == 146;
+  return drives && may_drive();
 }
 
 void OpenInterfaceServer::obey(const HostCommand& command) {
@@ -94,7 +96,7 @@ void OpenInterfaceServer::obey(const HostCommand& command) {
     case 173:
       return enter(OiMode::off);
     default:
-      if (mode_ == OiMode::safe || mode_ == OiMode::full) obey_drive_command(command);
+      if (may_drive()) obey_drive_command(command);
   }
 }
 

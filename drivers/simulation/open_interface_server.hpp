@@ -28,7 +28,8 @@ class OpenInterfaceServer {
   OpenInterfaceServer(const SimulationConfig& config, Mechanics& mechanics, SensorBoard& sensors,
                       SerialLine& from_host, SerialLine& to_host, Noise& noise);
 
-  void receive(std::uint8_t byte, Nanoseconds now);
+  // Whether this byte completed a drive command (137, 145, 146) that the mode allows.
+  bool receive(std::uint8_t byte, Nanoseconds now);
   // Once per sensor period, after the sensors were refreshed: safety, sleep, stray text, and the stream's
   // next frame.
   void sensor_tick(Nanoseconds now);
@@ -45,6 +46,7 @@ class OpenInterfaceServer {
   enum class Power { off, booting, asleep, awake };
 
   void obey(const HostCommand& command);
+  bool may_drive() const { return mode_ == OiMode::safe || mode_ == OiMode::full; }
   void obey_drive_command(const HostCommand& command);
   void drive(std::int32_t velocity_mm_s, std::int32_t radius_mm);
   void enter(OiMode mode);

@@ -18,12 +18,14 @@ Nanoseconds nanoseconds(double seconds) {
 }
 
 SerialLine::SerialLine(int baud, std::size_t buffer, const ByteFaults& faults, double latency_s)
-    : byte_time_(time_of_byte(baud)),
+    : baud_(baud),
+      byte_time_(time_of_byte(baud)),
       buffer_(std::min(buffer, capacity)),
       faults_(faults),
       latency_(nanoseconds(latency_s)) {}
 
 void SerialLine::set_baud(int baud) {
+  baud_ = baud;
   byte_time_ = time_of_byte(baud);
 }
 
@@ -36,6 +38,7 @@ void SerialLine::send(std::uint8_t byte, Nanoseconds now, Noise& noise) {
   if (noise.happens(faults_.bit_flip_probability)) {
     byte = static_cast<std::uint8_t>(byte ^ (1U << (noise.bits() % 8U)));
   }
+  if (host_baud_ != 0 && host_baud_ != baud_) byte = static_cast<std::uint8_t>(noise.bits());
   ring_[(first_ + count_) % capacity] = {free_at_ + latency_, byte};
   ++count_;
 }

@@ -31,7 +31,9 @@ class SerialLine {
   // At most `buffer` bytes wait to be sent; `buffer` is no more than `capacity`.
   SerialLine(int baud, std::size_t buffer, const ByteFaults& faults, double latency_s);
 
+  // The robot's speed. Once the host's is known too and differs, every byte arrives as a random one.
   void set_baud(int baud);
+  void set_host_baud(int baud) { host_baud_ = baud; }
   void send(std::uint8_t byte, Nanoseconds now, Noise& noise);
   // The next byte, whenever it arrives; nothing if none is under way.
   std::optional<Arrival> front() const;
@@ -41,6 +43,8 @@ class SerialLine {
   const Arrival& at(std::size_t index) const { return ring_[(first_ + index) % capacity]; }
 
  private:
+  int baud_;
+  int host_baud_ = 0;  // 0: the same
   Nanoseconds byte_time_;
   std::size_t buffer_;
   ByteFaults faults_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include "drivers/simulation/mechanics.hpp"
 #include "drivers/simulation/open_interface_server.hpp"
@@ -37,11 +39,13 @@ struct SimulatedRobot::Parts {
         sensor_period(nanoseconds(robot.firmware.sensor_update_period_s)),
         next_tick(tick),
         next_refresh(sensor_period) {
-    sensors.refresh(mechanics, server.charger_connected(), noise);
+    refresh_sensors(Nanoseconds::zero());
   }
 
   Nanoseconds next_event() const { return std::min({physics_time + step, next_tick, next_refresh}); }
   void run_to(Nanoseconds event);
+  void refresh_sensors(Nanoseconds at);
+  void receive(const SerialLine::Arrival& arrival);
 
   SimulationConfig config;
   Noise noise;
@@ -59,6 +63,7 @@ struct SimulatedRobot::Parts {
   Nanoseconds next_refresh;
   Nanoseconds physics_time{0};
   Nanoseconds now{0};
+  std::optional<Player> player;  // where the robot answers with a recording
 };
 
 void SimulatedRobot::Parts::run_to(Nanoseconds event) {
@@ -69,13 +74,29 @@ void SimulatedRobot::Parts::run_to(Nanoseconds event) {
     next_tick += tick;
   }
   if (event == next_refresh) {
-    sensors.refresh(mechanics, server.charger_connected(), noise);
+    refresh_sensors(event);
     server.sensor_tick(event);
     next_refresh += sensor_period;
   }
 }
 
+void SimulatedRobot::Parts::refresh_sensors(Nanoseconds at) {
+  sensors.refresh(mechanics, server.charger_connected(), noise);
+  if (player) player->answer(sensors, at);
+}
+
+void SimulatedRobot::Parts::receive(const SerialLine::Arrival& arrival) {
+  const bool obeyed = server.receive(arrival.byte, arrival.at);
+  if (!player || !obeyed) return;
+  player->drive_commanded(arrival.at);
+  player->answer(sensors, arrival.at);
+}
+
 SimulatedRobot::SimulatedRobot(const SimulationConfig& config) : parts_(std::make_unique<Parts>(config)) {}
+SimulatedRobot::SimulatedRobot(const SimulationConfig& config, Recording recording) : SimulatedRobot(config) {
+  parts_->player.emplace(std::move(recording));
+  parts_->refresh_sensors(Nanoseconds::zero());
+}
 SimulatedRobot::SimulatedRobot(SimulatedRobot&&) noexcept = default;
 SimulatedRobot& SimulatedRobot::operator=(SimulatedRobot&&) noexcept = default;
 SimulatedRobot::~SimulatedRobot() = default;
@@ -92,7 +113,7 @@ void SimulatedRobot::advance(std::chrono::nanoseconds duration) {
     const auto byte = p.from_host.front();
     if (byte && byte->at <= std::min(event, end)) {
       p.from_host.pop();
-      p.server.receive(byte->byte, byte->at);
+      p.receive(*byte);
     } else if (event <= end) {
       p.run_to(event);
     } else {
@@ -110,6 +131,11 @@ std::size_t SimulatedRobot::transmit(std::span<std::uint8_t> to_host) {
   }
   parts_->receiver.taken(count);
   return count;
+}
+
+void SimulatedRobot::set_host_baud(int baud) {
+  parts_->from_host.set_host_baud(baud);
+  parts_->to_host.set_host_baud(baud);
 }
 
 std::chrono::nanoseconds SimulatedRobot::now() const {

@@ -18,6 +18,7 @@
 #include <span>
 
 #include "drivers/simulation/fault.hpp"
+#include "drivers/simulation/recording.hpp"
 #include "drivers/simulation/simulation_config.hpp"
 #include "model/pose.hpp"
 
@@ -45,6 +46,8 @@ struct GroundTruth {
 class SimulatedRobot {
  public:
   explicit SimulatedRobot(const SimulationConfig& config);
+  // A robot whose counters and requested speeds are those of a recording: see recording.hpp.
+  SimulatedRobot(const SimulationConfig& config, Recording recording);
   SimulatedRobot(SimulatedRobot&&) noexcept;
   SimulatedRobot& operator=(SimulatedRobot&&) noexcept;
   ~SimulatedRobot();
@@ -60,6 +63,9 @@ class SimulatedRobot {
   std::chrono::nanoseconds now() const;
   GroundTruth truth() const;
   void inject(const Fault& fault);
+  // The speed at which the host listens and talks; where it is not the robot's own, both hear garbage. Until
+  // it is called the host follows the robot.
+  void set_host_baud(int baud);
 
  private:
   struct Parts;
