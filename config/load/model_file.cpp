@@ -9,6 +9,7 @@ namespace wheelwright::config {
 namespace {
 
 constexpr std::size_t most_taps = 200;
+constexpr double largest_stable_pole = 1.0 - 1e-9;  // an integrator comes out below 1 by rounding
 constexpr Range weight{-1e6, 1e6};
 constexpr Range deviation{0.0, 1e6};
 
@@ -51,7 +52,7 @@ void read_wheel(YamlReader wheel, ModelType type, WheelResponse& response, std::
   if (type == ModelType::arma) {
     response.from_own_past = weights(wheel, "from_own_past");
     const double pole = largest_pole(response);
-    if (pole >= 1.0) {
+    if (pole >= largest_stable_pole) {
       wheel.fail("from_own_past", "makes the wheel's speed run away (largest pole " + plain_number(pole) +
                                       "); it must be below 1");
     }

@@ -47,7 +47,7 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = selected.empty() ? app : *selected.back();
   std::string text = one_line(error.what());
   const auto unexpected = app.remaining(true);
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !unexpected.empty()) {
+  if (!unexpected.empty()) {
     std::vector<std::string> options;
     for (const CLI::Option* option : command.get_options()) {
       for (const auto& name : option->get_lnames()) options.push_back("--" + name);

@@ -108,6 +108,10 @@ void print_fit(std::ostream& out, const FirFit& fit, const std::vector<DriveLog>
 
 ExitStatus run_fit(const FitOptions& options, Streams streams) {
   check_type(options.type);
+  if (options.max_command_m_s && !(*options.max_command_m_s > 0.0)) {
+    throw UsageError("--max-command must be above 0 m/s");
+  }
+  check_output(options.output, options.logs);
   FirFitOptions fit_options;
   fit_options.length = parse_order(options.order);
   const auto runs = load_training_runs(options);
@@ -130,10 +134,8 @@ Action add_fit(CLI::App& app) {
   command->add_option("--type", options->type, "fir (moving average) or arma")->capture_default_str();
   command->add_option("--order", options->order, "Length of the response in periods, or auto")
       ->capture_default_str();
-  command
-      ->add_option("--max-command", options->max_command_m_s,
-                   "Largest wheel command that the robot takes, m/s; larger ones are refused as garbage")
-      ->check(CLI::PositiveNumber);
+  command->add_option("--max-command", options->max_command_m_s,
+                      "Largest wheel command that the robot takes, m/s; larger ones are refused as garbage");
   command->footer("Example: wheelwright fit run1.csv run2.csv -o robot.yaml");
   return [options](Streams streams) { return run_fit(*options, streams); };
 }

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <ostream>
 
 #include "config/load/drive_log_file.hpp"
 #include "config/load/text_format.hpp"
+#include "tools/wheelwright/commands.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -21,6 +23,14 @@ bool is_roomba(std::string name) {
 }
 
 }  // namespace
+
+void check_output(const std::string& output, const std::vector<std::string>& inputs) {
+  for (const auto& input : inputs) {
+    std::error_code no_such_file;
+    if (!std::filesystem::equivalent(output, input, no_such_file)) continue;
+    throw UsageError("--output is " + output + ", which would replace an input; give it another name");
+  }
+}
 
 std::string robot_name(const DriveLog& log) {
   for (const auto& [key, value] : log.other_metadata) {

@@ -14,6 +14,9 @@ namespace wheelwright::tools {
 // All runs of all files, in order. Throws config::LogError.
 std::vector<DriveLog> load_all_runs(const std::vector<std::string>& paths);
 
+// Throws UsageError where the output of a command would replace one of its inputs.
+void check_output(const std::string& output, const std::vector<std::string>& inputs);
+
 // As the log's `# robot:` says, or "unknown".
 std::string robot_name(const DriveLog& log);
 

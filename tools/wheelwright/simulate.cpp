@@ -34,6 +34,7 @@ std::string to_csv(const std::vector<PredictedMotion>& motion) {
 }
 
 ExitStatus run_simulate(const SimulateOptions& options, Streams streams) {
+  check_output(options.output, {options.model, options.log});
   const RobotModel model = config::load_model(options.model);
   const DriveLog log = config::load_drive_log(options.log);
   warn_of_doubtful_log(log, model.core, streams.err);

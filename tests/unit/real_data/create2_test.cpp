@@ -1,0 +1,66 @@
+// Logs of a real Create 2, where they are: beside the project, or where WHEELWRIGHT_DATA says.
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <sstream>
+
+#include "config/load/drive_log_file.hpp"
+#include "model/free_run.hpp"
+#include "model/identification/fir_fit.hpp"
+#include "model/score.hpp"
+#include "tests/support/catch.hpp"
+#include "tools/wheelwright/command_line.hpp"
+
+using namespace wheelwright;
+
+namespace {
+
+std::optional<std::filesystem::path> create2_folder() {
+  const char* given = std::getenv("WHEELWRIGHT_DATA");
+  const auto data = given != nullptr
+                        ? std::filesystem::path(given)
+                        : std::filesystem::path(WHEELWRIGHT_SOURCE_DIR).parent_path() / "shared" / "data";
+  if (std::filesystem::exists(data / "create2" / "run1.csv")) return data / "create2";
+  WARN("SKIPPED: no Create 2 logs at " << data);
+  SUCCEED("SKIPPED");
+  return std::nullopt;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "A model of one run of a Create 2 predicts the repeat to 2 mm, and shows that later runs are faster") {
+  const auto folder = create2_folder();
+  if (!folder) return;
+  const DriveLog training = config::load_drive_log(*folder / "run1.csv");
+  const auto fit = fit_fir(std::span(&training, 1));
+  REQUIRE(fit);
+
+  const DriveLog repeat = config::load_drive_log(*folder / "run2.csv");
+  CHECK(*score_run(free_run(fit->model, repeat), repeat).distance_rms_m <= 0.002);
+
+  for (const std::string name : {"run3.csv", "run4.csv"}) {
+    INFO(name);
+    const DriveLog faster = config::load_drive_log(*folder / name);
+    const auto motion = free_run(fit->model, faster);
+    CHECK(*score_run(motion, faster).distance_rms_m > 0.05);
+    const auto error = end_distance_error_m(motion, faster);
+    CHECK(error->left < -0.05);  // the model falls behind
+    CHECK(error->right < -0.05);
+  }
+}
+
+TEST_CASE("The garbage in the first row of a real log is refused by fit, with its line") {
+  const auto folder = create2_folder();
+  if (!folder) return;
+  const auto model = std::filesystem::temp_directory_path() / "wheelwright_garbage.yaml";
+  std::ostringstream out;
+  std::ostringstream err;
+  const auto status = tools::run_command_line(
+      {"fit", (*folder / "counter_clockwise.csv").string(), "-o", model.string()}, {out, err});
+  CHECK(status == tools::ExitStatus::bad_input);
+  CHECK_THAT(err.str(), ContainsSubstring("counter_clockwise.csv:8: a command of 8.224 m/s"));
+  CHECK_THAT(err.str(), ContainsSubstring("delete the row"));
+  CHECK_FALSE(std::filesystem::exists(model));
+}

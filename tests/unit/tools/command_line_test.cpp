@@ -1,0 +1,209 @@
+#include "tools/wheelwright/command_line.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <sstream>
+
+#include "config/load/drive_log_file.hpp"
+#include "config/load/model_file.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/published_plant.hpp"
+
+using namespace wheelwright;
+using tools::ExitStatus;
+
+namespace {
+
+struct Outcome {
+  ExitStatus status;
+  std::string out;
+  std::string err;
+};
+
+Outcome wheelwright_command(const std::vector<std::string>& arguments) {
+  std::ostringstream out;
+  std::ostringstream err;
+  const ExitStatus status = tools::run_command_line(arguments, {out, err});
+  return {status, out.str(), err.str()};
+}
+
+// A folder that is gone after the test.
+class Folder {
+ public:
+  Folder()
+      : path_(std::filesystem::temp_directory_path() /
+              ("wheelwright_cli_" + std::to_string(std::random_device{}()))) {
+    std::filesystem::create_directory(path_);
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+DriveLog plant_run(unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> any(-0.3, 0.3);
+  test::PublishedPlant left;
+  test::PublishedPlant right;
+  constexpr double metres_per_tick = 0.000444565;
+  DriveLog log{"plant", 0.235, 0.018, WheelPair{metres_per_tick, metres_per_tick}, {{"robot", "plant"}},
+               {},      {},    1};
+  WheelPair travelled;
+  WheelPair command;
+  for (std::size_t k = 0; k < 1000; ++k) {
+    if (k % 9 == 0) command = {any(random), any(random)};
+    DriveSample sample;
+    sample.t_s = 0.018 * static_cast<double>(k);
+    sample.command_m_s = command;
+    sample.ticks = WheelTicks{std::llround(travelled.left / metres_per_tick),
+                              std::llround(travelled.right / metres_per_tick)};
+    log.samples.push_back(sample);
+    travelled.left += 0.018 * left.step(command.left);
+    travelled.right += 0.018 * right.step(command.right);
+  }
+  return log;
+}
+
+bool is_one_line(const std::string& text) {
+  return !text.empty() && text.back() == '\n' && std::count(text.begin(), text.end(), '\n') == 1;
+}
+
+}  // namespace
+
+TEST_CASE("A model is fitted from a log, simulated and scored on another") {
+  const Folder folder;
+  config::save_drive_log(plant_run(1), folder / "train.csv");
+  const DriveLog fresh = plant_run(2);
+  config::save_drive_log(fresh, folder / "test.csv");
+
+  const Outcome fitted = wheelwright_command({"fit", folder / "train.csv", "-o", folder / "model.yaml"});
+  CHECK(fitted.err.empty());
+  REQUIRE(fitted.status == ExitStatus::done);
+  CHECK_THAT(fitted.out, ContainsSubstring("mm RMS"));
+  const RobotModel model = config::load_model(folder / "model.yaml");
+  CHECK(model.robot == "plant");
+  CHECK(model.source == std::vector<std::string>{folder / "train.csv"});
+
+  REQUIRE(
+      wheelwright_command({"simulate", folder / "model.yaml", folder / "test.csv", "-o", folder / "out.csv"})
+          .status == ExitStatus::done);
+  std::ifstream csv(folder / "out.csv");
+  std::string line;
+  std::getline(csv, line);
+  CHECK(line == "t,speed_left,speed_right,v,w,x,y,theta");
+  std::size_t rows = 0;
+  while (std::getline(csv, line)) ++rows;
+  CHECK(rows == fresh.samples.size());
+
+  const Outcome scored = wheelwright_command({"score", folder / "model.yaml", folder / "test.csv", "--json"});
+  REQUIRE(scored.status == ExitStatus::done);
+  const auto json = nlohmann::json::parse(scored.out);
+  CHECK(json.size() == 2);
+  CHECK(json.at("wheel_speed_rms_m_s").get<double>() < 0.02);
+  CHECK(json.at("distance_rms_m").get<double>() < 0.003);
+  CHECK_THAT(wheelwright_command({"score", folder / "model.yaml", folder / "test.csv"}).out,
+             ContainsSubstring("test.csv"));
+}
+
+TEST_CASE("The order of a fit is the number of taps") {
+  const Folder folder;
+  config::save_drive_log(plant_run(1), folder / "train.csv");
+  REQUIRE(wheelwright_command({"fit", folder / "train.csv", "-o", folder / "model.yaml", "--order", "17"})
+              .status == ExitStatus::done);
+  CHECK(config::load_model(folder / "model.yaml").core.left.from_left.size() == 17);
+}
+
+TEST_CASE("Help and version go to standard output with status 0") {
+  for (const std::string command : {"fit", "simulate", "score"}) {
+    const Outcome help = wheelwright_command({command, "--help"});
+    CHECK(help.status == ExitStatus::done);
+    CHECK_THAT(help.out, ContainsSubstring("Example: wheelwright " + command));
+    CHECK_THAT(wheelwright_command({"--help"}).out, ContainsSubstring(command));
+  }
+  CHECK_THAT(wheelwright_command({"--version"}).out, ContainsSubstring("wheelwright "));
+}
+
+TEST_CASE("Wrong usage is one line on standard error and status 2") {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
+      {{}, "no command given; use one of: fit"},
+      {{"smulate"}, "unknown command 'smulate'; did you mean 'simulate'?"},
+      {{"fit"}, "LOG is required"},
+      {{"fit", "a.csv"}, "--output is required"},
+      {{"fit", "a.csv", "-o", "b", "--odrer", "3"}, "did you mean '--order'?"},
+      {{"fit", "a.csv", "-o", "b", "--type", "arma"}, "knows fir only"},
+      {{"fit", "a.csv", "-o", "b", "--type", "ar"}, "must be fir or arma"},
+      {{"fit", "a.csv", "-o", "b", "--order", "0"}, "a whole number from 1 to 200"},
+      {{"fit", "a.csv", "-o", "b", "--order", "-3"}, "--order"},
+      {{"fit", "no_such.csv", "-o", "b"}, "no_such.csv: cannot be read"},
+      {{"score", "no_such.yaml", "a.csv"}, "no_such.yaml: cannot be read"},
+      {{"--fast"}, "'--fast' is not expected here"},
+  };
+  for (const auto& [arguments, expected] : wrong) {
+    INFO(expected);
+    const Outcome outcome = wheelwright_command(arguments);
+    CHECK(outcome.status == ExitStatus::bad_input);
+    CHECK(outcome.out.empty());
+    CHECK(is_one_line(outcome.err));
+    CHECK_THAT(outcome.err, ContainsSubstring(expected));
+  }
+}
+
+TEST_CASE("Data that cannot show the responses give status 1 and no model file") {
+  const Folder folder;
+  DriveLog log = plant_run(1);
+  for (auto& sample : log.samples) sample.command_m_s.right = sample.command_m_s.left;
+  config::save_drive_log(log, folder / "straight.csv");
+  const Outcome outcome = wheelwright_command({"fit", folder / "straight.csv", "-o", folder / "model.yaml"});
+  CHECK(outcome.status == ExitStatus::answer_is_no);
+  CHECK(is_one_line(outcome.err));
+  CHECK_THAT(outcome.err, ContainsSubstring("add a run that turns"));
+  CHECK_FALSE(std::filesystem::exists(folder / "model.yaml"));
+}
+
+TEST_CASE("A command that the robot cannot have been given is refused with its line") {
+  const Folder folder;
+  DriveLog log = plant_run(1);
+  log.samples[3].command_m_s.left = 8.224;
+  config::save_drive_log(log, folder / "garbage.csv");
+  const Outcome outcome = wheelwright_command({"fit", folder / "garbage.csv", "-o", folder / "model.yaml"});
+  CHECK(outcome.status == ExitStatus::bad_input);
+  CHECK_THAT(outcome.err, ContainsSubstring("garbage.csv:11: a command of 8.224 m/s"));
+  CHECK(
+      wheelwright_command({"fit", folder / "garbage.csv", "-o", folder / "model.yaml", "--max-command", "9"})
+          .status == ExitStatus::done);
+  CHECK_THAT(wheelwright_command({"score", folder / "model.yaml", folder / "garbage.csv", "--json"}).err,
+             ContainsSubstring("warning"));
+}
+
+TEST_CASE("No command replaces its own input") {
+  const Folder folder;
+  config::save_drive_log(plant_run(1), folder / "run.csv");
+  const auto size = std::filesystem::file_size(folder / "run.csv");
+  CHECK_THAT(wheelwright_command({"fit", folder / "run.csv", "-o", folder / "run.csv"}).err,
+             ContainsSubstring("would replace an input"));
+  CHECK(std::filesystem::file_size(folder / "run.csv") == size);
+}
+
+TEST_CASE("All runs of a file are fitted and scored, but simulate wants one and names the line") {
+  const Folder folder;
+  config::save_drive_log(plant_run(1), folder / "two.csv");
+  std::ifstream second(folder / "two.csv");
+  std::string text((std::istreambuf_iterator<char>(second)), std::istreambuf_iterator<char>());
+  const std::string rows = text.substr(text.find("\n0.000000,") + 1);
+  std::ofstream(folder / "two.csv") << text << rows;
+  const Outcome fitted = wheelwright_command({"fit", folder / "two.csv", "-o", folder / "model.yaml"});
+  CHECK_THAT(fitted.out, ContainsSubstring("from 2 runs"));
+  CHECK_THAT(wheelwright_command({"score", folder / "model.yaml", folder / "two.csv"}).out,
+             ContainsSubstring("two.csv:1008"));
+  const Outcome refused =
+      wheelwright_command({"simulate", folder / "model.yaml", folder / "two.csv", "-o", folder / "o"});
+  CHECK(refused.status == ExitStatus::bad_input);
+  CHECK_THAT(refused.err, ContainsSubstring("line 1008"));
+}
