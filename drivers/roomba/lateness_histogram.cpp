@@ -1,0 +1,36 @@
+#include "drivers/roomba/lateness_histogram.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelwright::roomba {
+namespace {
+
+// Bins grow by a constant ratio from 100 ns on; 512 of them reach beyond a minute.
+constexpr double first_bin_ns = 100.0;
+constexpr double bins_per_octave = 17.0;
+
+}  // namespace
+
+void LatenessHistogram::add(std::chrono::nanoseconds lateness) {
+  const auto ns = static_cast<double>(std::max<std::int64_t>(lateness.count(), 0));
+  const double position = ns <= first_bin_ns ? 0.0 : 1.0 + bins_per_octave * std::log2(ns / first_bin_ns);
+  const auto bin = std::min(static_cast<std::size_t>(position), bins - 1);
+  ++bins_.at(bin);
+  ++count_;
+  largest_ = std::max(largest_, lateness);
+}
+
+std::chrono::nanoseconds LatenessHistogram::quantile(double share) const {
+  const auto wanted = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(count_)));
+  std::uint64_t seen = 0;
+  for (std::size_t bin = 0; bin < bins; ++bin) {
+    seen += bins_.at(bin);
+    if (seen < wanted || seen == 0) continue;
+    const double upper_ns = first_bin_ns * std::exp2(static_cast<double>(bin) / bins_per_octave);
+    return std::min(largest_, std::chrono::nanoseconds(static_cast<std::int64_t>(upper_ns)));
+  }
+  return largest_;
+}
+
+}  // namespace wheelwright::roomba

@@ -1,0 +1,286 @@
+#include "drivers/roomba/roomba_link.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelwright::roomba {
+namespace {
+
+using open_interface::Reading;
+
+constexpr std::uint8_t passive = 1;
+constexpr std::uint8_t safe = 2;
+
+constexpr std::size_t padding_bytes = 40;  // longer than any command that this project sends
+constexpr int start_settles_ticks = 3;     // the robot wants 20 ms after a change of mode
+constexpr int start_again_ticks = 50;      // a robot that was just switched on misses the first Start
+constexpr double arming_patience_s = 1.0;
+
+// No Roomba moves faster than 0.5 m/s, 1125 ticks/s; some room for slipping wheels and for sensor refreshes
+// that fall between polls.
+constexpr double most_ticks_per_s = 1600.0;
+constexpr double refresh_slack_s = 0.04;
+constexpr int implausible_before_new_origin = 3;
+
+}  // namespace
+
+std::string_view name_of(LinkState state) {
+  switch (state) {
+    case LinkState::closed:
+      return "closed";
+    case LinkState::starting:
+      return "starting";
+    case LinkState::running:
+      return "running";
+    case LinkState::lost:
+      return "lost";
+  }
+  return "unknown";
+}
+
+RoombaLink::RoombaLink(const LinkConfig& config) : config_(config) {}
+
+int RoombaLink::ticks_of(double seconds) const {
+  return static_cast<int>(std::ceil(seconds / config_.period_s - 1e-9));
+}
+
+void RoombaLink::port_opened() {
+  state_ = LinkState::starting;
+  arm_state_ = ArmState::disarmed;
+  ticks_since_open_ = 0;
+  mode_offset_ = 0;
+  after_gap_ = true;
+  first_counter_.rebase();
+  second_counter_.rebase();
+}
+
+void RoombaLink::port_closed() {
+  state_ = LinkState::closed;
+  arm_state_ = ArmState::disarmed;
+}
+
+void RoombaLink::arm() {
+  stop_ = StopReason::none;
+  arm_state_ = ArmState::asking;
+  asking_since_tick_ = frame_.tick;
+  late_in_a_row_ = 0;
+}
+
+void RoombaLink::stop(StopReason reason) {
+  if (stop_ == StopReason::none) stop_ = reason;
+  arm_state_ = ArmState::disarmed;
+  urgent_.clear();
+  add_drive(urgent_, {});
+}
+
+std::span<const std::uint8_t> RoombaLink::urgent_bytes() {
+  out_ = urgent_;
+  urgent_.clear();
+  return out_.bytes();
+}
+
+std::span<const std::uint8_t> RoombaLink::farewell_bytes() {
+  out_.clear();
+  add_drive(out_, {});
+  out_.start();
+  out_.stop_oi();
+  return out_.bytes();
+}
+
+open_interface::StrayText& RoombaLink::stray_text() {
+  return config_.transport == Transport::query ? query_.stray_text() : stream_.stray_text();
+}
+
+Command RoombaLink::obeyed_command(const std::optional<Command>& command) {
+  Command obeyed;
+  if (command) {
+    obeyed = *command;
+    late_in_a_row_ = 0;
+  } else if (armed()) {
+    ++counts_.late_commands;
+    if (++late_in_a_row_ > config_.late_commands_held) stop(StopReason::late_command);
+    obeyed = last_command_;
+  }
+  if (!armed()) {
+    obeyed.speed_m_s = {};
+    if (stop_ != StopReason::none) obeyed.activity = Activity::stopped;
+  }
+  const double limit = config_.largest_speed_m_s;
+  obeyed.speed_m_s.left = std::clamp(obeyed.speed_m_s.left, -limit, limit);
+  obeyed.speed_m_s.right = std::clamp(obeyed.speed_m_s.right, -limit, limit);
+  return obeyed;
+}
+
+void RoombaLink::add_drive(open_interface::CommandBytes& out, const WheelPair& speed_m_s) const {
+  if (config_.drive_mode == DriveMode::direct) {
+    out.drive_direct(static_cast<int>(std::lround(1000.0 * speed_m_s.right)),
+                     static_cast<int>(std::lround(1000.0 * speed_m_s.left)));
+  } else {
+    const double duty = 255.0 / config_.pwm_full_scale_m_s;
+    out.drive_pwm(static_cast<int>(std::lround(duty * speed_m_s.right)),
+                  static_cast<int>(std::lround(duty * speed_m_s.left)));
+  }
+}
+
+std::span<const std::uint8_t> RoombaLink::begin_tick(std::int64_t tick, double host_time_s,
+                                                     const std::optional<Command>& command) {
+  last_command_ = frame_.command;
+  out_.clear();
+  const Command obeyed = obeyed_command(command);
+  frame_ = SensorFrame{};
+  frame_.tick = tick;
+  frame_.t_s = static_cast<double>(tick) * config_.period_s;
+  frame_.host_time_s = host_time_s;
+  frame_.command = obeyed;
+  frame_.command.tick = tick;
+  if (state_ != LinkState::closed) write_tick_commands();
+  return out_.bytes();
+}
+
+void RoombaLink::write_tick_commands() {
+  handshake();
+  if (arm_state_ == ArmState::asking) {
+    if (config_.full_mode) {
+      out_.full_mode();
+    } else {
+      out_.safe_mode();
+    }
+  }
+  if (arm_state_ != ArmState::disarmed) {
+    add_drive(out_, frame_.command.speed_m_s);
+  } else if (stop_ != StopReason::none) {
+    add_drive(out_, {});
+  }
+  if (config_.transport == Transport::query && ticks_since_open_ > start_settles_ticks) {
+    out_.query_list(query_.begin());
+  }
+  ++ticks_since_open_;
+}
+
+void RoombaLink::handshake() {
+  if (state_ == LinkState::running) return;
+  const auto step = ticks_since_open_ % start_again_ticks;
+  if (step == 0) {
+    out_.padding(padding_bytes);
+    add_drive(out_, {});
+    out_.start();
+  }
+  if (step == start_settles_ticks && config_.transport == Transport::stream) out_.stream(stream_.packets());
+}
+
+std::optional<Reading> RoombaLink::receive(std::uint8_t byte) {
+  return config_.transport == Transport::query ? query_.take(byte) : stream_.take(byte);
+}
+
+SensorFrame RoombaLink::complete_tick(const Reading* reading) {
+  if (reading != nullptr) {
+    take_reading(*reading, frame_);
+  } else {
+    note_silence();
+  }
+  frame_.stop = stop_;
+  frame_.armed = armed();
+  return frame_;
+}
+
+void RoombaLink::note_silence() {
+  if (state_ != LinkState::running) return;
+  const auto silent_ticks = frame_.tick - last_sound_tick_;
+  if (armed() && silent_ticks >= ticks_of(config_.blind_limit_s)) stop(StopReason::blind);
+  if (silent_ticks < ticks_of(config_.lost_after_s)) return;
+  stop(StopReason::link_lost);
+  state_ = LinkState::lost;
+  ++counts_.times_lost;
+}
+
+void RoombaLink::take_reading(const Reading& reading, SensorFrame& frame) {
+  last_reading_ = reading;
+  frame.light_bumper = reading.light_bumper;
+  frame.bump_right = (reading.bumps_and_wheel_drops & 1U) != 0;
+  frame.bump_left = (reading.bumps_and_wheel_drops & 2U) != 0;
+  frame.wheel_drop = (reading.bumps_and_wheel_drops & 12U) != 0;
+  frame.cliff = reading.cliff;
+  frame.overcurrents = reading.overcurrents;
+  frame.oi_mode = reading.oi_mode;
+  frame.charging_state = reading.charging_state;
+  frame.battery_v = 1e-3 * reading.voltage_mv;
+  frame.battery_a = 1e-3 * reading.current_ma;
+  frame.motor_current_a = {1e-3 * reading.left_motor_ma, 1e-3 * reading.right_motor_ma};
+  frame.valid = true;
+  take_counts(reading, frame);
+  if (state_ == LinkState::starting) state_ = LinkState::running;
+  last_sound_tick_ = frame.tick;
+  follow_mode(reading.oi_mode);
+  check_safety(reading);
+}
+
+void RoombaLink::take_counts(const Reading& reading, SensorFrame& frame) {
+  const double elapsed_s =
+      static_cast<double>(frame.tick - last_sound_tick_) * config_.period_s + refresh_slack_s;
+  const int most_change = static_cast<int>(std::min(most_ticks_per_s * elapsed_s, 30000.0));
+  const bool left_first = config_.encoder_order == EncoderOrder::left_is_43;
+  const double first_command = left_first ? last_command_.speed_m_s.left : last_command_.speed_m_s.right;
+  const double second_command = left_first ? last_command_.speed_m_s.right : last_command_.speed_m_s.left;
+  const bool first_taken = first_counter_.update(reading.left_counts, first_command, most_change);
+  const bool second_taken = second_counter_.update(reading.right_counts, second_command, most_change);
+  if (first_taken && second_taken) {
+    implausible_in_a_row_ = 0;
+  } else {
+    ++counts_.implausible;
+    frame.valid = false;
+    if (++implausible_in_a_row_ >= implausible_before_new_origin) {
+      first_counter_.rebase();
+      second_counter_.rebase();
+      after_gap_ = true;
+    }
+  }
+  const auto& left = left_first ? first_counter_ : second_counter_;
+  const auto& right = left_first ? second_counter_ : first_counter_;
+  frame.ticks = {left.total(), right.total()};
+  frame.doubtful_sign = left.doubtful() || right.doubtful();
+  if (frame.valid) {
+    frame.after_gap = after_gap_;
+    after_gap_ = false;
+  }
+}
+
+void RoombaLink::follow_mode(std::uint8_t reported_mode) {
+  const bool nothing_asked = arm_state_ == ArmState::disarmed && stop_ == StopReason::none;
+  if (nothing_asked && reported_mode == passive) mode_offset_ = 0;
+  // Right after Start the robot is in Passive; a robot that then says Safe counts its modes from one.
+  if (nothing_asked && reported_mode == passive + 1 && ticks_since_open_ < start_again_ticks)
+    mode_offset_ = 1;
+  const bool obeys = reported_mode >= safe + mode_offset_;
+  if (arm_state_ == ArmState::asking) {
+    if (obeys) {
+      arm_state_ = ArmState::armed;
+    } else if (frame_.tick - asking_since_tick_ > ticks_of(arming_patience_s)) {
+      stop(StopReason::mode_changed);
+    }
+  } else if (armed() && !obeys) {
+    stop(StopReason::mode_changed);
+  }
+}
+
+StopReason RoombaLink::unsafe_reason(const Reading& reading) const {
+  constexpr unsigned bumps = 3U;
+  constexpr unsigned wheel_drops = 12U;
+  constexpr unsigned wheel_overcurrents = 24U;
+  constexpr int charging_fault = 5;
+  if ((reading.bumps_and_wheel_drops & wheel_drops) != 0) return StopReason::wheel_drop;
+  if (reading.cliff) return StopReason::cliff;
+  if ((reading.bumps_and_wheel_drops & bumps) != 0) return StopReason::bump;
+  if ((reading.overcurrents & wheel_overcurrents) != 0) return StopReason::overcurrent;
+  if (reading.charging_state != 0 && reading.charging_state < charging_fault) return StopReason::charging;
+  if (reading.voltage_mv < static_cast<int>(1000.0 * config_.lowest_battery_v))
+    return StopReason::low_battery;
+  return StopReason::none;
+}
+
+void RoombaLink::check_safety(const Reading& reading) {
+  if (arm_state_ == ArmState::disarmed) return;
+  const StopReason reason = unsafe_reason(reading);
+  if (reason != StopReason::none) stop(reason);
+}
+
+}  // namespace wheelwright::roomba

@@ -1,0 +1,263 @@
+#include "drivers/roomba/session.hpp"
+
+#include <utility>  // Boost.Asio 1.74 needs it and does not say so
+
+#include <unistd.h>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/posix/stream_descriptor.hpp>
+#include <boost/asio/steady_timer.hpp>
+
+#include <algorithm>
+#include <cerrno>
+
+namespace wheelwright::roomba {
+namespace {
+
+namespace asio = boost::asio;
+using std::chrono::steady_clock;
+
+constexpr double longest_back_off_s = 0.5;
+constexpr std::int64_t frames_to_measure = 200;
+
+}  // namespace
+
+struct Session::Io {
+  asio::io_context context{1};
+  asio::posix::stream_descriptor port{context};
+  asio::steady_timer timer{context};
+};
+
+Session::Session(const SessionConfig& config, const serial::OpenPort& first_port, LoopClient& client)
+    : config_(config),
+      client_(client),
+      link_(config.link),
+      io_(std::make_unique<Io>()),
+      period_(std::chrono::nanoseconds(std::llround(1e9 * config.link.period_s))),
+      encoder_order_(config.link.encoder_order) {
+  adopt(first_port);
+}
+
+Session::~Session() = default;
+
+double Session::now_s() const {
+  return std::chrono::duration<double>(steady_clock::now().time_since_epoch()).count();
+}
+
+void Session::run() {
+  started_ = steady_clock::now();
+  deadline_ = started_ + period_;
+  start_reading();
+  wait_for_tick();
+  io_->context.run();
+  if (!io_->port.is_open()) return;
+  // The robot obeys the last command for ever: whole, in order, and drained before the port is closed.
+  flush_held_up();
+  write(link_.farewell_bytes());
+  for (int i = 0; i < 10 && !flush_held_up(); ++i) ::usleep(5000);
+  io_->port.close();
+}
+
+void Session::wait_for_tick() {
+  const bool streaming = config_.link.transport == Transport::stream && link_.state() == LinkState::running;
+  // A running stream is the clock; the timer then only notices its silence.
+  io_->timer.expires_at(streaming ? deadline_ + period_ : deadline_);
+  io_->timer.async_wait([this](const boost::system::error_code& error) {
+    if (!error) on_timer();
+  });
+}
+
+void Session::on_timer() {
+  const auto late = steady_clock::now() - deadline_;
+  if (config_.link.transport == Transport::query) lateness_.add(late);
+  skip_missed_periods();
+  tick();
+  if (tick_open_ && config_.link.transport == Transport::stream) finish_tick(nullptr);
+  deadline_ += period_;
+  if (!ending_) wait_for_tick();
+}
+
+// After an overrun the loop goes on at the next whole period: phase is kept, what was missed is counted.
+void Session::skip_missed_periods() {
+  const auto late = steady_clock::now() - deadline_;
+  if (late < period_ || config_.link.transport == Transport::stream) return;
+  const auto missed = late / period_;
+  ++counts_.overruns;
+  counts_.skipped_periods += missed;
+  if (tick_open_) finish_tick(nullptr);
+  tick_ += missed;
+  deadline_ += missed * period_;
+  report(EventCode::overrun, static_cast<double>(missed));
+}
+
+void Session::tick() {
+  if (tick_open_) finish_tick(nullptr);
+  take_requests();
+  if (ending_) {
+    io_->context.stop();
+    return;
+  }
+  reopen_if_due();
+  begin_tick();
+}
+
+void Session::take_requests() {
+  if (end_requested_.load(std::memory_order_relaxed)) ending_ = true;
+  if (arm_requested_.exchange(false, std::memory_order_relaxed)) link_.arm();
+  if (stop_requested_.exchange(false, std::memory_order_relaxed)) link_.stop(StopReason::requested);
+  link_.set_encoder_order(encoder_order_.load(std::memory_order_relaxed));
+}
+
+void Session::begin_tick() {
+  ++tick_;
+  ++counts_.ticks;
+  heartbeat_.store(tick_, std::memory_order_relaxed);
+  tick_open_ = true;
+  write(link_.begin_tick(tick_, now_s(), client_.command_for(tick_)));
+}
+
+void Session::finish_tick(const open_interface::Reading* reading) {
+  tick_open_ = false;
+  const SensorFrame frame = link_.complete_tick(reading);
+  write(link_.urgent_bytes());
+  client_.on_frame(frame);
+  report_changes();
+}
+
+void Session::start_reading() {
+  if (!io_->port.is_open()) return;
+  io_->port.async_read_some(asio::buffer(input_),
+                            [this](const boost::system::error_code& error, std::size_t count) {
+                              if (error == asio::error::operation_aborted) return;
+                              if (error || count == 0) {
+                                drop_port();
+                                return;
+                              }
+                              on_bytes(count);
+                              start_reading();
+                            });
+}
+
+void Session::on_bytes(std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (const auto reading = link_.receive(input_.at(i))) on_reading(*reading);
+  }
+}
+
+void Session::on_reading(const open_interface::Reading& reading) {
+  if (config_.link.transport == Transport::query) {
+    if (tick_open_) finish_tick(&reading);
+    return;
+  }
+  measure_stream_period();
+  lateness_.add(std::max(steady_clock::now() - deadline_, steady_clock::duration::zero()));
+  tick();
+  if (ending_) return;
+  finish_tick(&reading);
+  deadline_ = steady_clock::now() + period_;
+  wait_for_tick();
+}
+
+void Session::measure_stream_period() {
+  if (++stream_frames_ == 1) first_stream_frame_s_ = now_s();
+  if (stream_frames_ != frames_to_measure + 1) return;
+  report(EventCode::stream_period,
+         (now_s() - first_stream_frame_s_) / static_cast<double>(frames_to_measure));
+}
+
+bool Session::flush_held_up() {
+  if (held_up_size_ == 0) return true;
+  const ssize_t written = ::write(io_->port.native_handle(), held_up_.data(), held_up_size_);
+  if (written <= 0) return false;
+  const auto done = static_cast<std::size_t>(written);
+  std::shift_left(held_up_.begin(), held_up_.begin() + static_cast<std::ptrdiff_t>(held_up_size_), written);
+  held_up_size_ -= done;
+  return held_up_size_ == 0;
+}
+
+// A command goes out whole or, if the port takes only part of it now, its rest goes out before anything else.
+void Session::write(std::span<const std::uint8_t> bytes) {
+  if (bytes.empty() || !io_->port.is_open()) return;
+  if (!flush_held_up()) {
+    drop_port();
+    return;
+  }
+  ssize_t written = ::write(io_->port.native_handle(), bytes.data(), bytes.size());
+  if (written < 0 && errno != EAGAIN && errno != EINTR) {
+    drop_port();
+    return;
+  }
+  written = std::max<ssize_t>(written, 0);
+  const auto rest = bytes.subspan(static_cast<std::size_t>(written));
+  if (rest.empty()) return;
+  ++counts_.writes_held_up;
+  std::copy(rest.begin(), rest.end(), held_up_.begin());
+  held_up_size_ = rest.size();
+}
+
+void Session::adopt(const serial::OpenPort& port) {
+  io_->port.assign(port.descriptor);
+  held_up_size_ = 0;
+  stream_frames_ = 0;
+  link_.port_opened();
+}
+
+void Session::drop_port() {
+  if (!io_->port.is_open()) return;
+  boost::system::error_code ignored;
+  io_->port.close(ignored);
+  link_.stop(StopReason::link_lost);
+  link_.port_closed();
+  back_off_s_ = 0.1;
+  reopen_at_tick_ = tick_ + std::llround(back_off_s_ / config_.link.period_s);
+}
+
+void Session::reopen_if_due() {
+  if (link_.state() == LinkState::lost) drop_port();
+  if (link_.state() != LinkState::closed || tick_ < reopen_at_tick_) return;
+  const auto port = serial::open_port(config_.device, config_.baud);
+  if (port) {
+    adopt(*port);
+    start_reading();
+    report(EventCode::port_opened, 0.0);
+    return;
+  }
+  back_off_s_ = std::min(2.0 * back_off_s_, longest_back_off_s);
+  reopen_at_tick_ = tick_ + std::llround(back_off_s_ / config_.link.period_s);
+}
+
+void Session::report_changes() {
+  if (link_.state() != reported_state_) {
+    if (link_.state() == LinkState::running) {
+      report(EventCode::robot_answers, 1e-3 * link_.last_reading().voltage_mv);
+    }
+    if (reported_state_ == LinkState::running) report(EventCode::link_lost, 0.0);
+    reported_state_ = link_.state();
+  }
+  if (link_.armed() != reported_armed_) {
+    reported_armed_ = link_.armed();
+    if (reported_armed_) report(EventCode::armed, 0.0);
+  }
+  if (link_.stop_reason() != reported_stop_) {
+    reported_stop_ = link_.stop_reason();
+    if (reported_stop_ != StopReason::none) report(EventCode::stopped, static_cast<double>(reported_stop_));
+  }
+  if (!reported_rule_ && link_.checksum_rule() != open_interface::ChecksumRule::unknown) {
+    reported_rule_ = true;
+    report(EventCode::checksum_rule, static_cast<double>(link_.checksum_rule()));
+  }
+  if (const auto text = link_.stray_text().finished(); !text.empty()) {
+    report(EventCode::robot_text, 0.0, text);
+    link_.stray_text().discard();
+  }
+}
+
+void Session::report(EventCode code, double value, std::string_view text) {
+  Event event;
+  event.t_s = static_cast<double>(tick_) * config_.link.period_s;
+  event.code = code;
+  event.value = value;
+  std::copy_n(text.begin(), std::min(text.size(), event.text.size() - 1), event.text.begin());
+  client_.on_event(event);
+}
+
+}  // namespace wheelwright::roomba

@@ -1,0 +1,143 @@
+// The sensor loop: a Roomba on a serial port, one tick after the other on absolute deadlines.
+//
+// One thread calls run() and owns port, timer and tick; nothing else is posted to it. What it has to say it
+// says through LoopClient, whose functions are called on that thread and must neither block nor allocate.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "drivers/roomba/lateness_histogram.hpp"
+#include "drivers/roomba/roomba_link.hpp"
+#include "drivers/serial/serial_port.hpp"
+
+namespace wheelwright::roomba {
+
+enum class EventCode : std::uint8_t {
+  port_opened,
+  port_failed,    // text: why
+  robot_answers,  // value: battery voltage
+  link_lost,
+  robot_text,  // text: what the robot printed by itself
+  armed,
+  stopped,        // value: StopReason
+  overrun,        // value: periods that were skipped
+  checksum_rule,  // value: ChecksumRule
+  stream_period,  // value: seconds between frames, as measured
+};
+
+// Something that happened in the loop, for a log that is written elsewhere.
+struct Event {
+  double t_s = 0.0;
+  EventCode code{};
+  double value = 0.0;
+  std::array<char, 96> text{};
+};
+
+class LoopClient {
+ public:
+  virtual ~LoopClient() = default;
+  // The command of a tick, or nothing where none has come in time.
+  virtual std::optional<Command> command_for(std::int64_t tick) = 0;
+  virtual void on_frame(const SensorFrame& frame) = 0;
+  virtual void on_event(const Event& event) = 0;
+};
+
+// What the loop counted; read it after run() has returned, or from the loop's own thread.
+struct LoopCounts {
+  std::int64_t ticks = 0;
+  std::int64_t overruns = 0;         // wake-ups that came a period or more late
+  std::int64_t skipped_periods = 0;  // periods lost to them
+  std::int64_t writes_held_up = 0;   // writes that the port did not take whole at once
+};
+
+struct SessionConfig {
+  LinkConfig link;
+  std::filesystem::path device;
+  int baud = 115200;
+};
+
+class Session {
+ public:
+  // `first_port` is the port as it was opened at start-up (so that a missing device is an error there).
+  Session(const SessionConfig& config, const serial::OpenPort& first_port, LoopClient& client);
+  ~Session();
+
+  // Loops until request_end(). Puts the wheels to rest on the way out, whatever the reason.
+  void run();
+
+  // From any thread or signal handler; take effect with the next tick.
+  void request_end() { end_requested_.store(true, std::memory_order_relaxed); }
+  void request_arm() { arm_requested_.store(true, std::memory_order_relaxed); }
+  void request_stop() { stop_requested_.store(true, std::memory_order_relaxed); }
+  void request_encoder_order(EncoderOrder order) { encoder_order_.store(order, std::memory_order_relaxed); }
+
+  // Advances with every tick: a watchdog's food.
+  std::int64_t heartbeat() const { return heartbeat_.load(std::memory_order_relaxed); }
+
+  const LoopCounts& counts() const { return counts_; }
+  const LatenessHistogram& lateness() const { return lateness_; }
+  const RoombaLink& link() const { return link_; }
+
+ private:
+  struct Io;
+
+  void wait_for_tick();
+  void on_timer();
+  void start_reading();
+  void on_bytes(std::size_t count);
+  void on_reading(const open_interface::Reading& reading);
+  void tick();
+  void begin_tick();
+  void finish_tick(const open_interface::Reading* reading);
+  void skip_missed_periods();
+  void take_requests();
+  void write(std::span<const std::uint8_t> bytes);
+  bool flush_held_up();
+  void adopt(const serial::OpenPort& port);
+  void drop_port();
+  void reopen_if_due();
+  void report_changes();
+  void report(EventCode code, double value, std::string_view text = {});
+  void measure_stream_period();
+  double now_s() const;
+
+  SessionConfig config_;
+  LoopClient& client_;
+  RoombaLink link_;
+  std::unique_ptr<Io> io_;
+  std::chrono::nanoseconds period_;
+  std::chrono::steady_clock::time_point started_;
+  std::chrono::steady_clock::time_point deadline_;
+  std::int64_t tick_ = -1;
+  bool tick_open_ = false;
+  bool ending_ = false;
+
+  std::array<std::uint8_t, 1024> input_{};
+  std::array<std::uint8_t, 256> held_up_{};
+  std::size_t held_up_size_ = 0;
+
+  std::int64_t reopen_at_tick_ = 0;
+  double back_off_s_ = 0.1;
+  LinkState reported_state_ = LinkState::closed;
+  StopReason reported_stop_ = StopReason::none;
+  bool reported_armed_ = false;
+  bool reported_rule_ = false;
+  std::int64_t stream_frames_ = 0;
+  double first_stream_frame_s_ = 0.0;
+
+  LoopCounts counts_;
+  LatenessHistogram lateness_;
+  std::atomic<bool> end_requested_{false};
+  std::atomic<bool> arm_requested_{false};
+  std::atomic<bool> stop_requested_{false};
+  std::atomic<EncoderOrder> encoder_order_;
+  std::atomic<std::int64_t> heartbeat_{0};
+};
+
+}  // namespace wheelwright::roomba

@@ -1,0 +1,30 @@
+// Opening a serial port (or a pseudo-terminal) for a robot.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include <tl/expected.hpp>
+
+namespace wheelwright::serial {
+
+enum class PortErrorKind { missing, no_permission, in_use, not_a_port };
+
+struct PortError {
+  PortErrorKind kind;
+  std::string message;  // one line: what, where, what would be right
+};
+
+struct OpenPort {
+  int descriptor = -1;                  // raw, non-blocking, owned by the caller
+  bool low_latency = false;             // the kernel took the low-latency flag
+  std::optional<int> latency_timer_ms;  // of a USB adapter that has one, as read back
+};
+
+// Opens a port with 8 data bits, no parity, one stop bit, no flow control. The modem lines are left as they
+// are when it is closed: moving them can reset a robot or change its baud rate (OI.md 4). Only one process at
+// a time gets it.
+tl::expected<OpenPort, PortError> open_port(const std::filesystem::path& path, int baud);
+
+}  // namespace wheelwright::serial

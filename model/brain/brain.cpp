@@ -1,0 +1,248 @@
+#include "model/brain/brain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace wheelwright {
+namespace {
+
+// A stand of this length hides how long a fit took, so that the same run has the same ticks.
+constexpr double shortest_wait_s = 1.0;
+constexpr double shortest_coast_s = 0.7;
+
+FollowerLimits follower_limits(const RobotLimits& limits) {
+  FollowerLimits result;
+  result.period_s = limits.period_s;
+  result.wheel_base_m = limits.wheel_base_m;
+  result.largest_wheel_speed_m_s = limits.largest_wheel_speed_m_s;
+  result.slowest_wheel_speed_m_s = limits.slowest_wheel_speed_m_s;
+  result.acceleration_m_s2 = limits.acceleration_m_s2;
+  return result;
+}
+
+// The pose that is at `offset` as seen from `origin`.
+Pose seen_from(const Pose& origin, const Pose& offset) {
+  const double c = std::cos(origin.theta_rad);
+  const double s = std::sin(origin.theta_rad);
+  return {origin.x_m + c * offset.x_m - s * offset.y_m, origin.y_m + s * offset.x_m + c * offset.y_m,
+          origin.theta_rad + offset.theta_rad};
+}
+
+}  // namespace
+
+Brain::Brain(const Mission& mission, const RobotLimits& limits, std::unique_ptr<MotionPredictor> model)
+    : mission_(mission),
+      limits_(limits),
+      model_(std::move(model)),
+      odometry_(limits.wheel_base_m, limits.metres_per_tick),
+      follower_(mission.route.value_or(Route{}), follower_limits(limits)) {
+  plan_steps();
+}
+
+void Brain::plan_steps() {
+  const double period = limits_.period_s;
+  const auto manoeuvre = [&](std::unique_ptr<Manoeuvre> what) {
+    steps_.push_back({Stage::manoeuvre, std::move(what), Activity::idle});
+  };
+  const auto await = [&](Activity activity) { steps_.push_back({Stage::await, nullptr, activity}); };
+  manoeuvre(make_wait_until_still(period));
+  if (mission_.encoder_turn) {
+    manoeuvre(make_encoder_check(period));
+    await(Activity::await_encoder_order);
+    manoeuvre(make_wait_until_still(period));
+    manoeuvre(make_encoder_turn(*mission_.encoder_turn, period));
+    manoeuvre(make_wait_until_still(period));
+    await(Activity::await_encoder_scale);
+  }
+  if (mission_.response) {
+    manoeuvre(make_response_actions(*mission_.response, period));
+    await(Activity::await_response);
+  }
+  if (mission_.route) {
+    manoeuvre(make_wait_until_still(period));
+    steps_.push_back({Stage::route, nullptr, Activity::route});
+    steps_.push_back({Stage::coast, nullptr, Activity::route});
+  }
+}
+
+Brain::Stage Brain::stage() const {
+  return steps_[std::min(step_, steps_.size() - 1)].stage;
+}
+
+void Brain::begin_run(std::int64_t tick) {
+  running_ = true;
+  stop_ = StopReason::none;
+  start_tick_ = tick + 1;
+  next_tick_ = std::max(next_tick_, tick + 1);
+  step_ = 0;
+  if (model_) model_->reset({});
+  odometry_.set_pose({});
+  enter_step();
+}
+
+void Brain::enter_step() {
+  ticks_in_stage_ = 0;
+  outcome_arrived_ = false;
+  if (step_ >= steps_.size()) return;
+  Step& step = steps_[step_];
+  if (step.manoeuvre) step.manoeuvre->restart();
+  if (step.stage == Stage::route) {
+    follower_.restart();
+    if (model_) model_->reset({});
+    odometry_.set_pose({});
+  }
+}
+
+void Brain::advance() {
+  ++step_;
+  enter_step();
+}
+
+void Brain::end_by(StopReason reason) {
+  running_ = false;
+  stop_ = reason;
+  activity_ = Activity::stopped;
+}
+
+void Brain::refuse() {
+  end_by(StopReason::refused);
+}
+
+void Brain::accept_encoder_scale(const WheelPair& metres_per_tick) {
+  odometry_.set_metres_per_tick(metres_per_tick);
+  outcome_arrived_ = true;
+}
+
+std::unique_ptr<MotionPredictor> Brain::accept_model(std::unique_ptr<MotionPredictor> model) {
+  std::swap(model, model_);
+  outcome_arrived_ = true;
+  return model;
+}
+
+PoseRecord Brain::take(const SensorFrame& frame) {
+  const bool may_run = frame.armed && frame.stop == StopReason::none;
+  if (!running_ && may_run && activity_ != Activity::finished && stop_ != StopReason::refused)
+    begin_run(frame.tick);
+  if (running_ && frame.stop != StopReason::none) end_by(frame.stop);
+  if (frame.valid) {
+    if (frame.after_gap) odometry_.rebase();
+    const double elapsed_s = static_cast<double>(frame.tick - latest_.tick) * limits_.period_s;
+    const WheelPair rolled = odometry_.update(frame.ticks);
+    if (elapsed_s > 0.0) measured_speed_ = {rolled.left / elapsed_s, rolled.right / elapsed_s};
+    latest_ = frame;
+  } else {
+    // Of a tick whose sensors were not heard only the command and the time are known.
+    latest_.tick = frame.tick;
+    latest_.valid = false;
+  }
+  PoseRecord record;
+  record.tick = frame.tick - start_tick_;
+  record.t_s = static_cast<double>(record.tick) * limits_.period_s;
+  record.command = frame.command;
+  record.stop = frame.stop;
+  record.odometry = odometry_.pose();
+  record.measured_speed_m_s = measured_speed_;
+  record.valid = frame.valid;
+  const auto slot = static_cast<std::size_t>(frame.tick) % predictions_.size();
+  const Prediction& prediction = predictions_.at(slot);
+  record.predicted = last_record_.predicted;
+  if (prediction.tick == frame.tick) {
+    record.has_prediction = true;
+    record.predicted = prediction.pose;
+    record.predicted_speed_m_s = prediction.speed_m_s;
+    record.visited = prediction.visited;
+  }
+  last_record_ = record;
+  return record;
+}
+
+int Brain::ticks_ahead() const {
+  const bool by_model = mission_.pose_source == PoseSource::fir;
+  const bool sensorless =
+      running_ && step_ < steps_.size() && stage() != Stage::manoeuvre && stage() != Stage::await && by_model;
+  return sensorless ? limits_.ticks_ahead : 1;
+}
+
+std::optional<Command> Brain::next_command() {
+  next_tick_ = std::max(next_tick_, latest_.tick + 1);
+  if (next_tick_ > latest_.tick + ticks_ahead()) return std::nullopt;
+  const WheelOrder wanted = order();
+  Command command{next_tick_, rounded(wanted.speed_m_s), wanted.activity, wanted.repetition};
+  remember_prediction(next_tick_);
+  if (model_) model_->step(command.speed_m_s);
+  activity_ = command.activity;
+  ++next_tick_;
+  return command;
+}
+
+void Brain::remember_prediction(std::int64_t tick) {
+  if (!model_) return;
+  Prediction& slot = predictions_.at(static_cast<std::size_t>(tick) % predictions_.size());
+  slot = {tick, model_->pose(), model_->speed_m_s(), static_cast<std::uint16_t>(follower_.visited())};
+}
+
+WheelOrder Brain::order() {
+  if (stop_ != StopReason::none) return {{}, Activity::stopped, 0};
+  if (!running_) return {{}, activity_ == Activity::finished ? Activity::finished : Activity::idle, 0};
+  while (step_ < steps_.size()) {
+    if (const auto wanted = stage_order()) {
+      ++ticks_in_stage_;
+      return *wanted;
+    }
+    advance();
+  }
+  running_ = false;
+  return {{}, Activity::finished, 0};
+}
+
+std::optional<WheelOrder> Brain::stage_order() {
+  const Step& step = steps_[step_];
+  switch (step.stage) {
+    case Stage::manoeuvre:
+      return step.manoeuvre->next(latest_);
+    case Stage::await:
+      return await_order(step.activity);
+    case Stage::route:
+      return route_order();
+    case Stage::coast:
+      return coast_order();
+  }
+  return std::nullopt;
+}
+
+std::optional<WheelOrder> Brain::await_order(Activity activity) {
+  const bool long_enough = ticks_in_stage_ * limits_.period_s >= shortest_wait_s;
+  if (outcome_arrived_ && long_enough) return std::nullopt;
+  return WheelOrder{{}, activity, 0};
+}
+
+std::optional<WheelOrder> Brain::route_order() {
+  const bool by_model = mission_.pose_source == PoseSource::fir && model_;
+  const WheelPair speed = follower_.steer(by_model ? model_->rest_pose() : rest_by_odometry());
+  if (follower_.finished()) return std::nullopt;
+  const WheelPair command = model_ ? model_->command_for(speed) : speed;
+  return WheelOrder{command, Activity::route, static_cast<std::uint16_t>(follower_.visited())};
+}
+
+std::optional<WheelOrder> Brain::coast_order() {
+  if (ticks_in_stage_ * limits_.period_s >= shortest_coast_s) return std::nullopt;
+  return WheelOrder{{}, Activity::route, static_cast<std::uint16_t>(follower_.visited())};
+}
+
+// Odometry says where the robot is, the model how far it still goes.
+Pose Brain::rest_by_odometry() const {
+  const auto slot = static_cast<std::size_t>(latest_.tick) % predictions_.size();
+  const Prediction& then = predictions_.at(slot);
+  if (!model_ || then.tick != latest_.tick) return odometry_.pose();
+  return seen_from(odometry_.pose(), relative_to(then.pose, model_->rest_pose()));
+}
+
+WheelPair Brain::rounded(const WheelPair& command) const {
+  const double step = limits_.command_step_m_s;
+  const double limit = limits_.largest_wheel_speed_m_s;
+  const auto round = [&](double speed) { return step * std::round(std::clamp(speed, -limit, limit) / step); };
+  return {round(command.left), round(command.right)};
+}
+
+}  // namespace wheelwright

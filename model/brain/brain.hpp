@@ -1,0 +1,121 @@
+// The brain of the robot: a pure step function from sensor frames to commands.
+//
+// take() receives the frame of a tick; next_command() then gives commands, in tick order, as many as may be
+// given: one where the manoeuvre needs the sensors, several ticks ahead where the route is steered by the
+// model alone. No clock, no I/O; the same frames give the same commands. After start() nothing here
+// allocates.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/brain/manoeuvre.hpp"
+#include "model/brain/mission.hpp"
+#include "model/motion_predictor.hpp"
+#include "model/odometry.hpp"
+#include "model/route/route_follower.hpp"
+#include "model/sensor_frame.hpp"
+
+namespace wheelwright {
+
+// One tick as the brain saw it, for the pose log.
+struct PoseRecord {
+  std::int64_t tick = 0;  // since the start of the run
+  double t_s = 0.0;
+  Command command;
+  StopReason stop = StopReason::none;
+  bool has_prediction = false;
+  Pose predicted;  // by the model, from commands alone
+  WheelPair predicted_speed_m_s;
+  Pose odometry;
+  WheelPair measured_speed_m_s;
+  std::uint16_t visited = 0;  // checkpoints
+  bool valid = false;         // the sensors of this tick were heard
+};
+
+class Brain {
+ public:
+  // `model` may be empty where the mission calibrates first.
+  Brain(const Mission& mission, const RobotLimits& limits, std::unique_ptr<MotionPredictor> model);
+
+  // Receives a frame and returns what to log of it. The run starts with the first frame that is armed, and
+  // again with the first armed frame after a stop; until then the robot is told to stand.
+  PoseRecord take(const SensorFrame& frame);
+
+  // The next command, or nothing where the next frame has to come first.
+  std::optional<Command> next_command();
+
+  // What the calibrator found; the brain waits for it.
+  void accept_encoder_order() { outcome_arrived_ = true; }
+  void accept_encoder_scale(const WheelPair& metres_per_tick);
+  // Exchanges the model; the old one is returned so that the caller frees it elsewhere.
+  std::unique_ptr<MotionPredictor> accept_model(std::unique_ptr<MotionPredictor> model);
+  // A calibration was refused: the run ends.
+  void refuse();
+
+  Activity activity() const { return activity_; }
+  bool ended() const { return activity_ == Activity::finished || activity_ == Activity::stopped; }
+  // Why the run ended early.
+  StopReason stop_reason() const { return stop_; }
+  const Pose& final_predicted_pose() const { return last_record_.predicted; }
+  const PoseRecord& last_record() const { return last_record_; }
+
+ private:
+  // What is done one after the other.
+  enum class Stage : std::uint8_t { manoeuvre, await, route, coast };
+  struct Prediction {
+    std::int64_t tick = -1;
+    Pose pose;
+    WheelPair speed_m_s;
+    std::uint16_t visited = 0;
+  };
+
+  // The manoeuvre of a stage, what the robot is told is going on, and what has to come in before it ends.
+  struct Step {
+    Stage stage;
+    std::unique_ptr<Manoeuvre> manoeuvre;
+    Activity activity;
+  };
+
+  void plan_steps();
+  void begin_run(std::int64_t tick);
+  void advance();
+  void enter_step();
+  void end_by(StopReason reason);
+  WheelOrder order();
+  std::optional<WheelOrder> stage_order();
+  std::optional<WheelOrder> await_order(Activity activity);
+  std::optional<WheelOrder> route_order();
+  std::optional<WheelOrder> coast_order();
+  Pose rest_by_odometry() const;
+  WheelPair rounded(const WheelPair& command) const;
+  int ticks_ahead() const;
+  void remember_prediction(std::int64_t tick);
+  Stage stage() const;
+
+  Mission mission_;
+  RobotLimits limits_;
+  std::unique_ptr<MotionPredictor> model_;
+  Odometry odometry_;
+  RouteFollower follower_;
+  std::vector<Step> steps_;
+  std::size_t step_ = 0;
+  bool running_ = false;
+  StopReason stop_ = StopReason::none;
+  bool outcome_arrived_ = false;
+  int ticks_in_stage_ = 0;
+  Activity activity_ = Activity::idle;
+
+  SensorFrame latest_;
+  std::int64_t next_tick_ = 0;
+  std::int64_t start_tick_ = 0;
+  WheelPair measured_speed_;
+  std::array<Prediction, 64> predictions_{};  // by tick, as far ahead as commands are made
+  PoseRecord last_record_;
+};
+
+}  // namespace wheelwright

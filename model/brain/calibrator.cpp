@@ -1,0 +1,118 @@
+#include "model/brain/calibrator.hpp"
+
+#include <cstdlib>
+
+namespace wheelwright {
+namespace {
+
+constexpr std::int64_t least_check_ticks = 20;  // of the some 100 that the check makes a wheel turn
+
+bool is_response(Activity activity) {
+  return activity == Activity::left_on || activity == Activity::left_off || activity == Activity::right_on ||
+         activity == Activity::right_off;
+}
+
+}  // namespace
+
+Calibrator::Calibrator(const Mission& mission, const RobotLimits& limits)
+    : mission_(mission), limits_(limits), metres_per_tick_(limits.metres_per_tick) {}
+
+std::optional<CalibrationOutcome> Calibrator::take(const SensorFrame& frame) {
+  const Activity activity = frame.command.activity;
+  const bool entered = activity != last_activity_;
+  last_activity_ = activity;
+  if (activity == Activity::encoder_check) {
+    if (entered) check_start_.reset();
+    // Only the forward part counts: at command zero a robot without quadrature counts up in any case.
+    if (frame.valid && frame.command.repetition == 0) {
+      if (!check_start_) check_start_ = frame.ticks;
+      check_end_ = frame.ticks;
+    }
+  } else if (activity == Activity::encoder_turn) {
+    if (entered) turn_samples_.clear();
+    if (frame.valid && !frame.after_gap) turn_samples_.push_back({frame.ticks, frame.light_bumper});
+  } else if (is_response(activity)) {
+    if (entered && activity == Activity::left_on && frame.command.repetition == 0) response_runs_.clear();
+    record_response(frame);
+  } else if (entered) {
+    if (activity == Activity::await_encoder_order) return encoder_order();
+    if (activity == Activity::await_encoder_scale) return encoder_scale();
+    if (activity == Activity::await_response) return response();
+  }
+  return std::nullopt;
+}
+
+CalibrationOutcome Calibrator::encoder_order() const {
+  CalibrationOutcome outcome{CalibrationKind::encoder_order, std::nullopt, false, std::nullopt, std::nullopt};
+  if (!check_start_) {
+    outcome.refusal = Refusal{"no sound sensor reading came while the left wheel was driven"};
+    return outcome;
+  }
+  const auto left = std::abs(check_end_.left - check_start_->left);
+  const auto right = std::abs(check_end_.right - check_start_->right);
+  if (left < least_check_ticks && right < least_check_ticks) {
+    outcome.refusal = Refusal{
+        "the left wheel was told to move, but neither counter did; do both wheels stand on the floor?"};
+  } else if (left >= least_check_ticks && right >= least_check_ticks) {
+    outcome.refusal =
+        Refusal{"the left wheel was told to move, and both counters did; is the robot being pushed?"};
+  } else {
+    outcome.encoders_swapped = right > left;
+  }
+  return outcome;
+}
+
+CalibrationOutcome Calibrator::encoder_scale() {
+  CalibrationOutcome outcome{CalibrationKind::encoder_scale, std::nullopt, false, std::nullopt, std::nullopt};
+  auto fit = fit_encoder_scale(turn_samples_, mission_.encoder_turn->options);
+  if (fit) {
+    metres_per_tick_ = fit->metres_per_tick;
+    outcome.encoder_scale = std::move(*fit);
+  } else {
+    outcome.refusal = fit.error();
+  }
+  return outcome;
+}
+
+// One run per "on" with the "off" that follows it. Each starts from rest, so its past is known. Where the
+// fall is not to be used, the run ends with the "on".
+void Calibrator::record_response(const SensorFrame& frame) {
+  const Activity activity = frame.command.activity;
+  const bool on = activity == Activity::left_on || activity == Activity::right_on;
+  const WheelPair& command = frame.command.speed_m_s;
+  const bool new_run = on && (response_runs_.empty() || response_runs_.back().samples.empty() ||
+                              response_runs_.back().samples.back().command_m_s.left != command.left ||
+                              response_runs_.back().samples.back().command_m_s.right != command.right);
+  if (new_run) {
+    DriveLog& run = response_runs_.emplace_back();
+    run.name = "response action " + std::to_string(response_runs_.size());
+    run.wheel_base_m = limits_.wheel_base_m;
+    run.period_s = limits_.period_s;
+    run.metres_per_tick = metres_per_tick_;
+  }
+  if (response_runs_.empty() || !frame.valid || (!on && !mission_.response->use_fall)) return;
+  DriveSample sample;
+  sample.t_s = frame.t_s;
+  sample.command_m_s = command;
+  sample.ticks = frame.ticks;
+  sample.battery_v = frame.battery_v;
+  response_runs_.back().samples.push_back(sample);
+}
+
+CalibrationOutcome Calibrator::response() const {
+  CalibrationOutcome outcome{CalibrationKind::response, std::nullopt, false, std::nullopt, std::nullopt};
+  std::vector<DriveLog> runs;
+  for (const DriveLog& run : response_runs_) {
+    if (!run.samples.empty()) runs.push_back(run);
+  }
+  const FirFitOptions options{std::nullopt, 40, limits_.period_s};
+  auto fit = fit_fir(runs, options);
+  if (fit) {
+    outcome.response = std::move(*fit);
+  } else {
+    outcome.refusal = fit.error();
+  }
+  return outcome;
+}
+
+}  // namespace wheelwright

@@ -1,0 +1,57 @@
+// Collects what the calibration manoeuvres show, and fits it. Runs beside the brain, not in it: a fit takes
+// as long as it takes, while the robot stands and the brain goes on ticking.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "model/brain/mission.hpp"
+#include "model/drive_log.hpp"
+#include "model/identification/fir_fit.hpp"
+#include "model/motion_predictor.hpp"
+#include "model/robot_model.hpp"
+#include "model/sensor_frame.hpp"
+
+namespace wheelwright {
+
+enum class CalibrationKind : std::uint8_t { encoder_order, encoder_scale, response };
+
+// What came of a calibration. Either `refusal` or the part that belongs to the kind is there.
+struct CalibrationOutcome {
+  CalibrationKind kind{};
+  std::optional<Refusal> refusal;
+  bool encoders_swapped = false;                 // encoder_order
+  std::optional<EncoderScaleFit> encoder_scale;  // encoder_scale
+  std::optional<FirFit> response;                // response
+};
+
+class Calibrator {
+ public:
+  Calibrator(const Mission& mission, const RobotLimits& limits);
+
+  // Takes each frame in order. Returns an outcome when a manoeuvre is complete and fitted.
+  std::optional<CalibrationOutcome> take(const SensorFrame& frame);
+
+  // The recordings of the response actions, one per wheel and repetition.
+  const std::vector<DriveLog>& response_runs() const { return response_runs_; }
+  const std::vector<TurnSample>& turn_samples() const { return turn_samples_; }
+
+ private:
+  void record_response(const SensorFrame& frame);
+  CalibrationOutcome encoder_order() const;
+  CalibrationOutcome encoder_scale();
+  CalibrationOutcome response() const;
+
+  Mission mission_;
+  RobotLimits limits_;
+  WheelPair metres_per_tick_;
+  Activity last_activity_ = Activity::idle;
+  std::optional<WheelTicks> check_start_;
+  WheelTicks check_end_;
+  std::vector<TurnSample> turn_samples_;
+  std::vector<DriveLog> response_runs_;
+};
+
+}  // namespace wheelwright

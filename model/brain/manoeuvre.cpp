@@ -1,0 +1,179 @@
+#include "model/brain/manoeuvre.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+namespace wheelwright {
+namespace {
+
+int ticks_of(double seconds, double period_s) {
+  return static_cast<int>(std::ceil(seconds / period_s - 1e-9));
+}
+
+// Notices that the wheels stand: counts unchanged for 0.3 s. A robot whose sensors are not heard never
+// stands.
+class StillnessDetector {
+ public:
+  explicit StillnessDetector(double period_s) : needed_(ticks_of(0.3, period_s)) {}
+
+  void restart() { unchanged_ = 0; }
+
+  bool still(const SensorFrame& frame) {
+    if (!frame.valid || frame.tick == last_tick_) return unchanged_ >= needed_;
+    last_tick_ = frame.tick;
+    const bool same = frame.ticks.left == last_.left && frame.ticks.right == last_.right;
+    unchanged_ = same ? unchanged_ + 1 : 0;
+    last_ = frame.ticks;
+    return unchanged_ >= needed_;
+  }
+
+ private:
+  int needed_;
+  int unchanged_ = 0;
+  std::int64_t last_tick_ = -1;
+  WheelTicks last_;
+};
+
+class WaitUntilStill final : public Manoeuvre {
+ public:
+  explicit WaitUntilStill(double period_s) : stillness_(period_s) {}
+
+  void restart() override { stillness_.restart(); }
+
+  std::optional<WheelOrder> next(const SensorFrame& latest) override {
+    if (stillness_.still(latest)) return std::nullopt;
+    return WheelOrder{{}, Activity::wait_until_still, 0};
+  }
+
+ private:
+  StillnessDetector stillness_;
+};
+
+class EncoderCheck final : public Manoeuvre {
+ public:
+  explicit EncoderCheck(double period_s) : leg_ticks_(ticks_of(0.5, period_s)) {}
+
+  void restart() override { tick_ = 0; }
+
+  std::optional<WheelOrder> next(const SensorFrame&) override {
+    constexpr double speed_m_s = 0.1;
+    const int at = tick_++;
+    if (at < leg_ticks_) return WheelOrder{{speed_m_s, 0.0}, Activity::encoder_check, 0};
+    if (at < 2 * leg_ticks_) return WheelOrder{{}, Activity::encoder_check, 1};
+    if (at < 3 * leg_ticks_) return WheelOrder{{-speed_m_s, 0.0}, Activity::encoder_check, 2};
+    return std::nullopt;
+  }
+
+ private:
+  int leg_ticks_;
+  int tick_ = 0;
+};
+
+class EncoderTurn final : public Manoeuvre {
+ public:
+  EncoderTurn(const EncoderTurnPlan& plan, double period_s) : plan_(plan) {
+    // Without any idea of a turn's counts, those of a Roomba decide how long to go on.
+    constexpr double roomba_ticks_per_turn = 1660.0;
+    const double expected = plan.options.expected_ticks_per_turn;
+    wanted_ticks_ = plan.turns * (expected > 0.0 ? expected : roomba_ticks_per_turn);
+    // Twice the time that it takes at half the speed ordered: a robot that does not count does not turn for
+    // ever.
+    constexpr double usual_metres_per_tick = 0.000444565;
+    longest_ticks_ = ticks_of(4.0 * wanted_ticks_ * usual_metres_per_tick / plan.speed_m_s, period_s);
+  }
+
+  void restart() override {
+    elapsed_ = 0;
+    start_.reset();
+  }
+
+  std::optional<WheelOrder> next(const SensorFrame& latest) override {
+    if (latest.valid && !start_) start_ = latest.ticks;
+    if (start_ && latest.valid) {
+      const auto turned = (latest.ticks.right - start_->right) - (latest.ticks.left - start_->left);
+      if (0.5 * std::abs(static_cast<double>(turned)) >= wanted_ticks_) return std::nullopt;
+    }
+    if (++elapsed_ > longest_ticks_) return std::nullopt;
+    return WheelOrder{{-plan_.speed_m_s, plan_.speed_m_s}, Activity::encoder_turn, 0};
+  }
+
+ private:
+  EncoderTurnPlan plan_;
+  double wanted_ticks_ = 0.0;
+  int longest_ticks_ = 0;
+  int elapsed_ = 0;
+  std::optional<WheelTicks> start_;
+};
+
+class ResponseActions final : public Manoeuvre {
+ public:
+  ResponseActions(const ResponsePlan& plan, double period_s)
+      : plan_(plan),
+        on_ticks_(ticks_of(plan.on_s, period_s)),
+        shortest_off_ticks_(ticks_of(0.6, period_s)),
+        stillness_(period_s) {}
+
+  void restart() override {
+    stillness_.restart();
+    action_ = repetition_ = ticks_in_action_ = 0;
+  }
+
+  std::optional<WheelOrder> next(const SensorFrame& latest) override {
+    const bool still = stillness_.still(latest);
+    const bool off = action_ % 2 == 1;
+    ++ticks_in_action_;
+    if (!off && ticks_in_action_ > on_ticks_) begin_next_action();
+    if (off && ticks_in_action_ > shortest_off_ticks_ && still) begin_next_action();
+    if (repetition_ >= plan_.repetitions) return std::nullopt;
+    return order();
+  }
+
+ private:
+  void begin_next_action() {
+    ticks_in_action_ = 1;
+    stillness_.restart();
+    action_ = (action_ + 1) % 4;
+    if (action_ == 0) ++repetition_;
+  }
+
+  WheelOrder order() const {
+    constexpr std::array activities{Activity::left_on, Activity::left_off, Activity::right_on,
+                                    Activity::right_off};
+    const bool backwards = plan_.alternate_direction && repetition_ % 2 == 1;
+    const double speed = backwards ? -plan_.speed_m_s : plan_.speed_m_s;
+    WheelOrder order{
+        {}, activities.at(static_cast<std::size_t>(action_)), static_cast<std::uint16_t>(repetition_)};
+    if (action_ == 0) order.speed_m_s.left = speed;
+    if (action_ == 2) order.speed_m_s.right = speed;
+    return order;
+  }
+
+  ResponsePlan plan_;
+  int on_ticks_;
+  int shortest_off_ticks_;
+  StillnessDetector stillness_;
+  int action_ = 0;  // left on, left off, right on, right off
+  int repetition_ = 0;
+  int ticks_in_action_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Manoeuvre> make_wait_until_still(double period_s) {
+  return std::make_unique<WaitUntilStill>(period_s);
+}
+
+std::unique_ptr<Manoeuvre> make_encoder_check(double period_s) {
+  return std::make_unique<EncoderCheck>(period_s);
+}
+
+std::unique_ptr<Manoeuvre> make_encoder_turn(const EncoderTurnPlan& plan, double period_s) {
+  return std::make_unique<EncoderTurn>(plan, period_s);
+}
+
+std::unique_ptr<Manoeuvre> make_response_actions(const ResponsePlan& plan, double period_s) {
+  return std::make_unique<ResponseActions>(plan, period_s);
+}
+
+}  // namespace wheelwright

@@ -1,0 +1,51 @@
+// What a run is to do, and with what figures.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "model/calibration/encoder_scale_fit.hpp"
+#include "model/pose.hpp"
+#include "model/route/route.hpp"
+
+namespace wheelwright {
+
+// Turning in place for the encoder scale (PAPER.md, calibration A).
+struct EncoderTurnPlan {
+  double speed_m_s = 0.1;  // of each wheel
+  double turns = 3.0;      // at the ticks per turn that are expected
+  EncoderScaleOptions options;
+};
+
+// The four response actions (PAPER.md, calibration B).
+struct ResponsePlan {
+  double speed_m_s = 0.15;
+  double on_s = 1.2;
+  int repetitions = 8;
+  bool alternate_direction = true;  // every second repetition backwards, so that the robot stays where it is
+  bool use_fall = true;             // false with the wheel PID off, where stopping is slower than starting
+};
+
+// Where the pose that the route is steered by comes from.
+enum class PoseSource : std::uint8_t { fir, odometry };
+
+struct Mission {
+  std::optional<EncoderTurnPlan> encoder_turn;
+  std::optional<ResponsePlan> response;
+  std::optional<Route> route;
+  PoseSource pose_source = PoseSource::fir;
+};
+
+// The robot and the limits within which it may be moved.
+struct RobotLimits {
+  double period_s = 0.018;
+  double wheel_base_m = 0.235;
+  WheelPair metres_per_tick{0.000444565, 0.000444565};  // until a calibration says better
+  double largest_wheel_speed_m_s = 0.3;
+  double slowest_wheel_speed_m_s = 0.04;
+  double acceleration_m_s2 = 0.4;
+  double command_step_m_s = 0.001;  // commands are rounded to it: what the robot can be told
+  int ticks_ahead = 8;              // for which commands are made in advance where no sensor is needed
+};
+
+}  // namespace wheelwright

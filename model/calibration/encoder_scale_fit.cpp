@@ -1,0 +1,192 @@
+#include "model/calibration/encoder_scale_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <optional>
+#include <string>
+
+#include "model/calibration/turn_signal.hpp"
+
+namespace wheelwright {
+namespace {
+
+constexpr double step_ticks = 4.0;             // about the ticks of one sample at calibration speed
+constexpr double least_correlation = 0.6;      // a repetition worth the name
+constexpr double least_signal_to_noise = 4.0;  // of the signal's power to its noise
+
+// A turn is more than this many ticks, whatever the robot.
+constexpr double shortest_turn_ticks = 200.0;
+constexpr std::size_t parts = 8;  // stretches whose periods are compared
+
+std::string rounded(double value, int decimals) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
+struct Span {
+  double from;
+  double to;
+};
+
+// The lag of the best match within a span, refined between grid points by a parabola.
+double best_lag(const TurnSignal& signal, Span lags, double step, std::size_t first, std::size_t last) {
+  double best = lags.from;
+  double best_match = -2.0;
+  for (double lag = lags.from; lag <= lags.to; lag += step) {
+    const double match = match_at_lag(signal, lag, first, last);
+    if (match <= best_match) continue;
+    best_match = match;
+    best = lag;
+  }
+  const double before = match_at_lag(signal, best - step, first, last);
+  const double after = match_at_lag(signal, best + step, first, last);
+  const double bend = before - 2.0 * best_match + after;
+  if (bend >= 0.0) return best;
+  return best + std::clamp(0.5 * step * (before - after) / bend, -step, step);
+}
+
+double signal_to_noise(const TurnSignal& signal) {
+  double power = 0.0;
+  for (const auto& entry : signal.values) {
+    for (std::size_t s = 0; s < TurnSignal::sensors; ++s)
+      power += signal.weight.at(s) * entry.at(s) * entry.at(s);
+  }
+  return power / static_cast<double>(signal.values.size() * TurnSignal::sensors);
+}
+
+// Periods of single stretches of the turn: each is matched with what comes one period later.
+std::vector<double> periods_of_parts(const TurnSignal& signal, double period) {
+  std::vector<double> periods;
+  const double usable = static_cast<double>(signal.values.size()) - 1.05 * period;
+  const double length = usable / static_cast<double>(parts);
+  for (std::size_t part = 0; part < parts; ++part) {
+    const auto first = static_cast<std::size_t>(length * static_cast<double>(part));
+    const auto last = static_cast<std::size_t>(length * static_cast<double>(part + 1));
+    double power = 0.0;
+    for (std::size_t i = first; i < last; ++i) {
+      for (std::size_t s = 0; s < TurnSignal::sensors; ++s) {
+        power += signal.weight.at(s) * signal.values[i].at(s) * signal.values[i].at(s);
+      }
+    }
+    // Where a stretch sees next to nothing its period is noise.
+    if (power < least_signal_to_noise * static_cast<double>((last - first) * TurnSignal::sensors)) continue;
+    periods.push_back(best_lag(signal, {0.97 * period, 1.03 * period}, 0.25, first, last));
+  }
+  return periods;
+}
+
+double relative_standard_error(const std::vector<double>& periods, double period) {
+  if (periods.size() < 2) return 1.0;
+  double sum = 0.0;
+  for (const double p : periods) sum += (p - period) * (p - period);
+  const auto n = static_cast<double>(periods.size());
+  return std::sqrt(sum / (n - 1.0) / n) / period;
+}
+
+// A stretch in which the summed signal stays high: one pass of the obstacle, in entries of the signal.
+struct Pass {
+  std::size_t first;
+  std::size_t last;
+  double moment;
+  double weight;
+  double centre() const { return moment / weight; }
+};
+
+std::vector<Pass> find_passes(const TurnSignal& signal) {
+  std::vector<double> total(signal.values.size());
+  for (std::size_t i = 0; i < total.size(); ++i) {
+    for (const double value : signal.values[i]) total[i] += value;
+  }
+  const double threshold = 0.5 * *std::max_element(total.begin(), total.end());
+  const auto longest_dip = static_cast<std::size_t>(shortest_turn_ticks / 4.0 / signal.step_ticks);
+  std::vector<Pass> passes;
+  for (std::size_t i = 0; i < total.size(); ++i) {
+    if (total[i] <= threshold) continue;
+    if (passes.empty() || i - passes.back().last > longest_dip) passes.push_back({i, i, 0.0, 0.0});
+    Pass& pass = passes.back();
+    pass.last = i;
+    pass.weight += total[i];
+    pass.moment += total[i] * static_cast<double>(i);
+  }
+  return passes;
+}
+
+// The distance between passes of one obstacle; passes that the recording cuts off do not count.
+std::optional<double> period_between_peaks(const TurnSignal& signal) {
+  std::vector<Pass> passes = find_passes(signal);
+  if (!passes.empty() && passes.front().first == 0) passes.erase(passes.begin());
+  if (!passes.empty() && passes.back().last + 1 == signal.values.size()) passes.pop_back();
+  if (passes.size() < 2) return std::nullopt;
+  return (passes.back().centre() - passes.front().centre()) / static_cast<double>(passes.size() - 1);
+}
+
+}  // namespace
+
+tl::expected<EncoderScaleFit, Refusal> fit_encoder_scale(std::span<const TurnSample> samples,
+                                                         const EncoderScaleOptions& options) {
+  if (samples.size() < 50) return tl::unexpected(Refusal{"the turn was not recorded; did the wheels move?"});
+  const TurnSignal signal = resample_turn(samples, step_ticks);
+  const double recorded = static_cast<double>(signal.values.size());
+  const bool has_prior = options.expected_ticks_per_turn > 0.0;
+  const double shortest = (has_prior ? options.expected_ticks_per_turn * (1.0 - options.expected_tolerance)
+                                     : shortest_turn_ticks) /
+                          step_ticks;
+  const double longest =
+      has_prior ? options.expected_ticks_per_turn * (1.0 + options.expected_tolerance) / step_ticks
+                : recorded / 1.5;
+  if (recorded < 1.3 * longest) {
+    return tl::unexpected(
+        Refusal{"only " + rounded(recorded * step_ticks, 0) + " ticks of turning were recorded, but " +
+                rounded(1.3 * longest * step_ticks, 0) + " are needed; let the robot turn longer"});
+  }
+  if (signal_to_noise(signal) < least_signal_to_noise) {
+    return tl::unexpected(
+        Refusal{"the light bumper sees nothing but noise; put an object within 0.2 m of the robot"});
+  }
+
+  EncoderScaleFit fit;
+  for (double lag = 1.0; lag < std::min(recorded / 1.3, 2.2 * longest); lag += 1.0) {
+    fit.curve.push_back({lag * step_ticks, match_at_lag(signal, lag, 0, signal.values.size())});
+  }
+  double period = best_lag(signal, {shortest, longest}, 1.0, 0, signal.values.size());
+  if (options.method == PeriodMethod::peak) {
+    const auto peaks = period_between_peaks(signal);
+    if (!peaks || *peaks < shortest || *peaks > longest) {
+      return tl::unexpected(
+          Refusal{"no single obstacle passes once per turn; use the autocorrelation, or leave one object "
+                  "near the robot"});
+    }
+    period = *peaks;
+  } else {
+    period = best_lag(signal, {period - 2.0, period + 2.0}, 0.1, 0, signal.values.size());
+  }
+  fit.correlation = match_at_lag(signal, period, 0, signal.values.size());
+  if (fit.correlation < least_correlation) {
+    return tl::unexpected(
+        Refusal{"the light-bumper signal has no clear period: its best repetition matches by " +
+                rounded(fit.correlation, 2) + " of 1; do things move around the robot, or does it slip?"});
+  }
+  if (period < shortest + 1.0 || period > longest - 1.0) {
+    return tl::unexpected(Refusal{"the best repetition lies at the edge of what is plausible (" +
+                                  rounded(period * step_ticks, 0) +
+                                  " ticks per turn); check expected_ticks_per_turn"});
+  }
+  const auto partial = periods_of_parts(signal, period);
+  fit.relative_standard_error = relative_standard_error(partial, period);
+  if (fit.relative_standard_error > options.largest_standard_error) {
+    return tl::unexpected(Refusal{"one full turn is " + rounded(period * step_ticks, 0) +
+                                  " ticks only to +- " + rounded(100.0 * fit.relative_standard_error, 2) +
+                                  " %; put another object near the robot, or let it turn longer"});
+  }
+  fit.ticks_per_turn = period * step_ticks;
+  fit.turns = recorded / period;
+  const double travel = std::numbers::pi * options.wheel_base_m;
+  fit.metres_per_tick = {travel / (fit.ticks_per_turn * signal.ticks_per_turning_tick.left),
+                         travel / (fit.ticks_per_turn * signal.ticks_per_turning_tick.right)};
+  return fit;
+}
+
+}  // namespace wheelwright

@@ -1,0 +1,47 @@
+// The model at the wheel: commands in, pose out, one period at a time; and where the robot would come to
+// rest.
+#pragma once
+
+#include "model/linear_model.hpp"
+#include "model/pose.hpp"
+
+namespace wheelwright {
+
+// Allocates when it is made and never after.
+class MotionPredictor {
+ public:
+  explicit MotionPredictor(const LinearModel& model);
+
+  // Moves on by one period with this command in force. Returns the mean wheel speeds over the period.
+  WheelPair step(const WheelPair& command);
+
+  // Motion since the last reset, from commands alone.
+  const Pose& pose() const { return pose_; }
+  const WheelPair& speed_m_s() const { return speed_; }
+
+  // The pose at which the robot comes to rest if it is told to stop now.
+  Pose rest_pose();
+
+  // The commands that hold these wheel speeds once settled.
+  WheelPair command_for(const WheelPair& speed_m_s) const;
+
+  // Sets the pose, not the motion.
+  void set_pose(const Pose& pose) { pose_ = pose; }
+  // To rest at a pose.
+  void reset(const Pose& pose);
+
+  double period_s() const { return period_s_; }
+  double wheel_base_m() const { return wheel_base_m_; }
+
+ private:
+  double period_s_;
+  double wheel_base_m_;
+  DcGain left_gain_;
+  DcGain right_gain_;
+  LinearPredictor predictor_;
+  LinearPredictor scratch_;
+  WheelPair speed_;
+  Pose pose_;
+};
+
+}  // namespace wheelwright

@@ -1,0 +1,113 @@
+#include "model/route/route_follower.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace wheelwright {
+namespace {
+
+constexpr double sharp_corner_rad = 0.8;  // from here on the robot stops and turns in place
+constexpr double aligned_rad = 0.012;     // heading error at which a turn in place ends
+constexpr double look_ahead_m = 0.12;     // on the leg, beyond the robot
+constexpr double heading_gain_per_s = 3.0;
+constexpr double stop_short_m = 0.0004;  // less than one tick at the slowest speed
+
+double angle_of(const Checkpoint& from, const Checkpoint& to) {
+  return std::atan2(to.y_m - from.y_m, to.x_m - from.x_m);
+}
+
+}  // namespace
+
+RouteFollower::RouteFollower(Route route, const FollowerLimits& limits)
+    : route_(std::move(route)), limits_(limits) {
+  restart();
+}
+
+void RouteFollower::restart() {
+  state_ = route_.checkpoints.empty() ? State::finished : State::turning;
+  visited_ = 0;
+  leg_start_ = {};
+  further_tries_ = 3;
+  speed_now_ = 0.0;
+}
+
+bool RouteFollower::stops_at(std::size_t checkpoint) const {
+  if (checkpoint + 1 >= route_.checkpoints.size()) return true;
+  const Checkpoint& before = checkpoint == 0 ? leg_start_ : route_.checkpoints[checkpoint - 1];
+  const Checkpoint& at = route_.checkpoints[checkpoint];
+  const double corner = wrap_angle(angle_of(at, route_.checkpoints[checkpoint + 1]) - angle_of(before, at));
+  return std::abs(corner) > sharp_corner_rad;
+}
+
+WheelPair RouteFollower::steer(const Pose& rest) {
+  if (state_ == State::turning) return turn(rest);
+  if (state_ == State::driving) return drive(rest);
+  return {};
+}
+
+WheelPair RouteFollower::turn(const Pose& rest) {
+  const Checkpoint here{rest.x_m, rest.y_m};
+  const double error = wrap_angle(angle_of(here, route_.checkpoints[visited_]) - rest.theta_rad);
+  if (std::abs(error) < aligned_rad) {
+    state_ = State::driving;
+    speed_now_ = 0.0;
+    return drive(rest);
+  }
+  const double radius = 0.5 * limits_.wheel_base_m;
+  const double braking = std::sqrt(2.0 * limits_.braking_m_s2 * std::abs(error) * radius);
+  speed_now_ = std::min(speed_now_ + limits_.acceleration_m_s2 * limits_.period_s,
+                        std::min(braking, std::min(route_.speed_m_s, limits_.largest_wheel_speed_m_s)));
+  const double wheel = std::max(speed_now_, limits_.slowest_wheel_speed_m_s);
+  return error > 0.0 ? WheelPair{-wheel, wheel} : WheelPair{wheel, -wheel};
+}
+
+WheelPair RouteFollower::drive(const Pose& rest) {
+  const Checkpoint& target = route_.checkpoints[visited_];
+  const double direction = angle_of(leg_start_, target);
+  const double c = std::cos(direction);
+  const double s = std::sin(direction);
+  const double remaining = c * (target.x_m - rest.x_m) + s * (target.y_m - rest.y_m);
+  const double beside = -s * (rest.x_m - target.x_m) + c * (rest.y_m - target.y_m);
+  const bool stops = stops_at(visited_);
+  if (remaining <= (stops ? stop_short_m : 0.0)) {
+    arrive(rest);
+    return stops ? WheelPair{} : steer(rest);
+  }
+  const double error = wrap_angle(direction - std::atan2(beside, look_ahead_m) - rest.theta_rad);
+  double wanted = route_.speed_m_s * std::max(0.2, std::cos(error));
+  if (stops) wanted = std::min(wanted, std::sqrt(2.0 * limits_.braking_m_s2 * remaining));
+  speed_now_ = std::min(speed_now_ + limits_.acceleration_m_s2 * limits_.period_s, wanted);
+  speed_now_ = std::max(speed_now_, limits_.slowest_wheel_speed_m_s);
+  return limited(speed_now_, heading_gain_per_s * error);
+}
+
+void RouteFollower::arrive(const Pose& rest) {
+  const Checkpoint& target = route_.checkpoints[visited_];
+  const bool last = visited_ + 1 == route_.checkpoints.size();
+  const double missed_by = std::hypot(target.x_m - rest.x_m, target.y_m - rest.y_m);
+  if (last && missed_by > route_.tolerance_m && further_tries_ > 0) {
+    --further_tries_;
+    leg_start_ = {rest.x_m, rest.y_m};
+    state_ = State::turning;
+    speed_now_ = 0.0;
+    return;
+  }
+  if (stops_at(visited_)) {
+    state_ = last ? State::finished : State::turning;
+    speed_now_ = 0.0;
+  }
+  leg_start_ = target;
+  ++visited_;
+}
+
+// Keeps the curvature where a wheel would be too fast.
+WheelPair RouteFollower::limited(double v_m_s, double w_rad_s) {
+  WheelPair wheels = wheels_of_twist({v_m_s, w_rad_s}, limits_.wheel_base_m);
+  const double fastest = std::max(std::abs(wheels.left), std::abs(wheels.right));
+  const double scale =
+      fastest > limits_.largest_wheel_speed_m_s ? limits_.largest_wheel_speed_m_s / fastest : 1.0;
+  return {wheels.left * scale, wheels.right * scale};
+}
+
+}  // namespace wheelwright

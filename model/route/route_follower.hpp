@@ -1,0 +1,60 @@
+// Steers along a route by a pose that somebody else keeps: the model's, or odometry.
+//
+// The robot answers with some tenths of a second of lag. So the follower looks at the pose at which the robot
+// would come to rest if it were stopped now: a command moves that pose at once, which takes the lag out of
+// the loop, and a stop at a checkpoint is the moment when the rest pose is there. Between sharp corners it
+// aims at a point ahead on the leg; at sharp corners and at the end it stops and turns in place.
+#pragma once
+
+#include <cstddef>
+
+#include "model/pose.hpp"
+#include "model/route/route.hpp"
+
+namespace wheelwright {
+
+struct FollowerLimits {
+  double period_s = 0.018;
+  double wheel_base_m = 0.235;
+  double largest_wheel_speed_m_s = 0.3;
+  double slowest_wheel_speed_m_s = 0.04;  // slower commands may fall into a robot's dead zone
+  double acceleration_m_s2 = 0.4;
+  double braking_m_s2 = 0.25;
+};
+
+class RouteFollower {
+ public:
+  RouteFollower(Route route, const FollowerLimits& limits);
+
+  // Back to the start of the route.
+  void restart();
+
+  // Wheel speeds wanted for the coming period, in m/s at the floor. `rest` is relative to the start of the
+  // route.
+  WheelPair steer(const Pose& rest);
+
+  // All checkpoints were visited and the robot is told to stand.
+  bool finished() const { return state_ == State::finished; }
+  // Number of checkpoints visited so far.
+  std::size_t visited() const { return visited_; }
+  const Route& route() const { return route_; }
+
+ private:
+  enum class State { turning, driving, finished };
+
+  bool stops_at(std::size_t checkpoint) const;
+  WheelPair turn(const Pose& rest);
+  WheelPair drive(const Pose& rest);
+  void arrive(const Pose& rest);
+  WheelPair limited(double v_m_s, double w_rad_s);
+
+  Route route_;
+  FollowerLimits limits_;
+  State state_ = State::turning;
+  std::size_t visited_ = 0;
+  Checkpoint leg_start_;   // differs from the last checkpoint after a second try
+  int further_tries_ = 3;  // to come within tolerance of the end
+  double speed_now_ = 0.0;
+};
+
+}  // namespace wheelwright
