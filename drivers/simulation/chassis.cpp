@@ -32,10 +32,7 @@ void Chassis::move(DriveUnit& left, DriveUnit& right, const Room& room, const Wh
   apply_traction(left, right, load(left, left_floor, contact.left), load(right, right_floor, contact.right),
                  duration_s);
 
-  const double middle_rad = pose_.theta_rad + 0.5 * turn_rad_s_ * duration_s;
-  pose_.x_m += forward_m_s_ * duration_s * std::cos(middle_rad);
-  pose_.y_m += forward_m_s_ * duration_s * std::sin(middle_rad);
-  pose_.theta_rad += turn_rad_s_ * duration_s;
+  pose_ = pose_after(duration_s);
   cos_heading_ = std::cos(pose_.theta_rad);
   sin_heading_ = std::sin(pose_.theta_rad);
   left.turn(duration_s);
@@ -120,6 +117,13 @@ void Chassis::stop_at_walls(const Room& room, double duration_s) {
   pose_.x_m += gap_m * wall.towards.x_m;
   pose_.y_m += gap_m * wall.towards.y_m;
   if (forward_m_s_ * ahead > 0.0) forward_m_s_ *= 1.0 - ahead * ahead;
+}
+
+Pose Chassis::pose_after(double duration_s) const {
+  const double middle_rad = pose_.theta_rad + 0.5 * turn_rad_s_ * duration_s;
+  return {pose_.x_m + forward_m_s_ * duration_s * std::cos(middle_rad),
+          pose_.y_m + forward_m_s_ * duration_s * std::sin(middle_rad),
+          pose_.theta_rad + turn_rad_s_ * duration_s};
 }
 
 double Chassis::kinetic_energy_j() const {

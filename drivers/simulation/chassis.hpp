@@ -24,6 +24,8 @@ class Chassis {
             double duration_s);
 
   const Pose& pose() const { return pose_; }
+  // Where the body will be if it goes on like this.
+  Pose pose_after(double duration_s) const;
   double forward_speed_m_s() const { return forward_m_s_; }
   double turn_rate_rad_s() const { return turn_rad_s_; }
   double left_speed_m_s() const { return forward_m_s_ - turn_rad_s_ * 0.5 * config_.wheel_base_m; }

@@ -30,7 +30,9 @@ Mechanics::Mechanics(const SimulationConfig& config, Noise& noise)
       battery_(config.battery),
       left_(make_side(config.left, config, config.encoder.start_count_left)),
       right_(make_side(config.right, config, config.encoder.start_count_right)),
-      chassis_(config.chassis, start_pose(config.start, noise)) {}
+      chassis_(config.chassis, start_pose(config.start, noise)) {
+  stop_motors();
+}
 
 void Mechanics::step(double duration_s) {
   const double supply_v = battery_.voltage_v();

@@ -262,9 +262,10 @@ void OpenInterfaceServer::send_stream_frame() {
   std::array<std::uint8_t, 258> frame{stream_header};
   std::size_t length = 2;
   for (std::size_t i = 0; i < stream_length_ && length + 81 < frame.size(); ++i) {
+    const std::size_t data = append_packets(stream_ids_[i], std::span(frame).subspan(length + 1));
+    if (data == 0) continue;  // no such packet
     frame[length] = stream_ids_[i];
-    ++length;
-    length += append_packets(stream_ids_[i], std::span(frame).subspan(length));
+    length += 1 + data;
   }
   frame[1] = static_cast<std::uint8_t>(length - 2);
   const auto first = frame.begin() + (link_.checksum_excludes_header ? 1 : 0);

@@ -148,7 +148,7 @@ GroundTruth SimulatedRobot::truth() const {
   const auto still = [](const DriveSide& side) {
     return std::abs(side.unit.speed_rad_s()) * side.unit.rolling_radius_m() < at_rest_m_s;
   };
-  return {.pose = body.pose(),
+  return {.pose = body.pose_after(1e-9 * static_cast<double>((p.now - p.physics_time).count())),
           .v_m_s = body.forward_speed_m_s(),
           .w_rad_s = body.turn_rate_rad_s(),
           .speed_left_m_s = body.left_speed_m_s(),
