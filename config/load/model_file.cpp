@@ -152,7 +152,7 @@ std::string wheel_to_yaml(const std::string& key, const WheelResponse& wheel,
   text += line(6, "gain_from_right_standard_error", plain_number(fit->gain_standard_error.from_right));
   text += line(6, "position_noise_m", plain_number(fit->position_noise_m), "of one reading of wheel travel");
   text += line(6, "drift_m_per_sqrt_s", plain_number(fit->drift_m_per_sqrt_s),
-               "random walk of wheel travel against the model");
+               "random walk of wheel travel against the model at first; may fade");
   return text;
 }
 

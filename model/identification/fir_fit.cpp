@@ -15,19 +15,19 @@ namespace {
 
 struct Factored {
   LeastSquaresAccumulator::Factor factor;
-  double drift_ratio = 0.0;
+  TravelNoise noise;
   double log_variance_sum = 0.0;
 };
 
 Factored factor_equations(std::span<const DriveLog> logs, double period_s, std::size_t taps,
-                          double drift_ratio) {
+                          const TravelNoise& noise) {
   LeastSquaresAccumulator accumulator(static_cast<Eigen::Index>(2 * taps), 2);
   const double log_variance_sum =
-      whitened_travel_equations(logs, period_s, taps, drift_ratio,
+      whitened_travel_equations(logs, period_s, taps, noise,
                                 [&](const Eigen::RowVectorXd& regressors, const Eigen::RowVector2d& targets) {
                                   accumulator.add_row(regressors, targets);
                                 });
-  return {accumulator.factor(), drift_ratio, log_variance_sum};
+  return {accumulator.factor(), noise, log_variance_sum};
 }
 
 double negative_log_likelihood(const Factored& candidate) {
@@ -39,16 +39,24 @@ double negative_log_likelihood(const Factored& candidate) {
   return value;
 }
 
-double most_likely_drift_ratio(std::span<const DriveLog> logs, double period_s, std::size_t taps) {
-  double best_ratio = 0.0;
+// First how much the wheels wander, as if they never came back, then for how long, then how much once more:
+// the likelihood hardly couples the two.
+TravelNoise most_likely_noise(std::span<const DriveLog> logs, double period_s, std::size_t taps) {
+  TravelNoise best;
   double best_value = std::numeric_limits<double>::infinity();
-  for (const double ratio : {0.0, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1.0}) {
-    const double value = negative_log_likelihood(factor_equations(logs, period_s, taps, ratio));
-    if (value >= best_value) continue;
+  const auto consider = [&](const TravelNoise& candidate) {
+    const double value = negative_log_likelihood(factor_equations(logs, period_s, taps, candidate));
+    if (value >= best_value) return;
     best_value = value;
-    best_ratio = ratio;
+    best = candidate;
+  };
+  for (const double ratio : {0.0, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1.0}) consider({ratio, best.memory_periods});
+  if (best.drift_ratio == 0.0) return best;
+  for (const double memory_periods : {1000.0, 300.0, 100.0, 30.0, 10.0}) {
+    consider({best.drift_ratio, memory_periods});
   }
-  return best_ratio;
+  for (const double factor : {1.0 / 3.0, 3.0}) consider({factor * best.drift_ratio, best.memory_periods});
+  return best;
 }
 
 // The problem of one wheel with only the first `taps` taps: the leading block of the triangle; what the rest
@@ -64,6 +72,11 @@ ResponseProblem problem_of(const LeastSquaresAccumulator::Factor& factor, Eigen:
   problem.rows = factor.rows;
   problem.own_column = wheel;
   return problem;
+}
+
+std::array<ResponseEstimate, 2> estimate_both(const LeastSquaresAccumulator::Factor& factor,
+                                              std::size_t taps) {
+  return estimate_responses({problem_of(factor, 0, taps), problem_of(factor, 1, taps)});
 }
 
 // The shortest length after which no tail is left that is both above its own uncertainty and above a
@@ -93,7 +106,7 @@ WheelResponse to_response(const Eigen::VectorXd& columns) {
   return response;
 }
 
-WheelFit describe(const ResponseEstimate& estimate, double drift_ratio, double period_s) {
+WheelFit describe(const ResponseEstimate& estimate, const TravelNoise& noise, double period_s) {
   const Eigen::Index columns = estimate.response.size();
   WheelFit fit;
   const auto channel = [&](Eigen::Index first, double& gain, double& standard_error) {
@@ -105,7 +118,7 @@ WheelFit describe(const ResponseEstimate& estimate, double drift_ratio, double p
   channel(0, fit.gain.from_left, fit.gain_standard_error.from_left);
   channel(1, fit.gain.from_right, fit.gain_standard_error.from_right);
   fit.position_noise_m = std::sqrt(estimate.noise_variance);
-  fit.drift_m_per_sqrt_s = std::sqrt(estimate.noise_variance * drift_ratio / period_s);
+  fit.drift_m_per_sqrt_s = std::sqrt(estimate.noise_variance * noise.drift_ratio / period_s);
   return fit;
 }
 
@@ -135,8 +148,8 @@ tl::expected<FirFit, Refusal> fit_fir(std::span<const DriveLog> logs, const FirF
   const double period_s = options.period_s.value_or(logs.front().period_s);
   const std::size_t longest = options.length.value_or(options.longest);
 
-  const double drift_ratio = most_likely_drift_ratio(logs, period_s, std::min<std::size_t>(longest, 20));
-  const Factored factored = factor_equations(logs, period_s, longest, drift_ratio);
+  const TravelNoise noise = most_likely_noise(logs, period_s, std::min<std::size_t>(longest, 20));
+  const Factored factored = factor_equations(logs, period_s, longest, noise);
   const auto needed = static_cast<Eigen::Index>(4 * longest);
   if (factored.factor.rows < needed) {
     return tl::unexpected(Refusal{"only " + std::to_string(factored.factor.rows) + " usable samples, but " +
@@ -145,20 +158,16 @@ tl::expected<FirFit, Refusal> fit_fir(std::span<const DriveLog> logs, const FirF
 
   std::size_t length = longest;
   if (!options.length) {
-    length = 1;
-    for (const Eigen::Index wheel : {0, 1}) {
-      const auto estimate = estimate_response(problem_of(factored.factor, wheel, longest));
-      length = std::max(length, length_worth_keeping(estimate));
-    }
+    const auto whole = estimate_both(factored.factor, longest);
+    length = std::max(length_worth_keeping(whole[0]), length_worth_keeping(whole[1]));
   }
 
   FirFit fit;
-  const std::array<ResponseEstimate, 2> estimates{estimate_response(problem_of(factored.factor, 0, length)),
-                                                  estimate_response(problem_of(factored.factor, 1, length))};
+  const auto estimates = estimate_both(factored.factor, length);
   fit.model = {ModelType::fir, period_s, logs.front().wheel_base_m, to_response(estimates[0].response),
                to_response(estimates[1].response)};
-  fit.left = describe(estimates[0], drift_ratio, period_s);
-  fit.right = describe(estimates[1], drift_ratio, period_s);
+  fit.left = describe(estimates[0], noise, period_s);
+  fit.right = describe(estimates[1], noise, period_s);
   fit.rows = static_cast<std::size_t>(factored.factor.rows);
   return fit;
 }

@@ -7,8 +7,9 @@
 // undifferenced. For a step this is the derivative of the averaged step response; it holds for any other
 // drive as well.
 //
-//   * Noise: white in position plus a random walk (slip); their ratio is chosen by likelihood, and rows are
-//     whitened by the Kalman filter of that noise, which leaves independent equations.
+//   * Noise: white in position plus a random walk (slip) that may fade (ripple); their ratio and the memory
+//     of the walk are chosen by likelihood, and rows are whitened by the Kalman filter of that noise, which
+//     leaves independent equations.
 //   * Prior: responses decay and are smooth ("tuned/correlated" kernel, Chen, Ohlsson & Ljung, Automatica 48
 //     (2012) 1525-1535); its size and decay are chosen by marginal likelihood, so exact data are not shrunk.
 //   * Length: from the data, as long as the tail is worth it.
@@ -37,7 +38,7 @@ struct WheelFit {
   DcGain gain;  // m/s per m/s
   DcGain gain_standard_error;
   double position_noise_m = 0.0;    // standard deviation of one reading of wheel travel
-  double drift_m_per_sqrt_s = 0.0;  // random walk of wheel travel against the model
+  double drift_m_per_sqrt_s = 0.0;  // random walk of wheel travel at first; may fade
 };
 
 struct FirFit {

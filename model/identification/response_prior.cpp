@@ -37,23 +37,31 @@ Eigen::LLT<Eigen::MatrixXd> evidence_factor(const ResponseProblem& problem, cons
   return Eigen::LLT<Eigen::MatrixXd>(covariance);
 }
 
-double negative_log_evidence(const ResponseProblem& problem, const Prior& prior, double noise_variance) {
-  const auto factor =
-      evidence_factor(problem, prior_covariance(prior, problem.r.cols(), problem.own_column), noise_variance);
+double noise_variance_of(const ResponseProblem& problem) {
+  const auto spare = std::max<Eigen::Index>(1, problem.rows - problem.r.cols());
+  return problem.residual_square_sum / static_cast<double>(spare);
+}
+
+double negative_log_evidence(const ResponseProblem& problem, const Prior& prior) {
+  const auto factor = evidence_factor(problem, prior_covariance(prior, problem.r.cols(), problem.own_column),
+                                      noise_variance_of(problem));
   if (factor.info() != Eigen::Success) return std::numeric_limits<double>::infinity();
   const Eigen::VectorXd whitened = factor.matrixL().solve(problem.z);
   return 0.5 * whitened.squaredNorm() + factor.matrixLLT().diagonal().array().log().sum();
 }
 
 // One variable at a time with a shrinking step: the surface is smooth and has three dimensions.
-Prior best_prior(const ResponseProblem& problem, double noise_variance) {
+Prior best_prior(const std::array<ResponseProblem, 2>& wheels) {
+  const auto evidence = [&](const Prior& prior) {
+    return negative_log_evidence(wheels[0], prior) + negative_log_evidence(wheels[1], prior);
+  };
   Prior best;
-  double best_value = negative_log_evidence(problem, best, noise_variance);
+  double best_value = evidence(best);
   const auto consider = [&](Prior candidate) {
     candidate.log10_own = std::clamp(candidate.log10_own, -8.0, 3.0);
     candidate.log10_cross = std::clamp(candidate.log10_cross, -12.0, 3.0);
     candidate.decay = std::clamp(candidate.decay, 0.4, 0.985);
-    const double value = negative_log_evidence(problem, candidate, noise_variance);
+    const double value = evidence(candidate);
     if (value >= best_value) return;
     best_value = value;
     best = candidate;
@@ -70,19 +78,22 @@ Prior best_prior(const ResponseProblem& problem, double noise_variance) {
   return best;
 }
 
-}  // namespace
-
-ResponseEstimate estimate_response(const ResponseProblem& problem) {
-  const auto spare = std::max<Eigen::Index>(1, problem.rows - problem.r.cols());
+ResponseEstimate posterior(const ResponseProblem& problem, const Prior& prior) {
   ResponseEstimate estimate;
-  estimate.noise_variance = problem.residual_square_sum / static_cast<double>(spare);
-  const Prior prior = best_prior(problem, estimate.noise_variance);
+  estimate.noise_variance = noise_variance_of(problem);
   const Eigen::MatrixXd covariance = prior_covariance(prior, problem.r.cols(), problem.own_column);
   const auto factor = evidence_factor(problem, covariance, estimate.noise_variance);
   const Eigen::MatrixXd gain = factor.solve(problem.r * covariance).transpose();
   estimate.response = gain * problem.z;
   estimate.covariance = covariance - gain * problem.r * covariance;
   return estimate;
+}
+
+}  // namespace
+
+std::array<ResponseEstimate, 2> estimate_responses(const std::array<ResponseProblem, 2>& wheels) {
+  const Prior prior = best_prior(wheels);
+  return {posterior(wheels[0], prior), posterior(wheels[1], prior)};
 }
 
 }  // namespace wheelwright

@@ -1,6 +1,8 @@
-// Regularised estimate of a wheel's impulse responses with a prior whose size is found by marginal
+// Regularised estimate of the wheels' impulse responses with a prior whose size is found by marginal
 // likelihood.
 #pragma once
+
+#include <array>
 
 #include <Eigen/Core>
 
@@ -24,7 +26,8 @@ struct ResponseEstimate {
 };
 
 // Prior: h_i of a channel has covariance size * decay^max(i,j), own and cross channel each with a size of
-// their own, independent of each other. Sizes and decay maximise the marginal likelihood.
-ResponseEstimate estimate_response(const ResponseProblem& problem);
+// their own, independent of each other. Sizes and decay are those of both wheels, since a robot's wheels are
+// made alike, and maximise the marginal likelihood of both.
+std::array<ResponseEstimate, 2> estimate_responses(const std::array<ResponseProblem, 2>& wheels);
 
 }  // namespace wheelwright

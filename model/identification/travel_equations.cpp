@@ -10,11 +10,13 @@ namespace {
 // A hole of more periods than this ends a stretch of known history.
 constexpr double longest_hole_periods = 2.5;
 
-// The Kalman filter of a level that walks and is read with unit noise, started without knowledge. Applied to
-// each column alike it turns equations with that noise into independent ones.
+// The Kalman filter of a constant level plus a fading wander, read with unit noise. The level starts without
+// knowledge, the wander at zero. Applied to each column alike it turns equations with that noise into
+// independent ones.
 class Whitener {
  public:
-  Whitener(Eigen::Index columns, double drift_ratio) : level_(columns), drift_ratio_(drift_ratio) {}
+  Whitener(Eigen::Index columns, const TravelNoise& noise)
+      : level_(columns), wander_(columns), noise_(noise) {}
 
   void restart() { started_ = false; }
 
@@ -22,15 +24,23 @@ class Whitener {
   bool filter(const Eigen::RowVectorXd& row, double periods, Eigen::RowVectorXd& whitened) {
     if (!started_) {
       level_ = row;
-      variance_ = 1.0;
+      wander_.setZero();
+      level_variance_ = 1.0;
+      wander_variance_ = 0.0;
+      covariance_ = 0.0;
       started_ = true;
       return false;
     }
-    const double predicted = variance_ + drift_ratio_ * periods;
-    const double innovation_variance = predicted + 1.0;
-    whitened = row - level_;
-    level_ += (predicted / innovation_variance) * whitened;
-    variance_ = predicted / innovation_variance;
+    let_wander(periods);
+    const double level_share = level_variance_ + covariance_;
+    const double wander_share = wander_variance_ + covariance_;
+    const double innovation_variance = level_share + wander_share + 1.0;
+    whitened = row - level_ - wander_;
+    level_ += (level_share / innovation_variance) * whitened;
+    wander_ += (wander_share / innovation_variance) * whitened;
+    level_variance_ -= level_share * level_share / innovation_variance;
+    wander_variance_ -= wander_share * wander_share / innovation_variance;
+    covariance_ -= level_share * wander_share / innovation_variance;
     whitened /= std::sqrt(innovation_variance);
     log_variance_sum_ += std::log(innovation_variance);
     return true;
@@ -39,9 +49,22 @@ class Whitener {
   double log_variance_sum() const { return log_variance_sum_; }
 
  private:
+  void let_wander(double periods) {
+    const double kept = std::exp(-periods / noise_.memory_periods);
+    const double fading_periods = 0.5 * noise_.memory_periods;
+    const double effective_periods =
+        std::isinf(fading_periods) ? periods : -fading_periods * std::expm1(-periods / fading_periods);
+    wander_ *= kept;
+    covariance_ *= kept;
+    wander_variance_ = kept * kept * wander_variance_ + noise_.drift_ratio * effective_periods;
+  }
+
   Eigen::RowVectorXd level_;
-  double drift_ratio_;
-  double variance_ = 1.0;
+  Eigen::RowVectorXd wander_;
+  TravelNoise noise_;
+  double level_variance_ = 1.0;
+  double wander_variance_ = 0.0;
+  double covariance_ = 0.0;
   double log_variance_sum_ = 0.0;
   bool started_ = false;
 };
@@ -49,9 +72,9 @@ class Whitener {
 }  // namespace
 
 double whitened_travel_equations(std::span<const DriveLog> logs, double period_s, std::size_t taps,
-                                 double drift_ratio, const EquationSink& sink) {
+                                 const TravelNoise& noise, const EquationSink& sink) {
   const auto columns = static_cast<Eigen::Index>(2 * taps);
-  Whitener whitener(columns + 2, drift_ratio);
+  Whitener whitener(columns + 2, noise);
   Eigen::RowVectorXd row(columns + 2);
   Eigen::RowVectorXd whitened(columns + 2);
   Eigen::RowVectorXd regressors(columns);

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <span>
 
 #include <Eigen/Core>
@@ -18,10 +19,17 @@ namespace wheelwright {
 using EquationSink =
     std::function<void(const Eigen::RowVectorXd& regressors, const Eigen::RowVector2d& targets)>;
 
-// Noise of a travel reading: white, plus a random walk whose variance grows by `drift_ratio` times the white
-// variance each period. The equations handed on are whitened and carry no unknown starting position.
-// Returns the sum of log variances of the whitening, which the likelihood of `drift_ratio` needs.
+// Noise of a travel reading, in units of its white part: white, plus a wander that grows like a random walk
+// at first and fades later. Where the wander fades (wheel ripple, a speed controller that catches up), travel
+// over long times is more exact than a random walk (slip) would leave it.
+struct TravelNoise {
+  double drift_ratio = 0.0;  // growth of the wander's variance per period, in variances of the white part
+  double memory_periods = std::numeric_limits<double>::infinity();  // in which it fades by e; infinite: never
+};
+
+// The equations handed on are whitened and carry no unknown starting position. Returns the sum of log
+// variances of the whitening, which the likelihood of `noise` needs.
 double whitened_travel_equations(std::span<const DriveLog> logs, double period_s, std::size_t taps,
-                                 double drift_ratio, const EquationSink& sink);
+                                 const TravelNoise& noise, const EquationSink& sink);
 
 }  // namespace wheelwright
