@@ -16,7 +16,7 @@ Point turned(const Point& point, double angle_rad) {
 Nearest nearest_to_point(const Point& from, const Point& target) {
   const double dx = target.x_m - from.x_m;
   const double dy = target.y_m - from.y_m;
-  const double distance = std::hypot(dx, dy);
+  const double distance = std::sqrt(dx * dx + dy * dy);
   if (distance == 0.0) return {0.0, {1.0, 0.0}};
   return {distance, {dx / distance, dy / distance}};
 }
@@ -35,14 +35,13 @@ RayHit hit_segment(const Point& from, const Point& direction, const WallSegment&
   const double ex = wall.x2_m - wall.x1_m;
   const double ey = wall.y2_m - wall.y1_m;
   const double cross = direction.x_m * ey - direction.y_m * ex;
-  const double length = std::hypot(ex, ey);
-  if (length == 0.0 || std::abs(cross) < 1e-12 * length) return {};
+  if (std::abs(cross) < 1e-12) return {};
   const double qx = wall.x1_m - from.x_m;
   const double qy = wall.y1_m - from.y_m;
   const double distance = (qx * ey - qy * ex) / cross;
   const double along = (qx * direction.y_m - qy * direction.x_m) / cross;
   if (distance < 0.0 || along < 0.0 || along > 1.0) return {};
-  return {distance, std::abs(cross) / length};
+  return {distance, std::abs(cross) / std::sqrt(ex * ex + ey * ey)};
 }
 
 }  // namespace

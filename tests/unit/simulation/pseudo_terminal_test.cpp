@@ -1,0 +1,99 @@
+#include "drivers/simulation/pseudo_terminal.hpp"
+
+#include <fcntl.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <array>
+#include <fstream>
+
+#include "tests/support/catch.hpp"
+
+using namespace wheelwright::simulation;
+
+namespace {
+
+// A program that has the terminal open.
+class Client {
+ public:
+  explicit Client(const std::string& path)
+      : descriptor_(open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK)) {}
+  Client(const Client&) = delete;
+  Client& operator=(const Client&) = delete;
+  ~Client() { close(descriptor_); }
+
+  std::string read() const {
+    std::array<char, 256> bytes{};
+    const ssize_t count = ::read(descriptor_, bytes.data(), bytes.size());
+    return count > 0 ? std::string(bytes.data(), static_cast<std::size_t>(count)) : std::string();
+  }
+  bool write(const std::string& text) const {
+    return ::write(descriptor_, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+  }
+  void set_baud(speed_t speed) const {
+    termios settings{};
+    tcgetattr(descriptor_, &settings);
+    cfsetspeed(&settings, speed);
+    tcsetattr(descriptor_, TCSANOW, &settings);
+  }
+
+ private:
+  int descriptor_;
+};
+
+void say(PseudoTerminal& terminal, const std::string& text) {
+  const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+  terminal.write(bytes);
+}
+
+}  // namespace
+
+TEST_CASE("Bytes pass the terminal unchanged in both directions") {
+  PseudoTerminal terminal;
+  const Client client(terminal.path());
+  say(terminal, "\r\n\x03\x11\x13\xff");
+  CHECK(client.read() == "\r\n\x03\x11\x13\xff");
+  REQUIRE(client.write("\x04\r\x1a"));
+  std::array<std::uint8_t, 16> bytes{};
+  CHECK(terminal.read(bytes) == 3);
+  CHECK(bytes[1] == '\r');
+}
+
+TEST_CASE("Clients may come and go, and do not find what was sent before they came") {
+  PseudoTerminal terminal;
+  say(terminal, "nobody");
+  {
+    const Client first(terminal.path());
+    say(terminal, "one");
+    CHECK(first.read() == "one");
+    say(terminal, "unread");
+  }
+  say(terminal, "nobody again");
+  const Client second(terminal.path());
+  CHECK(second.read().empty());
+  say(terminal, "two");
+  CHECK(second.read() == "two");
+}
+
+TEST_CASE("The terminal knows the speed that its client has set") {
+  PseudoTerminal terminal;
+  CHECK_FALSE(terminal.client_baud().has_value());
+  const Client client(terminal.path());
+  CHECK(terminal.client_baud() == 115200);
+  client.set_baud(B19200);
+  CHECK(terminal.client_baud() == 19200);
+}
+
+TEST_CASE("A link points to the terminal, replaces an old link, and goes away with it") {
+  const auto link = std::filesystem::temp_directory_path() / "wheelwright_link_test";
+  std::filesystem::remove(link);
+  std::filesystem::create_symlink("/nowhere", link);
+  {
+    const TerminalLink made(link, "/dev/null");
+    CHECK(std::filesystem::read_symlink(link) == "/dev/null");
+  }
+  CHECK_FALSE(std::filesystem::is_symlink(link));
+  std::ofstream(link) << "precious";
+  CHECK_THROWS_WITH(TerminalLink(link, "/dev/null"), ContainsSubstring("is in the way"));
+  std::filesystem::remove(link);
+}
