@@ -53,7 +53,7 @@ TEST_CASE("The default robot answers a step like a Create 2") {
   CAPTURE(speed_mm_s, phase.count());
   const Response response = respond(speed_mm_s, phase);
   CHECK(response.dead_ms >= 18.0);
-  CHECK(response.dead_ms <= 47.0);
+  CHECK(response.dead_ms <= 52.0);  // seen in the motion itself, not in sensor refreshes
   CHECK(response.rise_ms >= 80.0);
   CHECK(response.rise_ms <= 140.0);
   CHECK(response.overshoot <= 0.2);
