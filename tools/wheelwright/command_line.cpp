@@ -72,6 +72,7 @@ ExitStatus parse_and_run(std::vector<std::string> arguments, Streams streams) {
   app.require_subcommand(1);
   app.footer("Example: wheelwright fit run1.csv -o robot.yaml && wheelwright score robot.yaml run2.csv");
   std::vector<Action> actions;
+  actions.reserve(commands.size());
   for (const auto add : commands) actions.push_back(add(app));
 
   check_command_name(app, arguments);

@@ -55,7 +55,7 @@ std::optional<std::string> find_impossible_command(const DriveLog& log, std::opt
     const double largest = std::max(std::abs(command.left), std::abs(command.right));
     if (largest <= limit) continue;
     const std::string robot =
-        known_robot && !limit_m_s ? "a Roomba or Create takes" : "the robot is taken to take";
+        known_robot && !limit_m_s ? "a Roomba or Create takes" : "the robot is assumed to take";
     return log.name + ":" + std::to_string(log.first_line + k) + ": a command of " +
            config::plain_number(largest) + " m/s, but " + robot + " at most " + config::plain_number(limit) +
            " m/s; delete the row if it is garbage";
