@@ -22,35 +22,30 @@ void DriveUnit::drive(double duty, double supply_v, double duration_s) {
   if (stalled_) motor_speed_rad_s_ = wheel_speed_rad_s_ = 0.0;
   current_a_ = motor_current_a(duty, supply_v);
   if (stalled_) return;
-  if (config_.motor.resistance_change_when_warm != 0.0 || config_.motor.friction_change_when_warm != 0.0) {
-    const double goal = std::abs(motor_speed_rad_s_) > 0.1 ? 1.0 : 0.0;
-    warmth_ += (goal - warmth_) * duration_s / config_.motor.warm_up_time_s;
-  }
+  warm_up(duration_s);
   const double friction_scale = 1.0 + config_.motor.friction_change_when_warm * warmth_;
   const double torque_nm =
       torque_nm_per_a_ * current_a_ - friction_.torque_nm(motor_speed_rad_s_, friction_scale, duration_s);
-  if (!has_backlash()) {
-    const double inertia_kg_m2 = config_.motor.inertia_kg_m2 + config_.inertia_kg_m2;
-    motor_speed_rad_s_ += duration_s * torque_nm / inertia_kg_m2;
-    wheel_speed_rad_s_ = motor_speed_rad_s_;
-    return;
-  }
   const bool pulled_apart = (teeth_ == Teeth::push_forward && gear_torque_nm_ < 0.0) ||
                             (teeth_ == Teeth::push_backward && gear_torque_nm_ > 0.0);
   if (pulled_apart) teeth_ = Teeth::apart;
-  const bool apart = teeth_ == Teeth::apart;
-  const double moved_kg_m2 = config_.motor.inertia_kg_m2 + (apart ? 0.0 : config_.inertia_kg_m2);
+  const double moved_kg_m2 = config_.motor.inertia_kg_m2 + (teeth_are_apart() ? 0.0 : config_.inertia_kg_m2);
   const double change_rad_s = duration_s * torque_nm / moved_kg_m2;
   motor_speed_rad_s_ += change_rad_s;
-  if (apart) return;
+  if (teeth_are_apart()) return;
   wheel_speed_rad_s_ = motor_speed_rad_s_;
   gear_torque_nm_ = config_.inertia_kg_m2 * change_rad_s / duration_s;
+}
+
+void DriveUnit::warm_up(double duration_s) {
+  const double goal = std::abs(motor_speed_rad_s_) > 0.1 ? 1.0 : 0.0;
+  warmth_ += (goal - warmth_) * duration_s / config_.motor.warm_up_time_s;
 }
 
 void DriveUnit::push(double torque_nm, double duration_s) {
   const double change_rad_s = -torque_nm * inverse_inertia() * duration_s;
   wheel_speed_rad_s_ += change_rad_s;
-  if (has_backlash() && teeth_ == Teeth::apart) return;
+  if (teeth_are_apart()) return;
   motor_speed_rad_s_ = wheel_speed_rad_s_;
   gear_torque_nm_ += torque_nm + config_.inertia_kg_m2 * change_rad_s / duration_s;
 }
@@ -81,8 +76,7 @@ void DriveUnit::let_teeth_meet() {
 
 double DriveUnit::inverse_inertia() const {
   if (stalled_) return 0.0;
-  const bool apart = has_backlash() && teeth_ == Teeth::apart;
-  return 1.0 / (config_.inertia_kg_m2 + (apart ? 0.0 : config_.motor.inertia_kg_m2));
+  return 1.0 / (config_.inertia_kg_m2 + (teeth_are_apart() ? 0.0 : config_.motor.inertia_kg_m2));
 }
 
 double DriveUnit::rolling_radius_m() const {

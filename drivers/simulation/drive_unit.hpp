@@ -39,6 +39,8 @@ class DriveUnit {
  private:
   enum class Teeth { apart, push_forward, push_backward };
   bool has_backlash() const { return config_.backlash_rad > 0.0; }
+  bool teeth_are_apart() const { return has_backlash() && teeth_ == Teeth::apart; }
+  void warm_up(double duration_s);
   double motor_current_a(double duty, double supply_v) const;
   void let_teeth_meet();
 
