@@ -9,6 +9,10 @@ namespace {
 constexpr int longest_coast_samples = 12;
 // The command acts only after this many samples (31-47 ms); until then nothing can turn round.
 constexpr int dead_time_samples = 3;
+// With at most one tick in each of so many samples it stands: a robot that rocks still makes one now and
+// then.
+constexpr int standing_samples_to_trust = 3;
+constexpr int standing_ticks = 1;
 
 }  // namespace
 
@@ -19,11 +23,14 @@ bool EncoderCounter::update(std::uint16_t raw, double command, int most_change) 
   if (std::abs(change) > most_change) return false;
   last_raw_ = raw;
 
+  // A wheel that stands coasts nowhere, whatever is commanded now.
   if (counted != commanded_) {
     commanded_ = counted;
-    if (direction_ != counted) coasting_samples_left_ = longest_coast_samples;
+    const bool stood = standing_samples_ >= standing_samples_to_trust;
+    if (direction_ != counted && !stood) coasting_samples_left_ = longest_coast_samples;
     last_coast_change_ = std::abs(change);
   }
+  standing_samples_ = std::abs(change) <= standing_ticks ? standing_samples_ + 1 : 0;
   if (coasting_samples_left_ > 0) {
     --coasting_samples_left_;
     const bool command_acts = coasting_samples_left_ < longest_coast_samples - dead_time_samples;

@@ -31,6 +31,7 @@ class EncoderCounter {
   int commanded_ = 1;  // in which the robot counts: the sign of the last command, up for zero
   int coasting_samples_left_ = 0;
   int last_coast_change_ = 0;
+  int standing_samples_ = 3;  // in a row; a robot that was just met stands
 };
 
 }  // namespace wheelwright::open_interface

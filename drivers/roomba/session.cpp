@@ -103,7 +103,8 @@ void Session::tick() {
 void Session::take_requests() {
   if (end_requested_.load(std::memory_order_relaxed)) ending_ = true;
   if (arm_requested_.exchange(false, std::memory_order_relaxed)) link_.arm();
-  if (stop_requested_.exchange(false, std::memory_order_relaxed)) link_.stop(StopReason::requested);
+  const StopReason stop = stop_requested_.exchange(StopReason::none, std::memory_order_relaxed);
+  if (stop != StopReason::none) link_.stop(stop);
   link_.set_encoder_order(encoder_order_.load(std::memory_order_relaxed));
 }
 

@@ -74,7 +74,7 @@ class Session {
   // From any thread or signal handler; take effect with the next tick.
   void request_end() { end_requested_.store(true, std::memory_order_relaxed); }
   void request_arm() { arm_requested_.store(true, std::memory_order_relaxed); }
-  void request_stop() { stop_requested_.store(true, std::memory_order_relaxed); }
+  void request_stop(StopReason reason) { stop_requested_.store(reason, std::memory_order_relaxed); }
   void request_encoder_order(EncoderOrder order) { encoder_order_.store(order, std::memory_order_relaxed); }
 
   // Advances with every tick: a watchdog's food.
@@ -135,7 +135,7 @@ class Session {
   LatenessHistogram lateness_;
   std::atomic<bool> end_requested_{false};
   std::atomic<bool> arm_requested_{false};
-  std::atomic<bool> stop_requested_{false};
+  std::atomic<StopReason> stop_requested_{StopReason::none};
   std::atomic<EncoderOrder> encoder_order_;
   std::atomic<std::int64_t> heartbeat_{0};
 };

@@ -50,7 +50,7 @@ bool make_raw(int descriptor, speed_t speed) {
   ::cfmakeraw(&settings);
   settings.c_cflag |= CLOCAL | CREAD;
   settings.c_cflag &= ~static_cast<tcflag_t>(HUPCL | CRTSCTS | CSTOPB | PARENB);
-  settings.c_cc[VMIN] = 0;
+  settings.c_cc[VMIN] = 1;  // with 0 a read without data would look like the end of the file
   settings.c_cc[VTIME] = 0;
   ::cfsetispeed(&settings, speed);
   ::cfsetospeed(&settings, speed);

@@ -140,8 +140,12 @@ class ResponseActions final : public Manoeuvre {
   WheelOrder order() const {
     constexpr std::array activities{Activity::left_on, Activity::left_off, Activity::right_on,
                                     Activity::right_off};
-    const bool backwards = plan_.alternate_direction && repetition_ % 2 == 1;
-    const double speed = backwards ? -plan_.speed_m_s : plan_.speed_m_s;
+    // One wheel forward, the other back, then the reverse: the robot swings where it stands.
+    const bool backwards = plan_.alternate_direction && (repetition_ % 2 == 1) != (action_ == 2);
+    // Multiples of the golden ratio fill the spread evenly from the first repetitions on.
+    const double place = std::fmod(0.618034 * repetition_, 1.0) - 0.5;
+    const double size = plan_.speed_m_s * (1.0 + plan_.speed_spread * place);
+    const double speed = backwards ? -size : size;
     WheelOrder order{
         {}, activities.at(static_cast<std::size_t>(action_)), static_cast<std::uint16_t>(repetition_)};
     if (action_ == 0) order.speed_m_s.left = speed;

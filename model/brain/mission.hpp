@@ -20,9 +20,10 @@ struct EncoderTurnPlan {
 // The four response actions (PAPER.md, calibration B).
 struct ResponsePlan {
   double speed_m_s = 0.15;
-  double on_s = 1.2;
-  int repetitions = 8;
-  bool alternate_direction = true;  // every second repetition backwards, so that the robot stays where it is
+  double speed_spread = 0.3;  // relative, over the repetitions: ticks and speed steps then round differently
+  double on_s = 0.8;
+  int repetitions = 12;
+  bool alternate_direction = true;  // half of the actions backwards, so that the robot stays where it is
   bool use_fall = true;             // false with the wheel PID off, where stopping is slower than starting
 };
 

@@ -57,33 +57,52 @@ double signal_to_noise(const TurnSignal& signal) {
   return power / static_cast<double>(signal.values.size() * TurnSignal::sensors);
 }
 
-// Periods of single stretches of the turn: each is matched with what comes one period later.
-std::vector<double> periods_of_parts(const TurnSignal& signal, double period) {
-  std::vector<double> periods;
+// The period as one stretch of the turn shows it, and how much that stretch has to say: the energy of its
+// slope.
+struct PartialPeriod {
+  double period;
+  double information;
+};
+
+double slope_energy(const TurnSignal& signal, std::size_t first, std::size_t last) {
+  double energy = 0.0;
+  for (std::size_t i = std::max<std::size_t>(first, 1); i + 1 < last; ++i) {
+    for (std::size_t s = 0; s < TurnSignal::sensors; ++s) {
+      const double slope = 0.5 * (signal.values[i + 1].at(s) - signal.values[i - 1].at(s));
+      energy += signal.weight.at(s) * slope * slope;
+    }
+  }
+  return energy;
+}
+
+// Each stretch is matched with what comes one period later.
+std::vector<PartialPeriod> periods_of_parts(const TurnSignal& signal, double period) {
+  std::vector<PartialPeriod> result;
   const double usable = static_cast<double>(signal.values.size()) - 1.05 * period;
   const double length = usable / static_cast<double>(parts);
   for (std::size_t part = 0; part < parts; ++part) {
     const auto first = static_cast<std::size_t>(length * static_cast<double>(part));
     const auto last = static_cast<std::size_t>(length * static_cast<double>(part + 1));
-    double power = 0.0;
-    for (std::size_t i = first; i < last; ++i) {
-      for (std::size_t s = 0; s < TurnSignal::sensors; ++s) {
-        power += signal.weight.at(s) * signal.values[i].at(s) * signal.values[i].at(s);
-      }
-    }
-    // Where a stretch sees next to nothing its period is noise.
-    if (power < least_signal_to_noise * static_cast<double>((last - first) * TurnSignal::sensors)) continue;
-    periods.push_back(best_lag(signal, {0.97 * period, 1.03 * period}, 0.25, first, last));
+    result.push_back({best_lag(signal, {0.97 * period, 1.03 * period}, 0.25, first, last),
+                      slope_energy(signal, first, last)});
   }
-  return periods;
+  return result;
 }
 
-double relative_standard_error(const std::vector<double>& periods, double period) {
-  if (periods.size() < 2) return 1.0;
-  double sum = 0.0;
-  for (const double p : periods) sum += (p - period) * (p - period);
-  const auto n = static_cast<double>(periods.size());
-  return std::sqrt(sum / (n - 1.0) / n) / period;
+// Of the mean of the stretches, weighed by what they have to say.
+double relative_standard_error(const std::vector<PartialPeriod>& partial, double period) {
+  double information = 0.0;
+  double largest = 0.0;
+  double spread = 0.0;
+  for (const auto& part : partial) {
+    information += part.information;
+    largest = std::max(largest, part.information);
+    spread += part.information * (part.period - period) * (part.period - period);
+  }
+  // One stretch alone says nothing of its own error.
+  const double effective = information / std::max(largest, 1e-300);
+  if (effective < 1.5) return 1.0;
+  return std::sqrt(spread / information / (effective - 1.0)) / period;
 }
 
 // A stretch in which the summed signal stays high: one pass of the obstacle, in entries of the signal.

@@ -39,9 +39,12 @@ double negative_log_likelihood(const Factored& candidate) {
   return value;
 }
 
-// First how much the wheels wander, as if they never came back, then for how long, then how much once more:
-// the likelihood hardly couples the two.
-TravelNoise most_likely_noise(std::span<const DriveLog> logs, double period_s, std::size_t taps) {
+// First whether readings have ages of their own: refreshed at some rate, the age spreads over one period of
+// it, in which a wheel at one tick per period makes one tick, like the rounding to ticks itself. Then how
+// much the wheels wander, as if they never came back, then for how long, then how much once more: the
+// likelihood hardly couples the two.
+TravelNoise most_likely_noise(std::span<const DriveLog> logs, double period_s, std::size_t taps,
+                              double tick_m) {
   TravelNoise best;
   double best_value = std::numeric_limits<double>::infinity();
   const auto consider = [&](const TravelNoise& candidate) {
@@ -50,19 +53,24 @@ TravelNoise most_likely_noise(std::span<const DriveLog> logs, double period_s, s
     best_value = value;
     best = candidate;
   };
-  for (const double ratio : {0.0, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1.0}) consider({ratio, best.memory_periods});
+  constexpr double never = std::numeric_limits<double>::infinity();
+  for (const double age_speed : {never, tick_m / period_s}) {
+    for (const double ratio : {0.0, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1.0}) consider({ratio, never, age_speed});
+  }
   if (best.drift_ratio == 0.0) return best;
   for (const double memory_periods : {1000.0, 300.0, 100.0, 30.0, 10.0}) {
-    consider({best.drift_ratio, memory_periods});
+    consider({best.drift_ratio, memory_periods, best.age_speed_m_s});
   }
-  for (const double factor : {1.0 / 3.0, 3.0}) consider({factor * best.drift_ratio, best.memory_periods});
+  for (const double factor : {1.0 / 3.0, 3.0}) {
+    consider({factor * best.drift_ratio, best.memory_periods, best.age_speed_m_s});
+  }
   return best;
 }
 
 // The problem of one wheel with only the first `taps` taps: the leading block of the triangle; what the rest
 // of the triangle explained goes back into the residual.
 ResponseProblem problem_of(const LeastSquaresAccumulator::Factor& factor, Eigen::Index wheel,
-                           std::size_t taps) {
+                           std::size_t taps, double metres_per_tick) {
   const auto columns = static_cast<Eigen::Index>(2 * taps);
   ResponseProblem problem;
   problem.r = factor.r.topLeftCorner(columns, columns);
@@ -70,13 +78,15 @@ ResponseProblem problem_of(const LeastSquaresAccumulator::Factor& factor, Eigen:
   problem.residual_square_sum =
       factor.residual_square_sum[wheel] + factor.z.col(wheel).tail(factor.z.rows() - columns).squaredNorm();
   problem.rows = factor.rows;
+  problem.least_noise_variance = metres_per_tick * metres_per_tick / 12.0;  // of rounding to whole ticks
   problem.own_column = wheel;
   return problem;
 }
 
-std::array<ResponseEstimate, 2> estimate_both(const LeastSquaresAccumulator::Factor& factor,
-                                              std::size_t taps) {
-  return estimate_responses({problem_of(factor, 0, taps), problem_of(factor, 1, taps)});
+std::array<ResponseEstimate, 2> estimate_both(const LeastSquaresAccumulator::Factor& factor, std::size_t taps,
+                                              double metres_per_tick) {
+  return estimate_responses(
+      {problem_of(factor, 0, taps, metres_per_tick), problem_of(factor, 1, taps, metres_per_tick)});
 }
 
 // The shortest length after which no tail is left that is both above its own uncertainty and above a
@@ -148,7 +158,8 @@ tl::expected<FirFit, Refusal> fit_fir(std::span<const DriveLog> logs, const FirF
   const double period_s = options.period_s.value_or(logs.front().period_s);
   const std::size_t longest = options.length.value_or(options.longest);
 
-  const TravelNoise noise = most_likely_noise(logs, period_s, std::min<std::size_t>(longest, 20));
+  const double tick_m = 0.5 * (logs.front().metres_per_tick->left + logs.front().metres_per_tick->right);
+  const TravelNoise noise = most_likely_noise(logs, period_s, std::min<std::size_t>(longest, 20), tick_m);
   const Factored factored = factor_equations(logs, period_s, longest, noise);
   const auto needed = static_cast<Eigen::Index>(4 * longest);
   if (factored.factor.rows < needed) {
@@ -158,12 +169,12 @@ tl::expected<FirFit, Refusal> fit_fir(std::span<const DriveLog> logs, const FirF
 
   std::size_t length = longest;
   if (!options.length) {
-    const auto whole = estimate_both(factored.factor, longest);
+    const auto whole = estimate_both(factored.factor, longest, tick_m);
     length = std::max(length_worth_keeping(whole[0]), length_worth_keeping(whole[1]));
   }
 
   FirFit fit;
-  const auto estimates = estimate_both(factored.factor, length);
+  const auto estimates = estimate_both(factored.factor, length, tick_m);
   fit.model = {ModelType::fir, period_s, logs.front().wheel_base_m, to_response(estimates[0].response),
                to_response(estimates[1].response)};
   fit.left = describe(estimates[0], noise, period_s);

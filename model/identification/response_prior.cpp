@@ -37,9 +37,11 @@ Eigen::LLT<Eigen::MatrixXd> evidence_factor(const ResponseProblem& problem, cons
   return Eigen::LLT<Eigen::MatrixXd>(covariance);
 }
 
+// Repetitions of one manoeuvre round their ticks alike, which a free enough response would fit as if it were
+// motion: hence a floor.
 double noise_variance_of(const ResponseProblem& problem) {
   const auto spare = std::max<Eigen::Index>(1, problem.rows - problem.r.cols());
-  return problem.residual_square_sum / static_cast<double>(spare);
+  return std::max(problem.residual_square_sum / static_cast<double>(spare), problem.least_noise_variance);
 }
 
 double negative_log_evidence(const ResponseProblem& problem, const Prior& prior) {

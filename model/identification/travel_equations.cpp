@@ -1,5 +1,6 @@
 #include "model/identification/travel_equations.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "model/command_timeline.hpp"
@@ -9,6 +10,8 @@ namespace {
 
 // A hole of more periods than this ends a stretch of known history.
 constexpr double longest_hole_periods = 2.5;
+// A wheel that was commanded within so many periods is taken to move.
+constexpr double moving_window_periods = 6.0;
 
 // The Kalman filter of a constant level plus a fading wander, read with unit noise. The level starts without
 // knowledge, the wander at zero. Applied to each column alike it turns equations with that noise into
@@ -21,11 +24,13 @@ class Whitener {
   void restart() { started_ = false; }
 
   // Returns true and the whitened row where there is one; the first row only sets the level.
-  bool filter(const Eigen::RowVectorXd& row, double periods, Eigen::RowVectorXd& whitened) {
+  // `reading_variance` is that of this row's white noise.
+  bool filter(const Eigen::RowVectorXd& row, double periods, double reading_variance,
+              Eigen::RowVectorXd& whitened) {
     if (!started_) {
       level_ = row;
       wander_.setZero();
-      level_variance_ = 1.0;
+      level_variance_ = reading_variance;
       wander_variance_ = 0.0;
       covariance_ = 0.0;
       started_ = true;
@@ -34,7 +39,7 @@ class Whitener {
     let_wander(periods);
     const double level_share = level_variance_ + covariance_;
     const double wander_share = wander_variance_ + covariance_;
-    const double innovation_variance = level_share + wander_share + 1.0;
+    const double innovation_variance = level_share + wander_share + reading_variance;
     whitened = row - level_ - wander_;
     level_ += (level_share / innovation_variance) * whitened;
     wander_ += (wander_share / innovation_variance) * whitened;
@@ -101,7 +106,10 @@ double whitened_travel_equations(std::span<const DriveLog> logs, double period_s
       row[columns + 1] = static_cast<double>(sample.ticks->right - start.right) * log.metres_per_tick->right;
       const double periods = (sample.t_s - last_used_s) / period_s;
       last_used_s = sample.t_s;
-      if (!whitener.filter(row, periods, whitened)) continue;
+      const WheelPair speed = timeline.mean_m_s(sample.t_s - moving_window_periods * period_s, sample.t_s);
+      const double relative_speed =
+          std::max(std::abs(speed.left), std::abs(speed.right)) / noise.age_speed_m_s;
+      if (!whitener.filter(row, periods, 1.0 + relative_speed * relative_speed, whitened)) continue;
       regressors = whitened.head(columns);
       sink(regressors, whitened.tail<2>());
     }

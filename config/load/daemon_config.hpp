@@ -1,0 +1,63 @@
+// The configuration of the daemon: one YAML file, validated whole before anything moves.
+//
+// config/wheelwright.yaml is the file with every key, its default, its unit and its meaning.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "config/load/yaml_reader.hpp"
+#include "drivers/roomba/link_config.hpp"
+#include "model/brain/mission.hpp"
+#include "model/robot_model.hpp"
+
+namespace wheelwright::config {
+
+enum class CalibrateWhen : std::uint8_t { always, if_needed, never };
+
+// What to do when real-time scheduling is not to be had.
+enum class RealTimePolicy : std::uint8_t {
+  require,  // do not start
+  prefer,   // say so and go on
+  off,      // do not ask
+};
+
+struct RealTimeConfig {
+  RealTimePolicy policy = RealTimePolicy::prefer;
+  int priority = 50;  // SCHED_FIFO, of the sensor loop
+  bool lock_memory = true;
+};
+
+enum class AtEnd : std::uint8_t {
+  exit,  // the process ends with the run
+  stay,  // it keeps the link and waits to be armed again
+};
+
+struct DaemonConfig {
+  std::filesystem::path file;  // where this came from
+  std::string robot_name = "roomba";
+  std::filesystem::path device = "/dev/roomba";
+  int baud = 115200;
+  roomba::LinkConfig link;
+  bool detect_encoder_order = true;
+  RobotLimits limits;
+  CalibrateWhen calibrate = CalibrateWhen::if_needed;
+  EncoderTurnPlan encoder_turn;
+  ResponsePlan response;
+  std::filesystem::path model_file = "model.yaml";  // read where calibration is not needed, written by it
+  std::optional<Route> route;
+  PoseSource pose_source = PoseSource::fir;
+  bool arm_at_start = true;
+  AtEnd at_end = AtEnd::exit;
+  std::filesystem::path log_folder = "runs";
+  RealTimeConfig real_time;
+};
+
+// Reads a configuration, its route included. File names in it are relative to its own folder, except those of
+// what the daemon writes (model file, log folder), which are relative to the working directory. Throws
+// ConfigError for anything that is not as it should be.
+DaemonConfig load_daemon_config(const std::filesystem::path& path);
+
+}  // namespace wheelwright::config

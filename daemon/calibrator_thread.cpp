@@ -1,0 +1,121 @@
+#include "daemon/calibrator_thread.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <chrono>
+#include <ctime>
+#include <memory>
+#include <thread>
+#include <utility>
+
+#include "config/load/model_file.hpp"
+
+namespace wheelwright::daemon {
+namespace {
+
+constexpr auto look_every = std::chrono::milliseconds(20);
+
+}  // namespace
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  ::gmtime_r(&now, &parts);
+  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}Z", parts.tm_year + 1900, parts.tm_mon + 1,
+                     parts.tm_mday, parts.tm_hour, parts.tm_min, parts.tm_sec);
+}
+
+CalibratorThread::CalibratorThread(const config::DaemonConfig& config, const Mission& mission,
+                                   roomba::Session& session, Wiring& wiring)
+    : config_(config), calibrator_(mission, config.limits), session_(session), wiring_(wiring) {}
+
+void CalibratorThread::run() {
+  while (!wiring_.ending.load(std::memory_order_relaxed)) {
+    SensorFrame frame;
+    while (wiring_.frames_to_calibrator.pop(frame)) {
+      if (auto outcome = calibrator_.take(frame)) deliver(*outcome);
+    }
+    MotionPredictor* old = nullptr;
+    while (wiring_.old_models.pop(old)) delete old;
+    std::this_thread::sleep_for(look_every);
+  }
+}
+
+void CalibratorThread::deliver(CalibrationOutcome& outcome) {
+  if (outcome.refusal) {
+    spdlog::error("calibration refused: {}", outcome.refusal->reason);
+    report_.refusal = outcome.refusal->reason;
+    session_.request_stop(StopReason::refused);
+    wiring_.push(wiring_.deliveries, Delivery{});
+    return;
+  }
+  switch (outcome.kind) {
+    case CalibrationKind::encoder_order:
+      deliver_encoder_order(outcome.encoders_swapped);
+      break;
+    case CalibrationKind::encoder_scale: {
+      const EncoderScaleFit& fit = *outcome.encoder_scale;
+      spdlog::info(
+          "encoder scale: {:.4f} / {:.4f} mm per tick (left / right), one turn is {:.1f} ticks +- {:.2f} %",
+          1e3 * fit.metres_per_tick.left, 1e3 * fit.metres_per_tick.right, fit.ticks_per_turn,
+          100.0 * fit.relative_standard_error);
+      wiring_.push(wiring_.deliveries, Delivery{outcome.kind, fit.metres_per_tick, nullptr});
+      report_.encoder_scale = std::move(outcome.encoder_scale);
+      break;
+    }
+    case CalibrationKind::response:
+      deliver_model(*outcome.response);
+      break;
+  }
+}
+
+void CalibratorThread::deliver_encoder_order(bool swapped) {
+  report_.encoders_swapped = swapped;
+  if (swapped && !config_.detect_encoder_order) {
+    const std::string reason =
+        "the left wheel moved, but the counter configured as the right one did; set link.encoder_order to "
+        "auto";
+    CalibrationOutcome refused{CalibrationKind::encoder_order, Refusal{reason}, true, std::nullopt,
+                               std::nullopt};
+    deliver(refused);
+    return;
+  }
+  if (swapped) {
+    const bool left_first = config_.link.encoder_order == roomba::EncoderOrder::left_is_43;
+    session_.request_encoder_order(left_first ? roomba::EncoderOrder::right_is_43
+                                              : roomba::EncoderOrder::left_is_43);
+  }
+  spdlog::info("encoder order: packet {} is the left wheel", swapped ? "44" : "43");
+  wiring_.push(wiring_.deliveries, Delivery{CalibrationKind::encoder_order, {}, nullptr});
+}
+
+void CalibratorThread::deliver_model(const FirFit& fit) {
+  RobotModel model;
+  model.robot = config_.robot_name;
+  model.created = utc_now();
+  model.source = {"response calibration on the robot, " + std::to_string(calibrator_.response_runs().size()) +
+                  " actions"};
+  model.core = fit.model;
+  model.left_fit = fit.left;
+  model.right_fit = fit.right;
+  if (report_.encoder_scale) {
+    model.encoder_scale =
+        EncoderScale{report_.encoder_scale->metres_per_tick, report_.encoder_scale->ticks_per_turn,
+                     report_.encoder_scale->relative_standard_error};
+  }
+  spdlog::info("response: {} periods long, gain {:.3f} / {:.3f} (left / right), readings differ by {:.2f} mm",
+               fit.model.left.from_left.size(), fit.left.gain.from_left, fit.right.gain.from_right,
+               1e3 * fit.left.position_noise_m);
+  try {
+    config::save_model(model, config_.model_file);
+  } catch (const std::exception& error) {
+    spdlog::error("the model could not be written: {}", error.what());
+    report_.file_error = error.what();
+  }
+  // Handed over with its ownership: Delivery has to be copied into the ring.
+  auto predictor = std::make_unique<MotionPredictor>(model.core);
+  wiring_.push(wiring_.deliveries, Delivery{CalibrationKind::response, {}, predictor.release()});
+  report_.model = std::move(model);
+}
+
+}  // namespace wheelwright::daemon

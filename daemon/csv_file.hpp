@@ -1,0 +1,46 @@
+// A CSV file that grows line by line and loses at most a second on a power cut.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace wheelwright::daemon {
+
+class CsvFile {
+ public:
+  CsvFile() = default;
+  CsvFile(const CsvFile&) = delete;
+  CsvFile& operator=(const CsvFile&) = delete;
+  ~CsvFile();
+
+  // Creates the file with its head (metadata and header row). False where that fails; error() then says why.
+  bool create(const std::filesystem::path& path, const std::string& head);
+  bool is_open() const { return descriptor_ >= 0; }
+
+  // Adds one line, without its line end. What cannot be written (disk full) is tried again; meanwhile lines
+  // beyond what memory is set aside for are counted as lost.
+  void add(const std::string& line);
+
+  // Hands what was added to the disk. Call it several times a second.
+  void flush(std::chrono::steady_clock::time_point now);
+  void close();
+
+  const std::filesystem::path& path() const { return path_; }
+  std::uint64_t lost_lines() const { return lost_lines_; }
+  const std::optional<std::string>& error() const { return error_; }  // the first that occurred
+
+ private:
+  bool write_pending();
+
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+  std::string pending_;
+  std::chrono::steady_clock::time_point next_sync_{};
+  std::uint64_t lost_lines_ = 0;
+  std::optional<std::string> error_;
+};
+
+}  // namespace wheelwright::daemon

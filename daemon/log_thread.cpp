@@ -1,0 +1,182 @@
+#include "daemon/log_thread.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include "config/load/atomic_file.hpp"
+#include "daemon/log_format.hpp"
+
+namespace wheelwright::daemon {
+namespace {
+
+constexpr auto look_every = std::chrono::milliseconds(50);
+
+std::string_view title_of(Activity activity) {
+  switch (activity) {
+    case Activity::encoder_check:
+      return "calibration: which counter is the left wheel's";
+    case Activity::encoder_turn:
+      return "calibration A: turning in place past the surroundings";
+    case Activity::left_on:
+      return "calibration B: response of each wheel";
+    case Activity::route:
+      return "route: driving";
+    case Activity::finished:
+      return "finished";
+    case Activity::stopped:
+      return "stopped";
+    default:
+      return "";
+  }
+}
+
+}  // namespace
+
+LogThread::LogThread(const config::DaemonConfig& config, std::filesystem::path folder,
+                     const WheelPair& metres_per_tick, Wiring& wiring)
+    : config_(config), folder_(std::move(folder)), metres_per_tick_(metres_per_tick), wiring_(wiring) {
+  recorder_.reserve(recorder_ticks);
+}
+
+void LogThread::run() {
+  for (CsvFile* file : {&drive_log_, &pose_log_}) {
+    const bool drive = file == &drive_log_;
+    const auto path = folder_ / (drive ? "drive_log.csv" : "pose_log.csv");
+    if (file->create(path, drive ? drive_log_head(config_, metres_per_tick_) : pose_log_head(config_))) {
+      report_.files.push_back(path);
+    }
+  }
+  note_file_errors();
+  while (!wiring_.ending.load(std::memory_order_relaxed)) {
+    drain();
+    std::this_thread::sleep_for(look_every);
+  }
+  drain();
+  finish();
+}
+
+void LogThread::drain() {
+  roomba::Event event;
+  while (wiring_.events.pop(event)) tell(event);
+  LogEntry entry;
+  while (wiring_.entries.pop(entry)) take(entry);
+  const auto now = std::chrono::steady_clock::now();
+  drive_log_.flush(now);
+  pose_log_.flush(now);
+  note_file_errors();
+}
+
+void LogThread::take(const LogEntry& entry) {
+  if (recorder_.size() < recorder_ticks) {
+    recorder_.push_back(entry);
+  } else {
+    recorder_[recorder_next_] = entry;
+  }
+  recorder_next_ = (recorder_next_ + 1) % recorder_ticks;
+  note_activity(entry);
+  // Before the run starts there is nothing that belongs to it.
+  const bool part_of_run = entry.record.tick >= 0 && entry.frame.command.activity != Activity::idle;
+  if (part_of_run) {
+    drive_log_.add(drive_log_line(entry));
+    pose_log_.add(pose_log_line(entry, config_.limits.wheel_base_m));
+    ++report_.logged_ticks;
+  }
+  if (entry.frame.command.activity == Activity::route) report_.last_route_record = entry.record;
+  if (entry.frame.stop != last_stop_) {
+    last_stop_ = entry.frame.stop;
+    if (last_stop_ != StopReason::none && last_stop_ != StopReason::requested)
+      write_flight_recorder(last_stop_);
+  }
+}
+
+void LogThread::note_activity(const LogEntry& entry) {
+  const Activity activity = entry.frame.command.activity;
+  if (activity == last_activity_) return;
+  const bool repeats = activity == Activity::left_on && entry.frame.command.repetition > 0;
+  if (const auto title = title_of(activity); !title.empty() && !repeats) spdlog::info("{}", title);
+  last_activity_ = activity;
+}
+
+void LogThread::tell(const roomba::Event& event) {
+  using roomba::EventCode;
+  switch (event.code) {
+    case EventCode::port_opened:
+      spdlog::info("{} is open again", config_.device.string());
+      break;
+    case EventCode::port_failed:
+      spdlog::warn("{}", event.text.data());
+      break;
+    case EventCode::robot_answers:
+      spdlog::info("the robot answers, battery at {:.1f} V", event.value);
+      break;
+    case EventCode::link_lost:
+      spdlog::error("the robot does not answer any more");
+      break;
+    case EventCode::robot_text:
+      spdlog::info("the robot prints: {}", event.text.data());
+      break;
+    case EventCode::armed:
+      spdlog::info("armed: the robot obeys");
+      break;
+    case EventCode::stopped:
+      spdlog::warn("stopped at {:.2f} s: {}", event.t_s,
+                   name_of(static_cast<StopReason>(static_cast<int>(event.value))));
+      break;
+    case EventCode::overrun:
+      spdlog::warn("the loop woke up {:.0f} periods late", event.value);
+      break;
+    case EventCode::checksum_rule:
+      spdlog::info(
+          "stream checksum: the header byte is {}",
+          static_cast<int>(event.value) == static_cast<int>(open_interface::ChecksumRule::header_included)
+              ? "included"
+              : "not included");
+      break;
+    case EventCode::stream_period:
+      spdlog::info("the robot streams every {:.3f} ms", 1e3 * event.value);
+      if (std::abs(event.value / config_.link.period_s - 1.0) > 0.01) {
+        spdlog::warn("link.period_s is {} ms: set it to {:.6f}", 1e3 * config_.link.period_s, event.value);
+      }
+      break;
+  }
+}
+
+void LogThread::note_file_errors() {
+  for (const CsvFile* file : {&drive_log_, &pose_log_}) {
+    if (!file->error()) continue;
+    if (std::find(report_.errors.begin(), report_.errors.end(), *file->error()) != report_.errors.end())
+      continue;
+    report_.errors.push_back(*file->error());
+    spdlog::error("{}", *file->error());
+  }
+}
+
+// What led to a stop, from memory: complete even where the log is not.
+void LogThread::write_flight_recorder(StopReason reason) {
+  std::string text =
+      "# stopped: " + std::string(name_of(reason)) + "\n" + drive_log_head(config_, metres_per_tick_);
+  const std::size_t first = recorder_.size() < recorder_ticks ? 0 : recorder_next_;
+  for (std::size_t i = 0; i < recorder_.size(); ++i) {
+    text += drive_log_line(recorder_[(first + i) % recorder_.size()]) + "\n";
+  }
+  const auto path = folder_ / "flight_recorder.csv";
+  if (const auto error = config::write_file_atomically(path, text)) {
+    spdlog::error("{}", *error);
+    report_.errors.push_back(*error);
+    return;
+  }
+  report_.files.push_back(path);
+  spdlog::info("the last {} ticks are in {}", recorder_.size(), path.string());
+}
+
+void LogThread::finish() {
+  drive_log_.close();
+  pose_log_.close();
+  note_file_errors();
+  report_.lost_lines = drive_log_.lost_lines() + pose_log_.lost_lines();
+}
+
+}  // namespace wheelwright::daemon

@@ -1,0 +1,218 @@
+#include "daemon/process.hpp"
+
+#include <pthread.h>
+#include <spdlog/spdlog.h>
+#include <sys/signal.h>
+#include <time.h>
+
+#include <cstdio>
+#include <memory>
+#include <thread>
+
+#include "config/load/model_file.hpp"
+#include "daemon/calibrator_thread.hpp"
+#include "daemon/log_thread.hpp"
+#include "daemon/predictor_thread.hpp"
+#include "daemon/real_time.hpp"
+#include "daemon/ring_client.hpp"
+#include "daemon/summary.hpp"
+
+namespace wheelwright::daemon {
+namespace {
+
+constexpr int exit_done = 0;
+constexpr int exit_no = 1;
+
+constexpr double answer_patience_s = 15.0;
+constexpr double linger_after_end_s = 0.5;  // the robot comes to rest, and the log gets to see it
+constexpr long supervisor_period_ns = 50'000'000;
+
+// Every thread inherits the mask: signals are only taken by the supervisor's sigtimedwait.
+sigset_t block_signals() {
+  sigset_t signals{};
+  ::sigemptyset(&signals);
+  for (const int signal : {SIGTERM, SIGINT, SIGUSR1, SIGUSR2}) ::sigaddset(&signals, signal);
+  ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  ::signal(SIGPIPE, SIG_IGN);
+  return signals;
+}
+
+// What this run is to do: calibration only where it is wanted or nothing is known yet.
+struct Plan {
+  Mission mission;
+  std::optional<RobotModel> model;
+};
+
+Plan make_plan(const config::DaemonConfig& config) {
+  Plan plan;
+  const bool have_model = std::filesystem::exists(config.model_file);
+  const bool calibrate = config.calibrate == config::CalibrateWhen::always ||
+                         (config.calibrate == config::CalibrateWhen::if_needed && !have_model);
+  if (calibrate) {
+    plan.mission.encoder_turn = config.encoder_turn;
+    plan.mission.response = config.response;
+  } else if (have_model) {
+    plan.model = config::load_model(config.model_file);
+  } else if (config.pose_source != PoseSource::odometry) {
+    throw config::ConfigError(
+        config.model_file.string() +
+        ": no such model, and calibration.when is 'never'; calibrate once, or drive by odometry");
+  }
+  if (plan.model && std::abs(plan.model->core.period_s / config.link.period_s - 1.0) > 0.005) {
+    throw config::ConfigError(config.model_file.string() +
+                              ": was made for another period than link.period_s; calibrate again");
+  }
+  plan.mission.route = config.route;
+  plan.mission.pose_source = config.pose_source;
+  return plan;
+}
+
+std::filesystem::path make_run_folder(const config::DaemonConfig& config) {
+  std::string name = utc_now();
+  for (char& c : name) {
+    if (c == ':') c = '-';
+  }
+  std::filesystem::path folder = config.log_folder / name;
+  for (int next = 2; std::filesystem::exists(folder); ++next) {
+    folder = config.log_folder / (name + "_" + std::to_string(next));
+  }
+  std::filesystem::create_directories(folder);
+  return folder;
+}
+
+class Supervisor {
+ public:
+  Supervisor(const config::DaemonConfig& config, roomba::Session& session, Wiring& wiring)
+      : config_(config), session_(session), wiring_(wiring) {}
+
+  // Returns when the process is to end.
+  RunOutcome run(const sigset_t& signals) {
+    const timespec patience{0, supervisor_period_ns};
+    while (true) {
+      const int signal = ::sigtimedwait(&signals, nullptr, &patience);
+      if (signal == SIGTERM || signal == SIGINT) return ended("ended by a signal");
+      if (signal == SIGUSR1) session_.request_arm();
+      if (signal == SIGUSR2) session_.request_stop(StopReason::requested);
+      elapsed_s_ += signal < 0 ? 1e-9 * static_cast<double>(supervisor_period_ns) : 0.0;
+      arm_when_ready();
+      if (config_.at_end == config::AtEnd::exit && run_is_over()) {
+        return wiring_.finished.load() ? RunOutcome{true, ""}
+                                       : ended(std::string(name_of(wiring_.stop.load())));
+      }
+      if (gave_up_waiting()) {
+        return ended("the robot does not answer on " + config_.device.string() +
+                     "; try 'wheelwright doctor'");
+      }
+    }
+  }
+
+ private:
+  static RunOutcome ended(const std::string& why) { return {false, why}; }
+
+  void arm_when_ready() {
+    if (armed_once_ || !config_.arm_at_start || !wiring_.robot_answers.load(std::memory_order_relaxed))
+      return;
+    armed_once_ = true;
+    session_.request_arm();
+  }
+
+  bool run_is_over() {
+    const bool over = wiring_.finished.load(std::memory_order_relaxed) ||
+                      wiring_.stop.load(std::memory_order_relaxed) != StopReason::none;
+    if (!over) over_since_s_ = elapsed_s_;
+    return over && elapsed_s_ - over_since_s_ >= linger_after_end_s;
+  }
+
+  bool gave_up_waiting() const {
+    return config_.at_end == config::AtEnd::exit && elapsed_s_ > answer_patience_s &&
+           !wiring_.robot_answers.load(std::memory_order_relaxed);
+  }
+
+  const config::DaemonConfig& config_;
+  roomba::Session& session_;
+  Wiring& wiring_;
+  bool armed_once_ = false;
+  double elapsed_s_ = 0.0;
+  double over_since_s_ = 0.0;
+};
+
+}  // namespace
+
+int run_process(const config::DaemonConfig& config) {
+  const sigset_t signals = block_signals();
+  Plan plan = make_plan(config);
+  const auto port = serial::open_port(config.device, config.baud);
+  if (!port) throw config::ConfigError(port.error().message);
+  const auto folder = make_run_folder(config);
+
+  RealTimeStatus real_time = set_up_process(config.real_time);
+  auto wiring = std::make_unique<Wiring>();
+  RingClient client(*wiring);
+  roomba::Session session({config.link, config.device, config.baud}, *port, client);
+  const WheelPair metres_per_tick = plan.model && plan.model->encoder_scale
+                                        ? plan.model->encoder_scale->metres_per_tick
+                                        : config.limits.metres_per_tick;
+  RobotLimits limits = config.limits;
+  limits.metres_per_tick = metres_per_tick;
+  Brain brain(plan.mission, limits,
+              plan.model ? std::make_unique<MotionPredictor>(plan.model->core) : nullptr);
+  CalibratorThread calibrator(config, plan.mission, session, *wiring);
+  LogThread log(config, folder, metres_per_tick, *wiring);
+
+  // The real-time rights are settled before anything moves.
+  std::atomic<int> scheduled{0};  // 0 not yet, 1 go, -1 refused
+  std::thread loop([&] {
+    name_thread("ww-loop");
+    set_up_loop_thread(config.real_time, real_time);
+    const bool refused =
+        config.real_time.policy == config::RealTimePolicy::require && !real_time.shortfall.empty();
+    scheduled.store(refused ? -1 : 1);
+    scheduled.notify_one();
+    if (!refused) session.run();
+  });
+  scheduled.wait(0);
+  if (scheduled.load() < 0) {
+    loop.join();
+    throw config::ConfigError(config.file.string() + ": real_time.policy is 'require', but " +
+                              real_time.shortfall);
+  }
+  spdlog::info("{}: {}{}", config.device.string(), describe(real_time),
+               port->low_latency ? ", low-latency port" : "");
+  if (!real_time.shortfall.empty()) spdlog::warn("{}", real_time.shortfall);
+  if (port->latency_timer_ms && *port->latency_timer_ms > 2) {
+    spdlog::warn("the adapter holds data for {} ms; systemd/ has the udev rule that sets 1 ms",
+                 *port->latency_timer_ms);
+  }
+
+  std::thread predictor_thread([&] {
+    name_thread("ww-predict");
+    run_predictor(brain, *wiring);
+  });
+  std::thread calibrator_thread([&] {
+    name_thread("ww-calibrate");
+    calibrator.run();
+  });
+  std::thread log_thread([&] {
+    name_thread("ww-log");
+    log.run();
+  });
+
+  const RunOutcome outcome = Supervisor(config, session, *wiring).run(signals);
+
+  session.request_end();
+  loop.join();
+  wiring->ending.store(true);
+  wiring->frame_arrived.release();
+  predictor_thread.join();
+  calibrator_thread.join();
+  log_thread.join();
+
+  std::fputs(
+      summary(config, outcome, calibrator.report(), log.report(), session, real_time, wiring->dropped.load())
+          .c_str(),
+      stdout);
+  const bool complete = log.report().errors.empty() && !calibrator.report().file_error;
+  return outcome.finished && complete ? exit_done : exit_no;
+}
+
+}  // namespace wheelwright::daemon

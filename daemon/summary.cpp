@@ -1,0 +1,115 @@
+#include "daemon/summary.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <chrono>
+#include <cmath>
+
+namespace wheelwright::daemon {
+namespace {
+
+class Table {
+ public:
+  void title(const std::string& text) { lines_ += "\n" + text + "\n"; }
+
+  template <typename... Args>
+  void row(const std::string& name, fmt::format_string<Args...> format, Args&&... args) {
+    lines_ += fmt::format("  {:<28}{}\n", name, fmt::format(format, std::forward<Args>(args)...));
+  }
+
+  const std::string& text() const { return lines_; }
+
+ private:
+  std::string lines_;
+};
+
+double microseconds(std::chrono::nanoseconds duration) {
+  return 1e-3 * static_cast<double>(duration.count());
+}
+
+void add_calibration(Table& table, const CalibrationReport& calibration) {
+  if (!calibration.encoder_scale && !calibration.model) return;
+  table.title("Calibration");
+  if (const auto& scale = calibration.encoder_scale) {
+    table.row("metres per tick, left", "{:.4f} mm  +- {:.2f} %", 1e3 * scale->metres_per_tick.left,
+              100.0 * scale->relative_standard_error);
+    table.row("metres per tick, right", "{:.4f} mm", 1e3 * scale->metres_per_tick.right);
+    table.row("one full turn", "{:.1f} ticks of each wheel", scale->ticks_per_turn);
+    table.row("repetition of the signal", "{:.3f} of 1, over {:.1f} turns", scale->correlation, scale->turns);
+  }
+  if (const auto& model = calibration.model) {
+    const std::size_t length = model->core.left.from_left.size();
+    table.row("response", "{} periods, {:.0f} ms", length,
+              1e3 * static_cast<double>(length) * model->core.period_s);
+    table.row("gain, left wheel", "{:.4f} +- {:.4f}", model->left_fit->gain.from_left,
+              model->left_fit->gain_standard_error.from_left);
+    table.row("gain, right wheel", "{:.4f} +- {:.4f}", model->right_fit->gain.from_right,
+              model->right_fit->gain_standard_error.from_right);
+    table.row("reading against model", "{:.2f} mm", 1e3 * model->left_fit->position_noise_m);
+  }
+}
+
+void add_route(Table& table, const config::DaemonConfig& config, const LogReport& log) {
+  if (!config.route || !log.last_route_record) return;
+  const PoseRecord& last = *log.last_route_record;
+  table.title("Route '" + config.route->name + "', steered by " +
+              (config.pose_source == PoseSource::fir ? "the model alone" : "odometry"));
+  table.row("checkpoints visited", "{} of {}", last.visited, config.route->checkpoints.size());
+  if (!is_closed(*config.route)) return;
+  if (last.has_prediction) {
+    table.row("loop closure by the model", "{:.4f} m", std::hypot(last.predicted.x_m, last.predicted.y_m));
+  }
+  table.row("loop closure by odometry", "{:.4f} m", std::hypot(last.odometry.x_m, last.odometry.y_m));
+}
+
+void add_loop(Table& table, const config::DaemonConfig& config, const roomba::Session& session,
+              const RealTimeStatus& real_time, std::uint64_t dropped) {
+  const auto& lateness = session.lateness();
+  const auto& counts = session.counts();
+  table.title("Sensor loop");
+  table.row("system", "{}", describe(real_time));
+  table.row("ticks of " + fmt::format("{:g} ms", 1e3 * config.link.period_s), "{}", counts.ticks);
+  table.row("wake-up lateness p50", "{:.0f} us", microseconds(lateness.quantile(0.5)));
+  table.row("wake-up lateness p99", "{:.0f} us", microseconds(lateness.quantile(0.99)));
+  table.row("wake-up lateness, largest", "{:.0f} us", microseconds(lateness.largest()));
+  table.row("periods skipped", "{} in {} overruns", counts.skipped_periods, counts.overruns);
+  table.row("commands late", "{}", session.link().counts().late_commands);
+  if (config.link.transport == roomba::Transport::query) {
+    const auto& replies = session.link().reply_counts();
+    table.row("replies", "{} of {} sound, {} missing, {} incomplete, {} garbled", replies.sound,
+              replies.asked, replies.missing, replies.incomplete, replies.garbled);
+  } else {
+    const auto& stream = session.link().stream_counts();
+    table.row("stream frames", "{} sound, {} corrupt", stream.frames, stream.corrupt);
+  }
+  if (session.link().counts().implausible > 0) {
+    table.row("implausible counts", "{}", session.link().counts().implausible);
+  }
+  if (dropped > 0) table.row("dropped for a full ring", "{}", dropped);
+}
+
+void add_files(Table& table, const config::DaemonConfig& config, const CalibrationReport& calibration,
+               const LogReport& log) {
+  table.title("Files");
+  if (calibration.model && !calibration.file_error) table.row("model", "{}", config.model_file.string());
+  for (const auto& file : log.files) table.row(file.stem().string(), "{}", file.string());
+  for (const auto& error : log.errors) table.row("not written", "{}", error);
+  if (log.lost_lines > 0) table.row("lines lost", "{}", log.lost_lines);
+}
+
+}  // namespace
+
+std::string summary(const config::DaemonConfig& config, const RunOutcome& outcome,
+                    const CalibrationReport& calibration, const LogReport& log,
+                    const roomba::Session& session, const RealTimeStatus& real_time, std::uint64_t dropped) {
+  Table table;
+  table.title(outcome.finished ? "Result: finished" : "Result: stopped, " + outcome.stopped);
+  if (calibration.refusal) table.row("calibration refused", "{}", *calibration.refusal);
+  add_calibration(table, calibration);
+  add_route(table, config, log);
+  add_loop(table, config, session, real_time, dropped);
+  add_files(table, config, calibration, log);
+  return table.text();
+}
+
+}  // namespace wheelwright::daemon

@@ -1,0 +1,22 @@
+// The table at the end of a run: what came out, with units, and where the files are.
+#pragma once
+
+#include <string>
+
+#include "config/load/daemon_config.hpp"
+#include "daemon/calibrator_thread.hpp"
+#include "daemon/log_thread.hpp"
+#include "daemon/real_time.hpp"
+
+namespace wheelwright::daemon {
+
+struct RunOutcome {
+  bool finished = false;
+  std::string stopped;  // why, where it did not finish
+};
+
+std::string summary(const config::DaemonConfig& config, const RunOutcome& outcome,
+                    const CalibrationReport& calibration, const LogReport& log,
+                    const roomba::Session& session, const RealTimeStatus& real_time, std::uint64_t dropped);
+
+}  // namespace wheelwright::daemon

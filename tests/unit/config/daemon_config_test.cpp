@@ -1,0 +1,65 @@
+#include "config/load/daemon_config.hpp"
+
+#include <filesystem>
+#include <fstream>
+
+#include "tests/support/catch.hpp"
+
+using namespace wheelwright;
+using config::load_daemon_config;
+
+namespace {
+
+std::filesystem::path written(const std::string& text) {
+  const auto path = std::filesystem::temp_directory_path() / "wheelwright_daemon_config_test.yaml";
+  std::ofstream(path) << text;
+  return path;
+}
+
+std::string error_of(const std::string& text) {
+  const auto path = written(text);
+  try {
+    load_daemon_config(path);
+  } catch (const config::ConfigError& error) {
+    return std::string(error.what()).substr(path.parent_path().string().size() + 1);
+  }
+  return "no error";
+}
+
+}  // namespace
+
+TEST_CASE("The shipped configuration holds every key at its default") {
+  const auto shipped = load_daemon_config(std::string(WHEELWRIGHT_SOURCE_DIR) + "/config/wheelwright.yaml");
+  const auto empty = load_daemon_config(written("{}\n"));
+  CHECK(shipped.link.period_s == empty.link.period_s);
+  CHECK(shipped.link.blind_limit_s == empty.link.blind_limit_s);
+  CHECK(shipped.device == empty.device);
+  CHECK(shipped.limits.wheel_base_m == empty.limits.wheel_base_m);
+  CHECK(shipped.limits.slowest_wheel_speed_m_s == empty.limits.slowest_wheel_speed_m_s);
+  CHECK(shipped.limits.acceleration_m_s2 == empty.limits.acceleration_m_s2);
+  CHECK(shipped.response.on_s == empty.response.on_s);
+  CHECK(shipped.response.repetitions == empty.response.repetitions);
+  CHECK(shipped.encoder_turn.turns == empty.encoder_turn.turns);
+  CHECK(shipped.encoder_turn.options.largest_standard_error ==
+        empty.encoder_turn.options.largest_standard_error);
+  CHECK(shipped.real_time.priority == empty.real_time.priority);
+  REQUIRE(shipped.route);
+  CHECK(is_closed(*shipped.route));
+}
+
+TEST_CASE("A key that is misspelt, of the wrong type, unit or range is refused with its place") {
+  CHECK(error_of("link:\n  device: /dev/x\n  perod_s: 0.018\n") ==
+        "wheelwright_daemon_config_test.yaml:3:3: unknown key 'perod_s'; did you mean 'period_s'?");
+  CHECK_THAT(error_of("link:\n  period_s: 18\n"), ContainsSubstring("0.005 to 0.2 s"));
+  CHECK_THAT(error_of("link:\n  mode: fast\n"), ContainsSubstring("one of: safe, full"));
+  CHECK_THAT(error_of("real_time:\n  priority: 50.5\n"), ContainsSubstring("whole number"));
+  CHECK_THAT(error_of("run:\n  route: nowhere.yaml\n"), ContainsSubstring("which is no file"));
+  CHECK_THAT(error_of("limit:\n  largest_speed_m_s: 0.3\n"), ContainsSubstring("did you mean 'limits'?"));
+}
+
+TEST_CASE("Values that contradict each other are refused") {
+  CHECK_THAT(error_of("link:\n  blind_limit_s: 2\n  lost_after_s: 1\n"), ContainsSubstring("blind_limit_s"));
+  CHECK_THAT(error_of("limits:\n  largest_speed_m_s: 0.05\n"), ContainsSubstring("calibration speed"));
+  CHECK_THAT(error_of("limits:\n  largest_speed_m_s: 0.1\n  slowest_speed_m_s: 0.2\n"),
+             ContainsSubstring("not below its largest"));
+}
