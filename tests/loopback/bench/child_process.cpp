@@ -1,0 +1,90 @@
+#include "tests/loopback/bench/child_process.hpp"
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "tests/loopback/bench/eventually.hpp"
+
+namespace wheelwright::bench {
+namespace {
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+int created(const std::filesystem::path& path) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (descriptor < 0) throw std::runtime_error(path.string() + ": cannot be created");
+  return descriptor;
+}
+
+}  // namespace
+
+ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::filesystem::path& output)
+    : out_(output.string() + ".out"), err_(output.string() + ".err") {
+  std::vector<std::string> words = command;
+  std::vector<char*> arguments;
+  for (auto& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  const int out = created(out_);
+  const int err = created(err_);
+  pid_ = ::fork();
+  if (pid_ == 0) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // nothing of a test outlives it
+    ::dup2(out, STDOUT_FILENO);
+    ::dup2(err, STDERR_FILENO);
+    ::execvp(arguments[0], arguments.data());
+    ::_exit(127);
+  }
+  ::close(out);
+  ::close(err);
+  if (pid_ < 0) throw std::runtime_error("cannot start " + command.at(0));
+}
+
+ChildProcess::~ChildProcess() {
+  if (status_) return;
+  ::kill(pid_, SIGKILL);
+  ::waitpid(pid_, nullptr, 0);
+}
+
+void ChildProcess::signal(int number) const {
+  if (!status_) ::kill(pid_, number);
+}
+
+std::optional<int> ChildProcess::wait(std::chrono::milliseconds at_most) {
+  eventually(at_most, [this] {
+    if (status_) return true;
+    int status = 0;
+    if (::waitpid(pid_, &status, WNOHANG) != pid_) return false;
+    status_ = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+    return true;
+  });
+  return status_;
+}
+
+std::optional<int> ChildProcess::end() {
+  signal(SIGTERM);
+  return wait(std::chrono::seconds(5));
+}
+
+std::string ChildProcess::out() const {
+  return text_of(out_);
+}
+
+std::string ChildProcess::err() const {
+  return text_of(err_);
+}
+
+bool ChildProcess::says(const std::string& text, std::chrono::milliseconds at_most) const {
+  return eventually(at_most, [&] { return err().find(text) != std::string::npos; });
+}
+
+}  // namespace wheelwright::bench

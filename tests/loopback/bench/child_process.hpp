@@ -1,0 +1,43 @@
+// A program under test: started without a shell, its output caught in files, gone when this object goes.
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wheelwright::bench {
+
+class ChildProcess {
+ public:
+  // Starts `command` (a path and its arguments). What it prints goes to `output` with .out and .err appended.
+  ChildProcess(const std::vector<std::string>& command, const std::filesystem::path& output);
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
+  ~ChildProcess();
+
+  void signal(int number) const;
+
+  // Waits for the end. Returns the exit status, the negative signal number where a signal ended it, or
+  // nothing where it still runs.
+  std::optional<int> wait(std::chrono::milliseconds at_most);
+  // Asks for the end (SIGTERM) and waits for it.
+  std::optional<int> end();
+
+  // What it has printed so far.
+  std::string out() const;
+  std::string err() const;
+  // Waits until it has printed `text` on standard error.
+  bool says(const std::string& text, std::chrono::milliseconds at_most) const;
+
+ private:
+  pid_t pid_ = -1;
+  std::optional<int> status_;
+  std::filesystem::path out_;
+  std::filesystem::path err_;
+};
+
+}  // namespace wheelwright::bench
