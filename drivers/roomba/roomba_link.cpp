@@ -21,6 +21,7 @@ constexpr double arming_patience_s = 1.0;
 constexpr double most_ticks_per_s = 1600.0;
 constexpr double refresh_slack_s = 0.04;
 constexpr int implausible_before_new_origin = 3;
+constexpr int standing_ticks_to_trust = 4;
 
 }  // namespace
 
@@ -89,6 +90,11 @@ std::span<const std::uint8_t> RoombaLink::farewell_bytes() {
 
 open_interface::StrayText& RoombaLink::stray_text() {
   return config_.transport == Transport::query ? query_.stray_text() : stream_.stray_text();
+}
+
+bool RoombaLink::stands() const {
+  const WheelPair& speed = frame_.command.speed_m_s;
+  return speed.left == 0.0 && speed.right == 0.0 && standing_ticks_ >= standing_ticks_to_trust;
 }
 
 Command RoombaLink::obeyed_command(const std::optional<Command>& command) {
@@ -210,8 +216,9 @@ void RoombaLink::take_reading(const Reading& reading, SensorFrame& frame) {
   take_counts(reading, frame);
   if (state_ == LinkState::starting) state_ = LinkState::running;
   last_sound_tick_ = frame.tick;
-  follow_mode(reading.oi_mode);
+  // A wheel drop or cliff also ends Safe mode: the cause is told, not the consequence.
   check_safety(reading);
+  follow_mode(reading.oi_mode);
 }
 
 void RoombaLink::take_counts(const Reading& reading, SensorFrame& frame) {
@@ -221,13 +228,17 @@ void RoombaLink::take_counts(const Reading& reading, SensorFrame& frame) {
   const bool left_first = config_.encoder_order == EncoderOrder::left_is_43;
   const double first_command = left_first ? last_command_.speed_m_s.left : last_command_.speed_m_s.right;
   const double second_command = left_first ? last_command_.speed_m_s.right : last_command_.speed_m_s.left;
+  const WheelTicks before{first_counter_.total(), second_counter_.total()};
   const bool first_taken = first_counter_.update(reading.left_counts, first_command, most_change);
   const bool second_taken = second_counter_.update(reading.right_counts, second_command, most_change);
+  const bool turned = first_counter_.total() != before.left || second_counter_.total() != before.right;
+  standing_ticks_ = turned ? 0 : standing_ticks_ + 1;
   if (first_taken && second_taken) {
     implausible_in_a_row_ = 0;
   } else {
     ++counts_.implausible;
     frame.valid = false;
+    standing_ticks_ = 0;
     if (++implausible_in_a_row_ >= implausible_before_new_origin) {
       first_counter_.rebase();
       second_counter_.rebase();

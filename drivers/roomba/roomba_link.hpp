@@ -74,6 +74,8 @@ class RoombaLink {
   LinkState state() const { return state_; }
   StopReason stop_reason() const { return stop_; }
   bool armed() const { return arm_state_ == ArmState::armed; }
+  // The robot is told to stand, and its counts have not changed for some ticks.
+  bool stands() const;
   const LinkCounts& counts() const { return counts_; }
   const open_interface::ReplyCounts& reply_counts() const { return query_.counts(); }
   const open_interface::StreamCounts& stream_counts() const { return stream_.counts(); }
@@ -117,6 +119,7 @@ class RoombaLink {
   std::int64_t ticks_since_open_ = 0;
   std::int64_t asking_since_tick_ = 0;
   int late_in_a_row_ = 0;
+  int standing_ticks_ = 0;
   int implausible_in_a_row_ = 0;
   int mode_offset_ = 0;  // some 600-series firmware reports the mode plus one
   bool after_gap_ = true;

@@ -17,6 +17,7 @@ namespace asio = boost::asio;
 using std::chrono::steady_clock;
 
 constexpr double longest_back_off_s = 0.5;
+constexpr double longest_braking_s = 0.6;
 constexpr std::int64_t frames_to_measure = 200;
 
 }  // namespace
@@ -101,11 +102,20 @@ void Session::tick() {
 }
 
 void Session::take_requests() {
-  if (end_requested_.load(std::memory_order_relaxed)) ending_ = true;
+  if (end_requested_.load(std::memory_order_relaxed)) end_when_standing();
   if (arm_requested_.exchange(false, std::memory_order_relaxed)) link_.arm();
   const StopReason stop = stop_requested_.exchange(StopReason::none, std::memory_order_relaxed);
   if (stop != StopReason::none) link_.stop(stop);
   link_.set_encoder_order(encoder_order_.load(std::memory_order_relaxed));
+}
+
+// A robot brakes only while it obeys; sent to Passive at speed it would roll on for half a second.
+void Session::end_when_standing() {
+  if (!end_by_tick_) {
+    end_by_tick_ = tick_ + std::llround(longest_braking_s / config_.link.period_s);
+    if (link_.armed() && !link_.stands()) link_.stop(StopReason::requested);
+  }
+  ending_ = link_.state() != LinkState::running || link_.stands() || tick_ >= *end_by_tick_;
 }
 
 void Session::begin_tick() {

@@ -97,6 +97,7 @@ class Session {
   void finish_tick(const open_interface::Reading* reading);
   void skip_missed_periods();
   void take_requests();
+  void end_when_standing();
   void write(std::span<const std::uint8_t> bytes);
   bool flush_held_up();
   void adopt(const serial::OpenPort& port);
@@ -117,6 +118,7 @@ class Session {
   std::int64_t tick_ = -1;
   bool tick_open_ = false;
   bool ending_ = false;
+  std::optional<std::int64_t> end_by_tick_;
 
   std::array<std::uint8_t, 1024> input_{};
   std::array<std::uint8_t, 256> held_up_{};
