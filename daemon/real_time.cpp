@@ -17,6 +17,12 @@ namespace {
 // Locked memory counts every stack in full; nothing here needs more than this.
 constexpr std::size_t stack_bytes = 512UL * 1024UL;
 
+void add_shortfall(RealTimeStatus& status, const std::string& what) {
+  status.shortfall += (status.shortfall.empty() ? "" : "; ") + what;
+}
+
+}  // namespace
+
 bool is_real_time_kernel() {
   utsname name{};
   // Newer kernels say it only in their version, older ones only in /sys.
@@ -25,12 +31,6 @@ bool is_real_time_kernel() {
   std::error_code ignored;
   return std::filesystem::exists("/sys/kernel/realtime", ignored);
 }
-
-void add_shortfall(RealTimeStatus& status, const std::string& what) {
-  status.shortfall += (status.shortfall.empty() ? "" : "; ") + what;
-}
-
-}  // namespace
 
 RealTimeStatus set_up_process(const config::RealTimeConfig& config) {
   RealTimeStatus status;

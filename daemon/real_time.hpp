@@ -16,6 +16,9 @@ struct RealTimeStatus {
   std::string shortfall;  // why something was not to be had, with the remedy; empty where nothing is missing
 };
 
+// Whether the kernel is a PREEMPT_RT one.
+bool is_real_time_kernel();
+
 // For the whole process, before any thread starts: small stacks, memory locked, no heap given back to the
 // system.
 RealTimeStatus set_up_process(const config::RealTimeConfig& config);

@@ -1,0 +1,53 @@
+// What the doctor asks a robot that stands still, and the figures that come of it.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drivers/open_interface/query_reader.hpp"
+#include "drivers/open_interface/stream_reader.hpp"
+#include "tools/wheelwright/doctor/period_fit.hpp"
+#include "tools/wheelwright/doctor/robot_line.hpp"
+
+namespace wheelwright::tools::doctor {
+
+// Readable text that came by itself, each line once, in order of appearance.
+using HeardText = std::vector<std::string>;
+
+// What was heard of a robot that was told to start.
+struct Greeting {
+  std::optional<open_interface::Reading> reading;  // nothing where no sound reply came
+  std::size_t bytes_heard = 0;
+};
+
+// Says nothing and listens.
+void listen(RobotLine& line, std::chrono::milliseconds duration, HeardText& heard);
+
+// Ends a half-sent command, stops the wheels, starts the Open Interface (Passive), and asks for a reply until
+// one comes, for at most `patience`.
+Greeting greet(RobotLine& line, std::chrono::milliseconds patience, HeardText& heard);
+
+struct QueryFigures {
+  open_interface::ReplyCounts counts;
+  std::optional<Spread> round_trip;  // from the query's first byte to the reply's last
+  std::optional<open_interface::Reading> last;
+};
+
+// Asks once per period, and gives each reply as long as it takes: up to 0.1 s.
+QueryFigures ask_repeatedly(RobotLine& line, double period_s, int times, HeardText& heard);
+
+struct StreamFigures {
+  open_interface::ChecksumRule rule = open_interface::ChecksumRule::unknown;
+  open_interface::StreamCounts counts;
+  std::optional<PeriodFit> period;
+};
+
+// Lets the robot stream, and pauses the stream again.
+StreamFigures listen_to_stream(RobotLine& line, std::chrono::milliseconds duration, HeardText& heard);
+
+// Bytes of a stream frame with all packets that the project uses, which must fit into the robot's 15 ms.
+std::size_t stream_frame_bytes();
+
+}  // namespace wheelwright::tools::doctor
