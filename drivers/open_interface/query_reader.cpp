@@ -13,16 +13,16 @@ constexpr int most_voltage_change_mv = 300;  // between the first and the last p
 }  // namespace
 
 QueryReader::QueryReader() {
-  for (std::size_t parity = 0; parity < 2; ++parity) {
-    auto& list = lists_.at(parity);
-    const PacketId outer = parity == 0 ? voltage : oi_mode;
-    const PacketId inner = parity == 0 ? oi_mode : voltage;
+  for (std::size_t kind = 0; kind < kinds; ++kind) {
+    auto& list = lists_.at(kind);
     list_size_ = 0;
-    list.at(list_size_++) = outer;
-    list.at(list_size_++) = inner;
+    const auto add_marks = [&](bool voltage_first) {
+      list.at(list_size_++) = voltage_first ? voltage : oi_mode;
+      list.at(list_size_++) = voltage_first ? oi_mode : voltage;
+    };
+    add_marks((kind & 1U) == 0);
     for (const PacketId id : reading_packets()) list.at(list_size_++) = id;
-    list.at(list_size_++) = inner;
-    list.at(list_size_++) = outer;
+    add_marks((kind & 2U) == 0);
   }
   for (std::size_t i = 0; i < list_size_; ++i) reply_bytes_ += packet_info(lists_[0].at(i)).bytes;
   if (reply_bytes_ > most_bytes) std::abort();
@@ -30,16 +30,18 @@ QueryReader::QueryReader() {
 
 std::span<const PacketId> QueryReader::begin() {
   close_last_query();
-  parity_ ^= 1U;
+  kind_ = (kind_ + 1) % kinds;
   received_ = 0;
   waiting_ = true;
   ++counts_.asked;
-  return std::span(lists_.at(parity_)).first(list_size_);
+  return std::span(lists_.at(kind_)).first(list_size_);
 }
 
 void QueryReader::close_last_query() {
   if (!waiting_) return;
   counts_.stray_bytes += received_;
+  const std::size_t unused = std::min(received_, reply_bytes_);
+  for (std::size_t i = reply_bytes_ - unused; i < reply_bytes_; ++i) stray_text_.take(window_.at(i));
   if (received_ == 0) {
     ++counts_.missing;
   } else if (received_ < reply_bytes_) {
@@ -70,7 +72,7 @@ std::optional<Reading> QueryReader::take(std::uint8_t byte) {
 }
 
 std::optional<Reading> QueryReader::decode_window() const {
-  const auto& list = lists_.at(parity_);
+  const auto& list = lists_.at(kind_);
   Reading reading;
   int first_voltage = -1;
   int first_mode = -1;

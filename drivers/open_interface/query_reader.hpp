@@ -2,9 +2,10 @@
 //
 // A reply is bare data: no frame, no checksum (R500 p19). So the list is built to carry its own marks. It
 // begins and ends with the OI mode and the battery voltage, both of a narrow range, and both copies must
-// agree; and their order alternates from tick to tick, so that a reply that comes a tick late is not taken
-// for the new one. All bytes since the query are searched for a stretch that fits: text in front, a late tail
-// or lost bytes cost the sample that they hit and shift nothing after it.
+// agree; and their order in front and behind goes through its four kinds from tick to tick, so that a reply
+// that comes up to three ticks late is not taken for the new one. All bytes since the query are searched for
+// a stretch that fits: text in front, a late tail or lost bytes cost the sample that they hit and shift
+// nothing after it.
 #pragma once
 
 #include <array>
@@ -47,14 +48,15 @@ class QueryReader {
  private:
   static constexpr std::size_t most_packets = 32;
   static constexpr std::size_t most_bytes = 64;
+  static constexpr std::size_t kinds = 4;
 
   std::optional<Reading> decode_window() const;
   void close_last_query();
 
-  std::array<std::array<PacketId, most_packets>, 2> lists_{};
+  std::array<std::array<PacketId, most_packets>, kinds> lists_{};
   std::size_t list_size_ = 0;
   std::size_t reply_bytes_ = 0;
-  std::size_t parity_ = 0;
+  std::size_t kind_ = 0;  // of the current query's list
   bool waiting_ = false;
   std::array<std::uint8_t, most_bytes> window_{};  // the last bytes, oldest first
   std::size_t received_ = 0;                       // bytes since the query
