@@ -90,7 +90,9 @@ class Supervisor {
     const timespec patience{0, supervisor_period_ns};
     while (true) {
       const int signal = ::sigtimedwait(&signals, nullptr, &patience);
-      if (signal == SIGTERM || signal == SIGINT) return ended("ended by a signal");
+      if (signal == SIGTERM || signal == SIGINT) {
+        return wiring_.finished.load() ? RunOutcome{true, ""} : ended("ended by a signal");
+      }
       if (signal == SIGUSR1) session_.request_arm();
       if (signal == SIGUSR2) session_.request_stop(StopReason::requested);
       elapsed_s_ += signal < 0 ? 1e-9 * static_cast<double>(supervisor_period_ns) : 0.0;
