@@ -73,7 +73,8 @@ std::filesystem::path Bench::configure(const DaemonSetup& setup) const {
     run += ", route: route.yaml";
   }
   if (!setup.run.empty()) run += ", " + setup.run;
-  const std::string link = "device: " + device().string() + (setup.link.empty() ? "" : ", " + setup.link);
+  const std::string link =
+      "device: " + (folder_ / setup.device).string() + (setup.link.empty() ? "" : ", " + setup.link);
   const std::string calibration = setup.calibration + ", model_file: " + (folder_ / "model.yaml").string();
   return write("daemon.yaml", section("link", link) + section("limits", setup.limits) +
                                   section("calibration", calibration) + section("run", run) +

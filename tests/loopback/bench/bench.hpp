@@ -16,10 +16,11 @@ using namespace std::chrono_literals;
 
 // What a test wants of the daemon. The texts are further keys of their sections, in YAML flow style.
 struct DaemonSetup {
-  std::string link;
-  std::string limits;
+  std::string device = "robot";  // in the bench's folder
+  std::string link = {};
+  std::string limits = {};
   std::string calibration = "when: never";
-  std::string run;
+  std::string run = {};
   std::string route = "[[0.35, 0]]";  // checkpoints; empty for none
   double speed_m_s = 0.2;
 };

@@ -59,7 +59,7 @@ void ChildProcess::signal(int number) const {
   if (!status_) ::kill(pid_, number);
 }
 
-std::optional<int> ChildProcess::wait(std::chrono::milliseconds at_most) {
+int ChildProcess::wait(std::chrono::milliseconds at_most) {
   eventually(at_most, [this] {
     if (status_) return true;
     int status = 0;
@@ -67,10 +67,10 @@ std::optional<int> ChildProcess::wait(std::chrono::milliseconds at_most) {
     status_ = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
     return true;
   });
-  return status_;
+  return status_.value_or(still_running);
 }
 
-std::optional<int> ChildProcess::end() {
+int ChildProcess::end() {
   signal(SIGTERM);
   return wait(std::chrono::seconds(5));
 }

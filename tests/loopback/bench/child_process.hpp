@@ -21,11 +21,13 @@ class ChildProcess {
 
   void signal(int number) const;
 
+  static constexpr int still_running = 1000;
+
   // Waits for the end. Returns the exit status, the negative signal number where a signal ended it, or
-  // nothing where it still runs.
-  std::optional<int> wait(std::chrono::milliseconds at_most);
+  // still_running.
+  int wait(std::chrono::milliseconds at_most);
   // Asks for the end (SIGTERM) and waits for it.
-  std::optional<int> end();
+  int end();
 
   // What it has printed so far.
   std::string out() const;

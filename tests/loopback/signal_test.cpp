@@ -1,0 +1,122 @@
+// The daemon is told to end, to stop, or is killed.
+#include <cmath>
+#include <csignal>
+
+#include "tests/loopback/bench/bench.hpp"
+#include "tests/loopback/bench/line_tap.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace wheelwright::bench;
+
+namespace {
+
+constexpr auto long_way = "[[3, 0]]";
+
+double unix_ms_now() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration<double, std::milli>(now).count();
+}
+
+// Milliseconds from `unix_ms` until both wheels are slower than 1 mm/s for good.
+double ms_until_standing(const Table& truth, double unix_ms) {
+  const double started_unix_ms = std::stod(truth.metadata("started_unix_ms"));
+  double last_moving_s = 0.0;
+  for (std::size_t row = 0; row < truth.rows(); ++row) {
+    const bool moves = std::abs(truth.number(row, "speed_left")) > 0.001 ||
+                       std::abs(truth.number(row, "speed_right")) > 0.001;
+    if (moves) last_moving_s = truth.number(row, "t");
+  }
+  return started_unix_ms + 1e3 * last_moving_s - unix_ms;
+}
+
+// Mean speed of the two wheels at a moment.
+double speed_at(const Table& truth, double unix_ms) {
+  const double t_s = 1e-3 * (unix_ms - std::stod(truth.metadata("started_unix_ms")));
+  const auto row = static_cast<std::size_t>(t_s / std::stod(truth.metadata("period_s")));
+  return 0.5 * (truth.number(row, "speed_left") + truth.number(row, "speed_right"));
+}
+
+}  // namespace
+
+TEST_CASE(
+    "After SIGTERM the order to stand is out within 40 ms, and from 0.15 m/s the robot stands in 250 ms") {
+  Bench bench;
+  const auto robot = bench.start_robot("default");
+  LineTap tap(bench.device(), bench.folder() / "tapped");
+  DaemonSetup setup{.device = "tapped", .route = long_way, .speed_m_s = 0.15};
+  const auto daemon = bench.start_daemon(bench.configure(setup));
+  REQUIRE(daemon->says("route: driving", 10s));
+  std::this_thread::sleep_for(1500ms);
+  const double at_ms = unix_ms_now();
+  const auto at = LineTap::Clock::now();
+  daemon->signal(SIGTERM);
+  CHECK(daemon->wait(5s) == 1);
+  CHECK_THAT(daemon->out(), ContainsSubstring("Result: stopped, ended by a signal"));
+  const auto orders = tap.drive_orders();
+  REQUIRE(orders.first_standing);
+  std::this_thread::sleep_for(500ms);
+  robot->end();
+  const double order_ms = std::chrono::duration<double, std::milli>(*orders.first_standing - at).count();
+  const double stands_ms = ms_until_standing(bench.truth(), at_ms);
+  CAPTURE(order_ms, stands_ms);
+  CHECK(order_ms < 40.0);
+  CHECK(stands_ms < 250.0);
+  const Table log = bench.drive_log();
+  CHECK(log.number(log.rows() - 1, "cmd_left") == 0.0);
+  CHECK(bench.pose_log().rows() == log.rows());
+}
+
+TEST_CASE("SIGUSR2 stops the robot but not the daemon, and SIGUSR1 starts the mission again") {
+  Bench bench;
+  const auto robot = bench.start_robot("perfect");
+  const auto daemon = bench.start_daemon(bench.configure({.run = "at_end: stay"}));
+  REQUIRE(daemon->says("route: driving", 10s));
+  std::this_thread::sleep_for(500ms);
+  daemon->signal(SIGUSR2);
+  REQUIRE(daemon->says("requested", 2s));
+  std::this_thread::sleep_for(1s);
+  CHECK(daemon->wait(0ms) == ChildProcess::still_running);
+  CHECK_FALSE(daemon->says("finished", 0ms));
+  daemon->signal(SIGUSR1);
+  CHECK(daemon->says("finished", 10s));
+  CHECK(daemon->end() == 0);
+}
+
+TEST_CASE("With run.arm by_signal nothing moves before SIGUSR1") {
+  Bench bench;
+  const auto robot = bench.start_robot("perfect");
+  LineTap tap(bench.device(), bench.folder() / "tapped");
+  const auto config = bench.configure({.device = "tapped", .run = "arm: by_signal", .route = "[[0.15, 0]]"});
+  const auto daemon = bench.start_daemon(config);
+  REQUIRE(daemon->says("the robot answers", 5s));
+  std::this_thread::sleep_for(1s);
+  CHECK_FALSE(tap.drive_orders().last_moving);
+  daemon->signal(SIGUSR1);
+  CHECK(daemon->wait(10s) == 0);
+  CHECK(tap.drive_orders().last_moving);
+}
+
+TEST_CASE("After SIGKILL in mid-route a new daemon gets the robot, stops it, and drives its own route") {
+  Bench bench;
+  const auto robot = bench.start_robot("default");
+  auto daemon = bench.start_daemon(bench.configure({.route = long_way}));
+  REQUIRE(daemon->says("route: driving", 10s));
+  std::this_thread::sleep_for(700ms);
+  daemon->signal(SIGKILL);
+  REQUIRE(daemon->wait(5s) == -SIGKILL);
+  std::this_thread::sleep_for(300ms);
+
+  daemon = bench.start_daemon(bench.configure({.run = "arm: by_signal"}));
+  REQUIRE(daemon->says("the robot answers", 5s));
+  const double answered_ms = unix_ms_now();
+  std::this_thread::sleep_for(1s);
+  const double armed_ms = unix_ms_now();
+  daemon->signal(SIGUSR1);
+  CHECK(daemon->wait(15s) == 0);
+  robot->end();
+  const Table truth = bench.truth();
+  CHECK(speed_at(truth, answered_ms - 300.0) > 0.1);
+  CHECK(speed_at(truth, armed_ms) < 0.001);
+  CHECK(bench.runs().size() == 2);
+  CHECK(Table::load(bench.runs().front() / "drive_log.csv").rows() > 0);
+}
