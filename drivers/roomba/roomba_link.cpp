@@ -74,6 +74,13 @@ void RoombaLink::stop(StopReason reason) {
   add_drive(urgent_, {});
 }
 
+void RoombaLink::set_encoder_order(EncoderOrder order) {
+  if (order == config_.encoder_order) return;
+  config_.encoder_order = order;
+  first_counter_.forget_signs();
+  second_counter_.forget_signs();
+}
+
 std::span<const std::uint8_t> RoombaLink::urgent_bytes() {
   out_ = urgent_;
   urgent_.clear();

@@ -69,7 +69,7 @@ class RoombaLink {
   std::span<const std::uint8_t> farewell_bytes();
 
   // Exchanges the counters of left and right from the next sample on (OI.md 1.6: documents disagree).
-  void set_encoder_order(EncoderOrder order) { config_.encoder_order = order; }
+  void set_encoder_order(EncoderOrder order);
 
   LinkState state() const { return state_; }
   StopReason stop_reason() const { return stop_; }

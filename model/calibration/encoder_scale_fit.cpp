@@ -14,7 +14,7 @@ namespace {
 
 constexpr double step_ticks = 4.0;             // about the ticks of one sample at calibration speed
 constexpr double least_correlation = 0.6;      // a repetition worth the name
-constexpr double least_signal_to_noise = 4.0;  // of the signal's power to its noise
+constexpr double least_signal_to_noise = 1.0;  // of the smoothed signal's power to the noise before smoothing
 
 // A turn is more than this many ticks, whatever the robot.
 constexpr double shortest_turn_ticks = 200.0;
@@ -46,6 +46,21 @@ double best_lag(const TurnSignal& signal, Span lags, double step, std::size_t fi
   const double bend = before - 2.0 * best_match + after;
   if (bend >= 0.0) return best;
   return best + std::clamp(0.5 * step * (before - after) / bend, -step, step);
+}
+
+// Every multiple of the period matches about as well as the period itself: the first of the good ones is
+// wanted.
+double first_good_lag(const TurnSignal& signal, Span lags) {
+  constexpr double nearly_as_good = 0.95;
+  const std::size_t all = signal.values.size();
+  const double limit = nearly_as_good * match_at_lag(signal, best_lag(signal, lags, 1.0, 0, all), 0, all);
+  for (double lag = lags.from + 1.0; lag < lags.to; lag += 1.0) {
+    const double here = match_at_lag(signal, lag, 0, all);
+    const bool peak =
+        here >= match_at_lag(signal, lag - 1.0, 0, all) && here > match_at_lag(signal, lag + 1.0, 0, all);
+    if (peak && here >= limit) return lag;
+  }
+  return lags.to;
 }
 
 double signal_to_noise(const TurnSignal& signal) {
@@ -170,7 +185,8 @@ tl::expected<EncoderScaleFit, Refusal> fit_encoder_scale(std::span<const TurnSam
   for (double lag = 1.0; lag < std::min(recorded / 1.3, 2.2 * longest); lag += 1.0) {
     fit.curve.push_back({lag * step_ticks, match_at_lag(signal, lag, 0, signal.values.size())});
   }
-  double period = best_lag(signal, {shortest, longest}, 1.0, 0, signal.values.size());
+  double period = has_prior ? best_lag(signal, {shortest, longest}, 1.0, 0, signal.values.size())
+                            : first_good_lag(signal, {shortest, longest});
   if (options.method == PeriodMethod::peak) {
     const auto peaks = period_between_peaks(signal);
     if (!peaks || *peaks < shortest || *peaks > longest) {

@@ -38,6 +38,22 @@ void weigh_by_noise(TurnSignal& signal) {
   }
 }
 
+// Between entries the signal is read by straight lines, which would average noise away just halfway between
+// them and so draw every best match there. Smoothed over less than an obstacle's width it no longer matters.
+void smooth(TurnSignal& signal) {
+  constexpr int passes = 4;
+  for (int pass = 0; pass < passes; ++pass) {
+    auto before = signal.values.front();
+    for (std::size_t i = 1; i + 1 < signal.values.size(); ++i) {
+      const auto here = signal.values[i];
+      for (std::size_t s = 0; s < TurnSignal::sensors; ++s) {
+        signal.values[i].at(s) = 0.25 * before.at(s) + 0.5 * here.at(s) + 0.25 * signal.values[i + 1].at(s);
+      }
+      before = here;
+    }
+  }
+}
+
 }  // namespace
 
 TurnSignal resample_turn(std::span<const TurnSample> samples, double step_ticks) {
@@ -60,6 +76,7 @@ TurnSignal resample_turn(std::span<const TurnSample> samples, double step_ticks)
   if (signal.values.empty()) return signal;
   remove_means(signal);
   weigh_by_noise(signal);
+  smooth(signal);
   const TurnSample& first = samples.front();
   const TurnSample& last = samples.back();
   const double turned = turning_ticks(last, first);

@@ -1,0 +1,91 @@
+// Routes on the virtual clock.
+#include <cmath>
+
+#include "daemon/virtual_run.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/simulated_run.hpp"
+
+using namespace wheelwright;
+
+namespace {
+
+const Route triangle{"triangle", 0.15, 0.02, {{0.6, 0.0}, {0.6, 0.5}, {0.0, 0.0}}};
+
+RobotModel calibrated_model(const std::string& robot_name) {
+  simulation::SimulatedRobot robot(test::robot_in_room(robot_name, "box_without_slip", 1));
+  daemon::VirtualRunConfig config;
+  config.mission.encoder_turn = EncoderTurnPlan{};
+  config.mission.response = ResponsePlan{};
+  const auto result = daemon::run_virtually(config, robot);
+  REQUIRE(result.finished);
+  RobotModel model;
+  model.core = result.response->model;
+  model.encoder_scale = EncoderScale{result.encoder_scale->metres_per_tick, 1660.0, 0.001};
+  return model;
+}
+
+daemon::VirtualRunResult drive(const RobotModel& model, PoseSource source, const std::string& robot_name,
+                               std::uint64_t seed, const daemon::TickHook& hook = {}) {
+  simulation::SimulatedRobot robot(test::robot_in_room(robot_name, "empty", seed));
+  daemon::VirtualRunConfig config;
+  config.mission.route = triangle;
+  config.mission.pose_source = source;
+  config.model = model;
+  return daemon::run_virtually(config, robot, hook);
+}
+
+}  // namespace
+
+TEST_CASE("A route from the model alone closes on a robot without imperfections") {
+  const RobotModel model = calibrated_model("perfect");
+  const auto result = drive(model, PoseSource::fir, "perfect", 3);
+  REQUIRE(result.finished);
+  CHECK(*true_closure_m(result) < 0.01);
+  CHECK(result.records.back().visited == 3);
+}
+
+TEST_CASE("A route by odometry closes too") {
+  const RobotModel model = calibrated_model("perfect");
+  const auto result = drive(model, PoseSource::odometry, "perfect", 3);
+  REQUIRE(result.finished);
+  CHECK(*true_closure_m(result) < 0.02);
+}
+
+TEST_CASE("Commands of a model-only route do not depend on any sensor") {
+  const RobotModel model = calibrated_model("default");
+  const auto commands_of = [](const daemon::VirtualRunResult& result) {
+    std::vector<WheelPair> commands;
+    for (const auto& record : result.records) {
+      if (record.command.activity == Activity::route) commands.push_back(record.command.speed_m_s);
+    }
+    return commands;
+  };
+  // Another floor, another seed, and one run in which an encoder freezes on the way.
+  const auto first = commands_of(drive(model, PoseSource::fir, "default", 3));
+  const auto second = commands_of(drive(model, PoseSource::fir, "create2", 4));
+  const auto third = commands_of(
+      drive(model, PoseSource::fir, "default", 5, [](simulation::SimulatedRobot& robot, std::int64_t tick) {
+        if (tick == 300)
+          robot.inject({.kind = simulation::Fault::Kind::freeze_encoder, .side = simulation::Side::left});
+      }));
+  REQUIRE(first.size() > 200);
+  for (const auto& other : {second, third}) {
+    REQUIRE(other.size() == first.size());
+    for (std::size_t k = 0; k < first.size(); ++k) {
+      REQUIRE(first[k].left == other[k].left);
+      REQUIRE(first[k].right == other[k].right);
+    }
+  }
+}
+
+TEST_CASE("A wheel that drops stops the run, and the wheels with it") {
+  const RobotModel model = calibrated_model("default");
+  const auto result =
+      drive(model, PoseSource::fir, "default", 3, [](simulation::SimulatedRobot& robot, std::int64_t tick) {
+        if (tick == 300)
+          robot.inject({.kind = simulation::Fault::Kind::lift_wheel, .side = simulation::Side::right});
+      });
+  CHECK_FALSE(result.finished);
+  CHECK(result.stop == StopReason::wheel_drop);
+  CHECK(result.records.back().command.speed_m_s.left == 0.0);
+}
