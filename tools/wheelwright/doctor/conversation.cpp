@@ -10,7 +10,6 @@ namespace {
 
 using namespace std::chrono_literals;
 using open_interface::CommandBytes;
-using open_interface::StrayText;
 
 constexpr std::size_t padding_bytes = 40;
 constexpr auto mode_settles = 60ms;        // the robot wants 20 ms after a change of mode
@@ -19,15 +18,6 @@ constexpr auto start_again_after = 400ms;  // a robot that was just switched on 
 
 double seconds(Clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
-}
-
-// Moves a finished run of text to `heard`; returns its length.
-std::size_t collect(StrayText& text, HeardText& heard) {
-  const std::string run(text.finished());
-  if (run.empty()) return 0;
-  if (std::find(heard.begin(), heard.end(), run) == heard.end()) heard.push_back(run);
-  text.discard();
-  return run.size();
 }
 
 struct Reply {
@@ -49,7 +39,7 @@ Reply ask(RobotLine& line, open_interface::QueryReader& reader, HeardText& heard
     reply.bytes += bytes.size();
     for (const std::uint8_t byte : bytes) {
       if (auto reading = reader.take(byte)) reply.reading = reading;
-      collect(reader.stray_text(), heard);
+      collect_text(reader.stray_text(), heard);
     }
   }
   return reply;
@@ -85,13 +75,21 @@ class FrameNumbering {
 
 }  // namespace
 
+std::size_t collect_text(open_interface::StrayText& text, HeardText& heard) {
+  const std::string run(text.finished());
+  if (run.empty()) return 0;
+  if (std::find(heard.begin(), heard.end(), run) == heard.end()) heard.push_back(run);
+  text.discard();
+  return run.size();
+}
+
 void listen(RobotLine& line, std::chrono::milliseconds duration, HeardText& heard) {
-  StrayText text;
+  open_interface::StrayText text;
   const auto deadline = Clock::now() + duration;
   while (Clock::now() < deadline) {
     for (const std::uint8_t byte : line.receive(deadline)) {
       text.take(byte);
-      collect(text, heard);
+      collect_text(text, heard);
     }
   }
 }
@@ -149,7 +147,7 @@ StreamFigures listen_to_stream(RobotLine& line, std::chrono::milliseconds durati
     for (const std::uint8_t byte : bytes) {
       numbering.take_byte();
       const bool complete = reader.take(byte).has_value();
-      if (const std::size_t length = collect(reader.stray_text(), heard)) numbering.take_text(length);
+      if (const std::size_t length = collect_text(reader.stray_text(), heard)) numbering.take_text(length);
       if (complete) arrivals.push_back({numbering.close_frame(), now_s});
     }
   }

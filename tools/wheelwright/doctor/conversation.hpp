@@ -16,6 +16,9 @@ namespace wheelwright::tools::doctor {
 // Readable text that came by itself, each line once, in order of appearance.
 using HeardText = std::vector<std::string>;
 
+// Moves a finished run of text to `heard`; returns its length, 0 where there is none.
+std::size_t collect_text(open_interface::StrayText& text, HeardText& heard);
+
 // What was heard of a robot that was told to start.
 struct Greeting {
   std::optional<open_interface::Reading> reading;  // nothing where no sound reply came

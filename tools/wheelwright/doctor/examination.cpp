@@ -6,6 +6,7 @@
 #include "tools/wheelwright/doctor/encoder_trial.hpp"
 #include "tools/wheelwright/doctor/judge_host.hpp"
 #include "tools/wheelwright/doctor/judge_robot.hpp"
+#include "tools/wheelwright/doctor/knock.hpp"
 #include "tools/wheelwright/doctor/robot_line.hpp"
 
 namespace wheelwright::tools::doctor {
@@ -15,6 +16,7 @@ using namespace std::chrono_literals;
 
 constexpr auto listening = 300ms;
 constexpr auto greeting_patience = 1500ms;
+constexpr int knocks = 3;  // a robot that was just switched on misses the first
 constexpr double asking_s = 2.0;
 constexpr auto streaming = 3000ms;
 constexpr double shortest_refresh_s = 0.015;
@@ -52,20 +54,33 @@ class Examination {
     findings_.push_back(encoders(line, answers, queries));
   }
 
-  // Tries the configured speed first; leaves the line at the one that the robot answers at.
+  // Knocks at both speeds, the configured one first, and only then with more noise. Leaves the line at the
+  // speed that the robot answers at.
   bool find_baud(RobotLine& line, HeardText& heard) {
     std::size_t bytes_heard = 0;
-    for (const int baud : {config_.baud, config_.baud == 115200 ? 19200 : 115200}) {
-      progress_("asking at " + std::to_string(baud) + " baud");
-      if (baud != line.baud()) line.change_baud(baud);
-      const Greeting greeting = greet(line, greeting_patience, heard);
-      bytes_heard += greeting.bytes_heard;
-      if (!greeting.reading) continue;
-      after_start_ = *greeting.reading;
-      findings_.push_back(judge_baud(config_.device.string(), config_.baud, baud, bytes_heard));
-      return true;
+    for (const bool padded : {false, true}) {
+      for (const int baud : {config_.baud, config_.baud == 115200 ? 19200 : 115200}) {
+        progress_("knocking at " + std::to_string(baud) + " baud");
+        if (baud != line.baud()) line.change_baud(baud);
+        if (!robot_answers(line, padded, heard, bytes_heard)) continue;
+        line.note_robot();
+        findings_.push_back(judge_baud(config_.device.string(), config_.baud, baud, bytes_heard));
+        return true;
+      }
     }
     findings_.push_back(judge_baud(config_.device.string(), config_.baud, std::nullopt, bytes_heard));
+    return false;
+  }
+
+  bool robot_answers(RobotLine& line, bool padded, HeardText& heard, std::size_t& bytes_heard) {
+    for (int i = 0; i < knocks; ++i) {
+      const KnockAnswer answer = knock(line, padded, heard);
+      bytes_heard += answer.bytes_heard;
+      if (!answer.robot_is_there) continue;
+      const Greeting greeting = greet(line, greeting_patience, heard);
+      if (greeting.reading) after_start_ = *greeting.reading;
+      return greeting.reading.has_value();
+    }
     return false;
   }
 

@@ -85,12 +85,11 @@ Finding judge_baud(const std::string& device, int configured_baud, std::optional
   if (*answering_baud == configured_baud) return finding;
   finding.state = State::failed;
   finding.text += ", not at " + std::to_string(configured_baud);
-  const std::string other = *answering_baud == 19200
-                                ? "; to return to 115200 (opcode 129, code 11): stty -F " + device +
-                                      " 19200 raw -echo -hupcl && printf '\\200\\201\\013' > " + device
-                                : "";
   finding.remedy =
-      "set link.baud: " + std::to_string(*answering_baud) + ", or take the battery out for a moment" + other;
+      *answering_baud == 19200
+          ? "take the battery out for a moment, or return to 115200 with opcode 129, code 11: stty -F " +
+                device + " 19200 raw -echo -hupcl && printf '\\200\\201\\013' > " + device
+          : "set link.baud: " + std::to_string(*answering_baud);
   return finding;
 }
 

@@ -86,7 +86,7 @@ std::span<const std::uint8_t> RobotLine::receive(Clock::time_point deadline) {
 
 // Zeros first, for a command that lost a byte on the way and still waits for its end.
 void RobotLine::leave_at_rest() noexcept {
-  if (port_.descriptor < 0) return;
+  if (!robot_listens_ || port_.descriptor < 0) return;
   open_interface::CommandBytes bytes;
   bytes.padding(padding_bytes);
   bytes.pause_stream();

@@ -1,6 +1,6 @@
 // The serial line to a robot, for as long as the doctor looks at it.
 //
-// Whatever happens, the robot is left at rest, in Passive mode and silent.
+// Once a robot is known to listen, it is left at rest, in Passive mode and silent, whatever happens.
 #pragma once
 
 #include <array>
@@ -33,6 +33,9 @@ class RobotLine {
   // Throws DataRefusal where the line has gone dead, and Interrupted.
   std::span<const std::uint8_t> receive(Clock::time_point deadline);
 
+  // A robot listens at this speed.
+  void note_robot() { robot_listens_ = true; }
+
   // Wheels to rest, Passive mode, no stream; returns when the bytes have left. Never throws.
   void leave_at_rest() noexcept;
 
@@ -46,6 +49,7 @@ class RobotLine {
 
   std::filesystem::path device_;
   int baud_;
+  bool robot_listens_ = false;
   serial::OpenPort port_;
   std::array<std::uint8_t, 1024> input_{};
 };
