@@ -188,6 +188,7 @@ int run_process(const config::DaemonConfig& config) {
 
   std::thread predictor_thread([&] {
     name_thread("ww-predict");
+    set_up_predictor_thread(real_time);
     run_predictor(brain, *wiring);
   });
   std::thread calibrator_thread([&] {

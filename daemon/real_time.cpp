@@ -68,6 +68,13 @@ void set_up_loop_thread(const config::RealTimeConfig& config, RealTimeStatus& st
   }
 }
 
+void set_up_predictor_thread(const RealTimeStatus& status) {
+  if (status.priority <= 1) return;
+  sched_param parameters{};
+  parameters.sched_priority = status.priority - 1;
+  ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &parameters);
+}
+
 std::string describe(const RealTimeStatus& status) {
   std::string text = status.real_time_kernel ? "PREEMPT_RT kernel" : "stock kernel";
   text += status.priority > 0 ? ", SCHED_FIFO " + std::to_string(status.priority) : ", ordinary scheduler";

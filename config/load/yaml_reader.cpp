@@ -168,7 +168,7 @@ std::string YamlReader::text(std::string_view key, std::string default_value) {
 std::filesystem::path YamlReader::existing_file(std::string_view key) {
   const YAML::Node value = node_->require(key);
   const std::filesystem::path named = text(key);
-  const std::filesystem::path path =
+  std::filesystem::path path =
       named.is_absolute() ? named : std::filesystem::path(node_->file).parent_path() / named;
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) {
