@@ -26,8 +26,8 @@ RealTimeStatus set_up_process(const config::RealTimeConfig& config);
 // For the calling thread, which is the sensor loop. Adds to `status` what it got.
 void set_up_loop_thread(const config::RealTimeConfig& config, RealTimeStatus& status);
 
-// For the calling thread, which makes the loop's commands: below the loop, above everything else. Where the loop got
-// no real-time scheduling this asks for none.
+// For the calling thread, which makes the loop's commands: below the loop, above everything else. Where the
+// loop got no real-time scheduling this asks for none.
 void set_up_predictor_thread(const RealTimeStatus& status);
 
 // One line: kernel, scheduler, memory.

@@ -31,10 +31,9 @@ void add_calibration(Table& table, const CalibrationReport& calibration) {
   if (!calibration.encoder_scale && !calibration.model) return;
   table.title("Calibration");
   if (const auto& scale = calibration.encoder_scale) {
-    table.row("metres per tick, left", "{:.4f} mm  +- {:.2f} %", 1e3 * scale->metres_per_tick.left,
+    table.row("metres per tick", "{:.4f} mm  +- {:.2f} %", 1e3 * scale->metres_per_tick.left,
               100.0 * scale->relative_standard_error);
-    table.row("metres per tick, right", "{:.4f} mm", 1e3 * scale->metres_per_tick.right);
-    table.row("one full turn", "{:.1f} ticks of each wheel", scale->ticks_per_turn);
+    table.row("one full turn", "{:.1f} ticks of each wheel, on average", scale->ticks_per_turn);
     table.row("repetition of the signal", "{:.3f} of 1, over {:.1f} turns", scale->correlation, scale->turns);
   }
   if (const auto& model = calibration.model) {

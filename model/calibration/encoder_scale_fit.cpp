@@ -218,9 +218,10 @@ tl::expected<EncoderScaleFit, Refusal> fit_encoder_scale(std::span<const TurnSam
   }
   fit.ticks_per_turn = period * step_ticks;
   fit.turns = recorded / period;
-  const double travel = std::numbers::pi * options.wheel_base_m;
-  fit.metres_per_tick = {travel / (fit.ticks_per_turn * signal.ticks_per_turning_tick.left),
-                         travel / (fit.ticks_per_turn * signal.ticks_per_turning_tick.right)};
+  // A full turn is the sum of both wheels' travels over the wheel base, whatever the share of each; which of
+  // two unlike wheels is the larger one cannot be seen from it.
+  const double scale = std::numbers::pi * options.wheel_base_m / fit.ticks_per_turn;
+  fit.metres_per_tick = {scale, scale};
   return fit;
 }
 

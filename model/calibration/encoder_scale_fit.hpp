@@ -45,7 +45,7 @@ struct CorrelationPoint {
 };
 
 struct EncoderScaleFit {
-  WheelPair metres_per_tick;
+  WheelPair metres_per_tick;             // alike: a turn in place does not tell the wheels apart
   double ticks_per_turn = 0.0;           // mean of both wheels
   double relative_standard_error = 0.0;  // of metres per tick, from the spread between parts of the turn
   double correlation = 0.0;              // at the period found; 1 is a perfect repetition

@@ -77,12 +77,6 @@ TurnSignal resample_turn(std::span<const TurnSample> samples, double step_ticks)
   remove_means(signal);
   weigh_by_noise(signal);
   smooth(signal);
-  const TurnSample& first = samples.front();
-  const TurnSample& last = samples.back();
-  const double turned = turning_ticks(last, first);
-  signal.ticks_per_turning_tick = {
-      std::abs(static_cast<double>(last.ticks.left - first.ticks.left)) / turned,
-      std::abs(static_cast<double>(last.ticks.right - first.ticks.right)) / turned};
   return signal;
 }
 

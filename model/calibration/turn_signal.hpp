@@ -14,7 +14,6 @@ struct TurnSignal {
   double step_ticks = 0.0;                          // distance between entries
   std::vector<std::array<double, sensors>> values;  // mean of each sensor removed
   std::array<double, sensors> weight{};             // 1 / noise variance, so that bright noise does not rule
-  WheelPair ticks_per_turning_tick;                 // share of each wheel in the mean of both
 };
 
 // Resamples on a uniform grid of turning ticks, that is, half the difference of the two wheels' counts.

@@ -3,7 +3,8 @@
 // Rows arrive in blocks; a QR factorisation of the triangle so far stacked on the new block keeps
 //     [ R  z ]      with   ||A x - y||^2 = ||R x - z||^2 + residual.
 //     [ 0  e ]
-// Orthogonal transformations keep the condition of A, where the normal equations would square it.
+// Orthogonal transformations keep the condition of A, where the normal equations would square it. Adding a
+// row costs about 2 (unknowns + outputs)^2 operations on average, and allocates nothing.
 #pragma once
 
 #include <Eigen/Core>
@@ -32,13 +33,18 @@ class LeastSquaresAccumulator {
   Factor factor();
 
  private:
+  // Short enough to stay in the first-level cache, and of fixed length for the compiler to unroll.
+  static constexpr Eigen::Index block_rows = 64;
+  using Block = Eigen::Matrix<double, block_rows, Eigen::Dynamic>;
+
   void fold();
 
   Eigen::Index unknowns_;
   Eigen::Index outputs_;
   Eigen::Index rows_ = 0;
   Eigen::Index pending_ = 0;
-  Eigen::MatrixXd stack_;  // the triangle on top, new rows below
+  Eigen::MatrixXd triangle_;
+  Block block_;  // new rows; zero below the pending ones
 };
 
 }  // namespace wheelwright
