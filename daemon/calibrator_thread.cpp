@@ -55,10 +55,8 @@ void CalibratorThread::deliver(CalibrationOutcome& outcome) {
       break;
     case CalibrationKind::encoder_scale: {
       const EncoderScaleFit& fit = *outcome.encoder_scale;
-      spdlog::info(
-          "encoder scale: {:.4f} / {:.4f} mm per tick (left / right), one turn is {:.1f} ticks +- {:.2f} %",
-          1e3 * fit.metres_per_tick.left, 1e3 * fit.metres_per_tick.right, fit.ticks_per_turn,
-          100.0 * fit.relative_standard_error);
+      spdlog::info("encoder scale: {:.4f} mm per tick, one turn is {:.1f} ticks +- {:.2f} %",
+                   1e3 * fit.metres_per_tick.left, fit.ticks_per_turn, 100.0 * fit.relative_standard_error);
       wiring_.push(wiring_.deliveries, Delivery{outcome.kind, fit.metres_per_tick, nullptr});
       report_.encoder_scale = std::move(outcome.encoder_scale);
       break;

@@ -121,6 +121,9 @@ void LogThread::tell(const roomba::Event& event) {
     case EventCode::armed:
       spdlog::info("armed: the robot obeys");
       break;
+    case EventCode::arm_refused:
+      spdlog::warn("not armed: the robot does not answer; arm it once it does");
+      break;
     case EventCode::stopped:
       spdlog::warn("stopped at {:.2f} s: {}", event.t_s,
                    name_of(static_cast<StopReason>(static_cast<int>(event.value))));

@@ -29,10 +29,11 @@ struct DriveSample {
   std::optional<double> battery_v;
 };
 
-// A column that the format does not name. Not-a-number where the field was empty or no number.
+// A column that the format does not name.
 struct ExtraColumn {
   std::string name;
-  std::vector<double> values;  // one per sample
+  std::vector<double> values;      // one per sample; not-a-number where the field was empty or no number
+  std::vector<std::string> texts;  // one per sample as it stands in the file; empty where all are numbers
 };
 
 struct DriveLog {

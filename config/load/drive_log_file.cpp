@@ -134,7 +134,7 @@ class Parser {
         position_.at(static_cast<std::size_t>(known - column_names.begin())) = fields_.size();
       } else {
         extra_position_.push_back(fields_.size());
-        header_.extra_columns.push_back({std::string(name), {}});
+        header_.extra_columns.push_back({std::string(name), {}, {}});
       }
       fields_.emplace_back(name);
       if (comma == string_view::npos) break;
@@ -203,9 +203,20 @@ class Parser {
     sample.battery_v = field(battery_v, anything);
     run.samples.push_back(sample);
     for (std::size_t i = 0; i < extra_position_.size(); ++i) {
-      run.extra_columns[i].values.push_back(
-          to_number(values_[extra_position_[i]]).value_or(std::numeric_limits<double>::quiet_NaN()));
+      add_extra(run.extra_columns[i], values_[extra_position_[i]]);
     }
+  }
+
+  static void add_extra(ExtraColumn& column, string_view field) {
+    const auto number = to_number(field);
+    const bool is_text = !number && !field.empty();
+    if (is_text && column.texts.empty()) {
+      for (const double value : column.values) {
+        column.texts.push_back(std::isnan(value) ? std::string() : plain_number(value));
+      }
+    }
+    column.values.push_back(number.value_or(std::numeric_limits<double>::quiet_NaN()));
+    if (is_text || !column.texts.empty()) column.texts.emplace_back(field);
   }
 
   void start_run_if_needed(double t_s) {

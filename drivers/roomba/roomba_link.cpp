@@ -1,6 +1,7 @@
 #include "drivers/roomba/roomba_link.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace wheelwright::roomba {
@@ -50,6 +51,8 @@ void RoombaLink::port_opened() {
   arm_state_ = ArmState::disarmed;
   ticks_since_open_ = 0;
   mode_offset_ = 0;
+  asked_for_mode_ = false;
+  urgent_.clear();
   after_gap_ = true;
   first_counter_.rebase();
   second_counter_.rebase();
@@ -106,7 +109,7 @@ bool RoombaLink::stands() const {
 
 Command RoombaLink::obeyed_command(const std::optional<Command>& command) {
   Command obeyed;
-  if (command) {
+  if (command && std::isfinite(command->speed_m_s.left) && std::isfinite(command->speed_m_s.right)) {
     obeyed = *command;
     late_in_a_row_ = 0;
   } else if (armed()) {
@@ -152,13 +155,7 @@ std::span<const std::uint8_t> RoombaLink::begin_tick(std::int64_t tick, double h
 
 void RoombaLink::write_tick_commands() {
   handshake();
-  if (arm_state_ == ArmState::asking) {
-    if (config_.full_mode) {
-      out_.full_mode();
-    } else {
-      out_.safe_mode();
-    }
-  }
+  if (arm_state_ == ArmState::asking) ask_for_mode();
   if (arm_state_ != ArmState::disarmed) {
     add_drive(out_, frame_.command.speed_m_s);
   } else if (stop_ != StopReason::none) {
@@ -170,12 +167,34 @@ void RoombaLink::write_tick_commands() {
   ++ticks_since_open_;
 }
 
+// Not before the robot has said what it calls Passive.
+void RoombaLink::ask_for_mode() {
+  if (state_ != LinkState::running) {
+    asking_since_tick_ = frame_.tick;
+    return;
+  }
+  asked_for_mode_ = true;
+  if (config_.full_mode) {
+    out_.full_mode();
+  } else {
+    out_.safe_mode();
+  }
+}
+
+// What is asked for holds a 7, the number of the bump sensors. To a robot in Off mode that is Reset: one that
+// has just booted would be sent to boot again, for ever. So Start goes right in front, at first only in some
+// of the attempts, later in nearly all; the others leave the robot time between Start and question.
 void RoombaLink::handshake() {
   if (state_ == LinkState::running) return;
   const auto step = ticks_since_open_ % start_again_ticks;
+  const auto attempt = static_cast<std::uint64_t>(ticks_since_open_ / start_again_ticks);
+  const bool start_in_front = !std::has_single_bit(attempt + 1);
   if (step == 0) {
     out_.padding(padding_bytes);
     add_drive(out_, {});
+    out_.start();
+    out_.pause_stream();  // that another program may have left running
+  } else if (start_in_front) {
     out_.start();
   }
   if (step == start_settles_ticks && config_.transport == Transport::stream) out_.stream(stream_.packets());
@@ -263,11 +282,8 @@ void RoombaLink::take_counts(const Reading& reading, SensorFrame& frame) {
 }
 
 void RoombaLink::follow_mode(std::uint8_t reported_mode) {
-  const bool nothing_asked = arm_state_ == ArmState::disarmed && stop_ == StopReason::none;
-  if (nothing_asked && reported_mode == passive) mode_offset_ = 0;
-  // Right after Start the robot is in Passive; a robot that then says Safe counts its modes from one.
-  if (nothing_asked && reported_mode == passive + 1 && ticks_since_open_ < start_again_ticks)
-    mode_offset_ = 1;
+  // After Start the robot is in Passive; one that then says Safe counts its modes from one.
+  if (!asked_for_mode_) mode_offset_ = reported_mode == passive + 1 ? 1 : 0;
   const bool obeys = reported_mode >= safe + mode_offset_;
   if (arm_state_ == ArmState::asking) {
     if (obeys) {

@@ -91,6 +91,7 @@ class RoombaLink {
   void add_drive(open_interface::CommandBytes& out, const WheelPair& speed_m_s) const;
   void write_tick_commands();
   void handshake();
+  void ask_for_mode();
   void take_reading(const open_interface::Reading& reading, SensorFrame& frame);
   void take_counts(const open_interface::Reading& reading, SensorFrame& frame);
   void note_silence();
@@ -121,7 +122,8 @@ class RoombaLink {
   int late_in_a_row_ = 0;
   int standing_ticks_ = 0;
   int implausible_in_a_row_ = 0;
-  int mode_offset_ = 0;  // some 600-series firmware reports the mode plus one
+  int mode_offset_ = 0;          // some 600-series firmware reports the mode plus one
+  bool asked_for_mode_ = false;  // Safe or Full, since the port was opened
   bool after_gap_ = true;
 };
 

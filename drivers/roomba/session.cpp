@@ -103,10 +103,20 @@ void Session::tick() {
 
 void Session::take_requests() {
   if (end_requested_.load(std::memory_order_relaxed)) end_when_standing();
-  if (arm_requested_.exchange(false, std::memory_order_relaxed)) link_.arm();
+  if (arm_requested_.exchange(false, std::memory_order_relaxed)) arm_if_there();
   const StopReason stop = stop_requested_.exchange(StopReason::none, std::memory_order_relaxed);
   if (stop != StopReason::none) link_.stop(stop);
   link_.set_encoder_order(encoder_order_.load(std::memory_order_relaxed));
+}
+
+// Who arms a robot that does not answer is not to see it drive off minutes later, when somebody switches it
+// on.
+void Session::arm_if_there() {
+  if (link_.state() == LinkState::running) {
+    link_.arm();
+  } else {
+    report(EventCode::arm_refused, 0.0);
+  }
 }
 
 // A robot brakes only while it obeys; sent to Passive at speed it would roll on for half a second.

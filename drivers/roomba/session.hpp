@@ -25,6 +25,7 @@ enum class EventCode : std::uint8_t {
   link_lost,
   robot_text,  // text: what the robot printed by itself
   armed,
+  arm_refused,    // the robot does not answer
   stopped,        // value: StopReason
   overrun,        // value: periods that were skipped
   checksum_rule,  // value: ChecksumRule
@@ -71,7 +72,7 @@ class Session {
   // Loops until request_end(). Puts the wheels to rest on the way out, whatever the reason.
   void run();
 
-  // From any thread or signal handler; take effect with the next tick.
+  // From any thread or signal handler; take effect with the next tick. Only a robot that answers is armed.
   void request_end() { end_requested_.store(true, std::memory_order_relaxed); }
   void request_arm() { arm_requested_.store(true, std::memory_order_relaxed); }
   void request_stop(StopReason reason) { stop_requested_.store(reason, std::memory_order_relaxed); }
@@ -97,6 +98,7 @@ class Session {
   void finish_tick(const open_interface::Reading* reading);
   void skip_missed_periods();
   void take_requests();
+  void arm_if_there();
   void end_when_standing();
   void write(std::span<const std::uint8_t> bytes);
   bool flush_held_up();

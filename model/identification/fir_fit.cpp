@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
-#include "model/identification/excitation.hpp"
+#include "model/identification/fit_checks.hpp"
 #include "model/identification/least_squares.hpp"
 #include "model/identification/response_prior.hpp"
 #include "model/identification/travel_equations.hpp"
@@ -39,32 +38,11 @@ double negative_log_likelihood(const Factored& candidate) {
   return value;
 }
 
-// First whether readings have ages of their own: refreshed at some rate, the age spreads over one period of
-// it, in which a wheel at one tick per period makes one tick, like the rounding to ticks itself. Then how
-// much the wheels wander, as if they never came back, then for how long, then how much once more: the
-// likelihood hardly couples the two.
 TravelNoise most_likely_noise(std::span<const DriveLog> logs, double period_s, std::size_t taps,
                               double tick_m) {
-  TravelNoise best;
-  double best_value = std::numeric_limits<double>::infinity();
-  const auto consider = [&](const TravelNoise& candidate) {
-    const double value = negative_log_likelihood(factor_equations(logs, period_s, taps, candidate));
-    if (value >= best_value) return;
-    best_value = value;
-    best = candidate;
-  };
-  constexpr double never = std::numeric_limits<double>::infinity();
-  for (const double age_speed : {never, tick_m / period_s}) {
-    for (const double ratio : {0.0, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1.0}) consider({ratio, never, age_speed});
-  }
-  if (best.drift_ratio == 0.0) return best;
-  for (const double memory_periods : {1000.0, 300.0, 100.0, 30.0, 10.0}) {
-    consider({best.drift_ratio, memory_periods, best.age_speed_m_s});
-  }
-  for (const double factor : {1.0 / 3.0, 3.0}) {
-    consider({factor * best.drift_ratio, best.memory_periods, best.age_speed_m_s});
-  }
-  return best;
+  return most_likely_travel_noise(tick_m, period_s, [&](const TravelNoise& candidate) {
+    return negative_log_likelihood(factor_equations(logs, period_s, taps, candidate));
+  });
 }
 
 // The problem of one wheel with only the first `taps` taps: the leading block of the triangle; what the rest
@@ -130,25 +108,6 @@ WheelFit describe(const ResponseEstimate& estimate, const TravelNoise& noise, do
   fit.position_noise_m = std::sqrt(estimate.noise_variance);
   fit.drift_m_per_sqrt_s = std::sqrt(estimate.noise_variance * noise.drift_ratio / period_s);
   return fit;
-}
-
-std::optional<Refusal> find_unfit_log(std::span<const DriveLog> logs) {
-  if (logs.empty()) return Refusal{"no run was given"};
-  for (const auto& log : logs) {
-    if (!log.has_ticks()) {
-      return Refusal{log.name +
-                     ": has no encoder counts on its first row; a fit of wheel speeds needs ticks"};
-    }
-    if (std::abs(log.wheel_base_m - logs.front().wheel_base_m) > 1e-9) {
-      return Refusal{log.name + ": its wheel base differs from that of " + logs.front().name +
-                     "; fit runs of one robot together"};
-    }
-    if (std::abs(log.period_s - logs.front().period_s) > 0.02 * logs.front().period_s) {
-      return Refusal{log.name + ": its period differs from that of " + logs.front().name +
-                     " by more than 2 %; fit runs of one period together"};
-    }
-  }
-  return find_missing_excitation(logs);
 }
 
 }  // namespace

@@ -48,8 +48,7 @@ LeastSquaresAccumulator::Factor LeastSquaresAccumulator::factor() {
   Factor result;
   result.r = triangle_.topLeftCorner(unknowns_, unknowns_);
   result.z = triangle_.topRightCorner(unknowns_, outputs_);
-  result.residual_square_sum =
-      triangle_.bottomRightCorner(outputs_, outputs_).colwise().squaredNorm();
+  result.residual_square_sum = triangle_.bottomRightCorner(outputs_, outputs_).colwise().squaredNorm();
   result.rows = rows_;
   return result;
 }

@@ -4,12 +4,12 @@
 
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <span>
 
 #include <Eigen/Core>
 
 #include "model/drive_log.hpp"
+#include "model/identification/travel_whitener.hpp"
 
 namespace wheelwright {
 
@@ -18,18 +18,6 @@ namespace wheelwright {
 // wheel.
 using EquationSink =
     std::function<void(const Eigen::RowVectorXd& regressors, const Eigen::RowVector2d& targets)>;
-
-// Noise of a travel reading, in units of its white part: white, plus a wander that grows like a random walk
-// at first and fades later. Where the wander fades (wheel ripple, a speed controller that catches up), travel
-// over long times is more exact than a random walk (slip) would leave it. A robot that refreshes its sensors
-// on a clock of its own adds the age of each reading times the speed.
-struct TravelNoise {
-  double drift_ratio = 0.0;  // growth of the wander's variance per period, in variances of the white part
-  double memory_periods = std::numeric_limits<double>::infinity();  // in which it fades by e; infinite: never
-  // Commanded speed at which the unknown age of a reading doubles the white variance; infinite: ages are
-  // alike.
-  double age_speed_m_s = std::numeric_limits<double>::infinity();
-};
 
 // The equations handed on are whitened and carry no unknown starting position. Returns the sum of log
 // variances of the whitening, which the likelihood of `noise` needs.

@@ -88,13 +88,17 @@ TEST_CASE("Lost bytes are counted and cost only their own samples") {
   check_counts_are_the_travel(log, bench.truth());
 }
 
-TEST_CASE("Garbled bytes are counted and do not add up") {
+TEST_CASE("Garbled replies are counted and cost only their own samples") {
   Bench bench;
-  const auto robot = bench.start_robot("perfect", "link:\n  to_host: { bit_flip_probability: 0.004 }\n");
-  const auto daemon = bench.start_daemon(bench.configure({.route = "[[0.5, 0]]"}));
+  const auto robot = bench.start_robot("perfect");
+  LineTap tap(bench.device(), bench.folder() / "tapped");
+  const auto daemon = bench.start_daemon(bench.configure({.device = "tapped", .route = "[[0.5, 0]]"}));
+  REQUIRE(daemon->says("route: driving", 10s));
+  tap.garble_every(97);  // about every second reply, each time another byte of it
   CHECK(daemon->wait(20s) == 0);
   robot->end();
-  CHECK(replies_of(daemon->out()).garbled > 5);
+  CHECK(replies_of(daemon->out()).garbled > 20);
+  check_no_sample_is_shifted(bench.drive_log(), 1.2, 2.2);
   check_counts_are_the_travel(bench.drive_log(), bench.truth());
 }
 

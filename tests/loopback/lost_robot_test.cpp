@@ -42,6 +42,9 @@ TEST_CASE("A robot that is switched off and on again stands until it is armed, t
   robot->signal(SIGUSR1);
   CHECK(daemon->says("no valid sensor reading for too long", 3s));
   CHECK(daemon->says("the robot does not answer any more", 3s));
+  std::this_thread::sleep_for(300ms);
+  daemon->signal(SIGUSR1);
+  CHECK(daemon->says("not armed: the robot does not answer", 2s));
   robot->signal(SIGUSR1);
   REQUIRE(answers_again(*daemon));
   std::this_thread::sleep_for(700ms);
@@ -64,9 +67,7 @@ TEST_CASE("A cable that is pulled out costs the run; put in again, the robot is 
   std::this_thread::sleep_for(700ms);
   tap.pull_out();
   CHECK(daemon->says("link lost", 3s));
-  std::this_thread::sleep_for(700ms);  // the robot drives on: its protocol knows no time-out
-  daemon->signal(SIGUSR1);             // arming a robot that is not there
-  std::this_thread::sleep_for(300ms);
+  std::this_thread::sleep_for(1s);  // the robot drives on: its protocol knows no time-out
   tap.put_in();
   REQUIRE(answers_again(*daemon));
   std::this_thread::sleep_for(1s);

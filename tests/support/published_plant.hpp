@@ -9,6 +9,11 @@ namespace wheelwright::test {
 
 class PublishedPlant {
  public:
+  static constexpr std::array<double, 9> input_weights{-0.0009, 0.0013,  -0.0004, 0.0178, 0.0769,
+                                                       0.0725,  -0.0323, 0.014,   0.0012};
+  static constexpr std::array<double, 9> output_weights{0.5395, -0.1391, 0.1447,  0.0971, 0.0403,
+                                                        0.0225, -0.0195, -0.0148, -0.0361};
+
   // Speed over the coming period for the command in force over it.
   double step(double command) {
     for (std::size_t i = inputs_.size() - 1; i > 0; --i) inputs_[i] = inputs_[i - 1];
@@ -37,10 +42,6 @@ class PublishedPlant {
   }
 
  private:
-  static constexpr std::array<double, 9> input_weights{-0.0009, 0.0013,  -0.0004, 0.0178, 0.0769,
-                                                       0.0725,  -0.0323, 0.014,   0.0012};
-  static constexpr std::array<double, 9> output_weights{0.5395, -0.1391, 0.1447,  0.0971, 0.0403,
-                                                        0.0225, -0.0195, -0.0148, -0.0361};
   std::array<double, 10> inputs_{};
   std::array<double, 9> outputs_{};
 };

@@ -83,6 +83,7 @@ void LineTap::carry_replies() {
   std::array<std::uint8_t, 1024> buffer{};
   const auto now = Clock::now();
   for (ssize_t count = 0; (count = ::read(robot_, buffer.data(), buffer.size())) > 0;) {
+    garble(std::span(buffer).first(static_cast<std::size_t>(count)));
     if (!lose_replies_ && terminal_) {
       const auto due = now + std::chrono::milliseconds(delay_ms_);
       replies_.push_back({replies_.empty() ? due : std::max(due, replies_.back().due),
@@ -92,6 +93,15 @@ void LineTap::carry_replies() {
   while (!replies_.empty() && replies_.front().due <= now) {
     if (terminal_) terminal_->write(replies_.front().bytes);
     replies_.pop_front();
+  }
+}
+
+void LineTap::garble(std::span<std::uint8_t> bytes) {
+  const int every = garble_every_;
+  for (std::uint8_t& byte : bytes) {
+    if (every == 0 || ++ungarbled_bytes_ < every) continue;
+    byte ^= 0x80U;
+    ungarbled_bytes_ = 0;
   }
 }
 

@@ -32,6 +32,8 @@ class LineTap {
   void delay_replies(std::chrono::milliseconds by) { delay_ms_ = static_cast<int>(by.count()); }
   // Loses all that the robot sends, until told otherwise.
   void lose_replies(bool lose) { lose_replies_ = lose; }
+  // Flips the top bit of every so manieth byte of the robot's; 0: of none.
+  void garble_every(int bytes) { garble_every_ = bytes; }
   // Pulls the adapter out: the daemon's port is gone, and with it its name. Put in again it is a new one.
   void pull_out();
   void put_in();
@@ -56,6 +58,7 @@ class LineTap {
   void run();
   void carry_orders();
   void carry_replies();
+  void garble(std::span<std::uint8_t> bytes);
   void note_orders(std::span<const std::uint8_t> bytes);
 
   std::filesystem::path device_;
@@ -65,8 +68,10 @@ class LineTap {
   std::unique_ptr<simulation::TerminalLink> link_;
   std::deque<Late> replies_;
   DriveOrders orders_;
+  int ungarbled_bytes_ = 0;
   std::atomic<int> delay_ms_{0};
   std::atomic<bool> lose_replies_{false};
+  std::atomic<int> garble_every_{0};
   std::atomic<std::size_t> sent_by_daemon_{0};
   std::atomic<bool> ending_{false};
   std::thread thread_;

@@ -44,6 +44,7 @@ TEST_CASE("A log is read with its units, its empty fields and the columns that t
   CHECK(log.extra_columns[0].name == "mood");
   CHECK(log.extra_columns[0].values[0] == 3.0);
   CHECK(std::isnan(log.extra_columns[0].values[1]));
+  CHECK(log.extra_columns[0].texts == std::vector<std::string>{"3", "good"});
 }
 
 TEST_CASE("A clock that starts again begins a new run, and one that only steps back is refused") {
