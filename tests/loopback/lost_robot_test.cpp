@@ -49,7 +49,7 @@ TEST_CASE("A robot that is switched off and on again stands until it is armed, t
   REQUIRE(answers_again(*daemon));
   std::this_thread::sleep_for(700ms);
   CHECK(times_said(daemon->err(), "route: driving") == 1);
-  CHECK(times_said(daemon->err(), "armed: ") == 1);
+  CHECK(times_said(daemon->err(), "armed: the robot obeys") == 1);
 
   daemon->signal(SIGUSR1);
   CHECK(daemon->says("finished", 10s));
