@@ -1,0 +1,65 @@
+// Identification of the ARMA (in today's terms ARX) model from drive logs: PAPER.md eq. (1) and (12).
+//
+// Each wheel is fitted from its own past speeds and both commands, not v and w from theirs. The wheel is
+// where the encoder counts, where friction acts and where a fault begins, so that residual, noise and
+// standard error belong to one part of the robot; mixing both wheels into v and w would spread each fault
+// over both outputs. Nothing is lost: v and w are exact linear combinations of the wheel speeds, and a pole
+// of one wheel is a pole of both.
+//
+// Two methods:
+//   * equation_error: the paper's. Linear least squares on measured past speeds (ArxAccumulator). A
+//   difference
+//     of counts is mostly noise (one tick is 24-28 mm/s), and noise on the regressors biases the result.
+//   * free_run: starts from there and makes the model's own recursion, fed with commands alone, agree with
+//   wheel
+//     travel undifferenced (free_run_refinement.hpp). This is what the model is used for, so it is the
+//     default.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include <tl/expected.hpp>
+
+#include "model/drive_log.hpp"
+#include "model/identification/fir_fit.hpp"
+#include "model/identification/refusal.hpp"
+#include "model/linear_model.hpp"
+
+namespace wheelwright {
+
+enum class ArxMethod { equation_error, free_run };
+
+struct ArxFitOptions {
+  std::size_t order = 9;  // past speeds; commands reach as far back and include the present one
+  std::size_t delay = 0;  // periods in which a command surely does nothing: leading weights fixed at zero
+  std::optional<double> period_s = std::nullopt;  // of the model; that of the first log where absent
+  ArxMethod method = ArxMethod::free_run;
+};
+
+// What one wheel's fit says of itself.
+struct ArxWheelFit {
+  WheelFit quality;               // gain with standard error; noise is that of travel against the free run
+  WheelResponse standard_errors;  // one for each weight
+  double condition = 0.0;         // of eq. (12), columns scaled alike
+  std::size_t rank = 0;  // of eq. (12); below `unknowns` where the order is higher than the data need
+  std::size_t unknowns = 0;
+  double largest_pole = 0.0;
+  double one_step_rms_m_s = 0.0;  // residual of eq. (12) on measured past speeds
+};
+
+struct ArxFit {
+  LinearModel model;
+  ArxWheelFit left;
+  ArxWheelFit right;
+  std::size_t rows = 0;                  // of eq. (12)
+  double free_run_distance_rms_m = 0.0;  // over the runs of the fit
+};
+
+// Fits all runs together. Runs start from rest; rows whose past is not known because of a gap are left out.
+// Refuses, with the reason and how to get better data: too few rows, commands that do not tell the weights
+// apart, a model that runs away, runs of different robots or periods, values that are no numbers.
+tl::expected<ArxFit, Refusal> fit_arx(std::span<const DriveLog> logs, const ArxFitOptions& options = {});
+
+}  // namespace wheelwright
