@@ -1,0 +1,140 @@
+#include "model/filter/wheel_filter.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelwright {
+namespace {
+
+// What the sign repair of a coasting wheel may leave behind.
+constexpr double doubtful_sign_m = 0.002;
+// Speed changes are smeared over about so many ticks; the timing error of each is that of the whole.
+constexpr double ticks_per_change = 5.0;
+// The encoder has to follow the model over this distance before it is believed again ...
+constexpr double least_proof_m = 0.005;
+// ... within so many standard deviations of a reading. Twice the half-width of the age's uniform spread.
+constexpr double proof_spread = 4.0;
+// Travel that the model does not know of, per tick, where it does not hold.
+constexpr double unmodelled_m = 0.01;
+
+}  // namespace
+
+WheelFilter::WheelFilter(const WheelNoise& noise, double period_s) : noise_(noise), period_s_(period_s) {}
+
+double WheelFilter::reading_variance_m2(const WheelReading& reading, double speed_m_s) const {
+  const double age_m = std::max(std::abs(speed_m_s), std::abs(last_speed_m_s_)) * noise_.refresh_period_s;
+  const double doubt_m = reading.doubtful ? doubtful_sign_m + age_m : 0.0;
+  return noise_.position_noise_m * noise_.position_noise_m + age_m * age_m / 12.0 + doubt_m * doubt_m;
+}
+
+void WheelFilter::predict(const WheelReading& reading, double speed_m_s) {
+  model_m_ += reading.predicted_m;
+  offset_m_ += reading.gain_error * reading.predicted_m;
+  const double distance_m = std::abs(reading.predicted_m);
+  const double gain_m = reading.gain_standard_error * distance_m;
+  const double late_m = (speed_m_s - last_speed_m_s_) * noise_.refresh_period_s;
+  const double doubt_m = reading.doubtful ? doubtful_sign_m : 0.0;
+  const double free_m = reading.believed ? unmodelled_m : 0.0;
+  // A wrong gain errs the same way all along, so its variance grows with the square of the distance.
+  variance_m2_ += noise_.drift_m_per_sqrt_s * noise_.drift_m_per_sqrt_s * period_s_ +
+                  ticks_per_change * late_m * late_m / 12.0 + doubt_m * doubt_m + free_m * free_m +
+                  gain_m * gain_m + 2.0 * gain_m * reading.gain_standard_error * blind_m_;
+  blind_m_ += distance_m;
+}
+
+void WheelFilter::weigh(double innovation_m, double variance_m2) {
+  const double weight = variance_m2_ / (variance_m2_ + variance_m2);
+  offset_m_ += weight * innovation_m;
+  variance_m2_ *= 1.0 - weight;
+  blind_m_ *= 1.0 - weight;
+  std::shift_right(undone_m_.begin(), undone_m_.end(), 1);
+  undone_m_[0] = weight * innovation_m;
+}
+
+// A fault that grows is small at first: what the last readings within the gate did is undone.
+void WheelFilter::discard_first() {
+  for (double& correction_m : undone_m_) {
+    offset_m_ -= correction_m;
+    correction_m = 0.0;
+  }
+  suspended_ = true;
+  proofs_ = 0;
+}
+
+double WheelFilter::suspend(double offset_m) {
+  offset_m_ -= offset_m;
+  suspended_ = true;
+  proofs_ = 0;
+  return -offset_m;
+}
+
+bool WheelFilter::proves_sound(double counted_less_model_m, double reading_sd_m, double predicted_m) {
+  std::shift_right(residual_m_.begin(), residual_m_.end(), 1);
+  std::shift_right(proof_step_m_.begin(), proof_step_m_.end(), 1);
+  residual_m_[0] = counted_less_model_m;
+  proof_step_m_[0] = predicted_m;
+  proofs_ = std::min(proofs_ + 1, proof_ticks);
+  if (proofs_ < proof_ticks) return false;
+  double distance_m = 0.0;
+  for (std::size_t i = 0; i + 1 < proof_ticks; ++i) distance_m += std::abs(proof_step_m_[i]);
+  const auto [least, most] = std::minmax_element(residual_m_.begin(), residual_m_.end());
+  const double allowed_m = proof_spread * reading_sd_m;
+  return *most - *least <= allowed_m && distance_m >= std::max(least_proof_m, 2.0 * allowed_m);
+}
+
+void WheelFilter::resynchronise(const WheelReading& reading, WheelEstimate& estimate) {
+  double mean_m = 0.0;
+  for (const double residual_m : residual_m_) mean_m += residual_m / proof_ticks;
+  const double found_m = mean_m - offset_m_;
+  const double reading_m2 = estimate.innovation_sd_m * estimate.innovation_sd_m;
+  suspended_ = false;
+  estimate.resynchronised = true;
+  if (std::abs(found_m) <= noise_.gate * estimate.innovation_sd_m) {
+    weigh(*reading.counted_m - origin_m_ - model_m_ - offset_m_, reading_m2);
+    return;
+  }
+  origin_m_ += found_m;
+  variance_m2_ += reading_m2 / proof_ticks;
+  estimate.kept_out_m = found_m;
+}
+
+WheelEstimate WheelFilter::step(const WheelReading& reading) {
+  WheelEstimate estimate;
+  const double before_m = model_m_ + offset_m_;
+  const double speed_m_s = reading.predicted_m / period_s_;
+  const double variance_before_m2 = variance_m2_;
+  predict(reading, speed_m_s);
+  const double reading_m2 = reading_variance_m2(reading, speed_m_s);
+  last_speed_m_s_ = speed_m_s;
+  if (reading.counted_m) {
+    estimate.heard = true;
+    if (reading.new_origin || !has_origin_) {
+      origin_m_ = *reading.counted_m - model_m_ - offset_m_;
+      has_origin_ = true;
+      proofs_ = 0;
+    }
+    const double residual_m = *reading.counted_m - origin_m_ - model_m_;
+    estimate.innovation_m = residual_m - offset_m_;
+    estimate.innovation_sd_m = std::sqrt(variance_m2_ + reading_m2);
+    const bool fits = std::abs(estimate.innovation_m) <= noise_.gate * estimate.innovation_sd_m;
+    if (reading.believed) {
+      suspended_ = false;
+      estimate.accepted = true;
+      weigh(estimate.innovation_m, reading_m2);
+    } else if (suspended_) {
+      if (proves_sound(residual_m, std::sqrt(reading_m2), reading.predicted_m))
+        resynchronise(reading, estimate);
+    } else if (fits) {
+      estimate.accepted = true;
+      weigh(estimate.innovation_m, reading_m2);
+    } else {
+      discard_first();
+    }
+  }
+  estimate.suspended = suspended_;
+  estimate.step_m = model_m_ + offset_m_ - before_m;
+  estimate.variance_growth_m2 = estimate.accepted ? 0.0 : std::max(0.0, variance_m2_ - variance_before_m2);
+  return estimate;
+}
+
+}  // namespace wheelwright
