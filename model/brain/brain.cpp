@@ -122,8 +122,8 @@ std::unique_ptr<MotionPredictor> Brain::accept_model(std::unique_ptr<MotionPredi
 
 PoseRecord Brain::take(const SensorFrame& frame) {
   const bool may_run = frame.armed && frame.stop == StopReason::none;
-  if (!running_ && may_run && activity_ != Activity::finished && stop_ != StopReason::refused)
-    begin_run(frame.tick);
+  if (may_run && !was_armed_) begin_run(frame.tick);
+  was_armed_ = may_run;
   if (running_ && frame.stop != StopReason::none) end_by(frame.stop);
   if (frame.valid) {
     if (frame.after_gap) odometry_.rebase();

@@ -42,8 +42,8 @@ class Brain {
   // `model` may be empty where the mission calibrates first.
   Brain(const Mission& mission, const RobotLimits& limits, std::unique_ptr<MotionPredictor> model);
 
-  // Receives a frame and returns what to log of it. The run starts with the first frame that is armed, and
-  // again with the first armed frame after a stop; until then the robot is told to stand.
+  // Receives a frame and returns what to log of it. A run starts whenever the robot becomes armed; before that
+  // it is told to stand.
   PoseRecord take(const SensorFrame& frame);
 
   // The next command, or nothing where the next frame has to come first.
@@ -104,6 +104,7 @@ class Brain {
   RouteFollower follower_;
   std::vector<Step> steps_;
   std::size_t step_ = 0;
+  bool was_armed_ = false;
   bool running_ = false;
   StopReason stop_ = StopReason::none;
   bool outcome_arrived_ = false;

@@ -1,4 +1,5 @@
 // roomba-sim: a simulated robot on a pseudo-terminal.
+#include <sched.h>
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -61,6 +62,13 @@ simulation::SimulatedRobot make_robot(const simulation::SimulationConfig& robot,
   return {robot, simulation::recording_of(config::load_drive_log(replay))};
 }
 
+// A robot answers in time however busy the host is; where the system allows it, so does this one.
+void take_precedence() {
+  sched_param parameters{};
+  parameters.sched_priority = 60;
+  ::sched_setscheduler(0, SCHED_FIFO, &parameters);
+}
+
 int run(const Options& options) {
   auto robot_config = config::load_simulation_config(
       options.config.empty() ? default_config() : std::filesystem::path(options.config));
@@ -77,6 +85,7 @@ int run(const Options& options) {
   }
   std::optional<simulation::TruthFile> truth;
   if (!options.truth.empty()) truth = simulation::TruthFile{options.truth, robot_config.firmware.tick_s};
+  take_precedence();
   simulation::serve_until_signal(robot, terminal, truth);
   return done;
 }
