@@ -26,9 +26,12 @@ int main(int argc, char** argv) {
   app.footer("Example:\n  wheelwrightd --config config/wheelwright.yaml --device /dev/ttyUSB0");
   std::string config_file;
   std::string device;
+  std::string lateness_file;
   app.add_option("--config", config_file, "configuration (config/wheelwright.yaml shows every key)")
       ->required();
   app.add_option("--device", device, "serial port of the robot, instead of link.device");
+  app.add_option("--lateness", lateness_file,
+                 "write a histogram of the sensor loop's wake-up lateness at the end");
   app.set_version_flag("--version", "wheelwrightd " WHEELWRIGHT_VERSION);
   try {
     app.parse(argc, argv);
@@ -42,7 +45,7 @@ int main(int argc, char** argv) {
     if (!device.empty()) config.device = device;
     spdlog::set_default_logger(spdlog::stderr_color_mt("wheelwrightd"));
     spdlog::set_pattern("%H:%M:%S.%e %^%l%$ %v");
-    return wheelwright::daemon::run_process(config);
+    return wheelwright::daemon::run_process(config, lateness_file);
   } catch (const std::exception& error) {
     return refuse(error.what());
   }

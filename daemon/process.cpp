@@ -9,8 +9,10 @@
 #include <memory>
 #include <thread>
 
+#include "config/load/atomic_file.hpp"
 #include "config/load/model_file.hpp"
 #include "daemon/calibrator_thread.hpp"
+#include "daemon/lateness_file.hpp"
 #include "daemon/log_thread.hpp"
 #include "daemon/predictor_thread.hpp"
 #include "daemon/real_time.hpp"
@@ -140,7 +142,7 @@ class Supervisor {
 
 }  // namespace
 
-int run_process(const config::DaemonConfig& config) {
+int run_process(const config::DaemonConfig& config, const std::filesystem::path& lateness_file) {
   const sigset_t signals = block_signals();
   Plan plan = make_plan(config);
   const auto port = serial::open_port(config.device, config.baud);
@@ -214,7 +216,13 @@ int run_process(const config::DaemonConfig& config) {
       summary(config, outcome, calibrator.report(), log.report(), session, real_time, wiring->dropped.load())
           .c_str(),
       stdout);
-  const bool complete = log.report().errors.empty() && !calibrator.report().file_error;
+  bool complete = log.report().errors.empty() && !calibrator.report().file_error;
+  if (!lateness_file.empty()) {
+    const auto error =
+        config::write_file_atomically(lateness_file, lateness_text(session, config.link.period_s));
+    if (error) spdlog::error("{}", *error);
+    complete = complete && !error;
+  }
   return outcome.finished && complete ? exit_done : exit_no;
 }
 

@@ -1,6 +1,8 @@
 // The daemon as a process: wiring, threads, signals, and the exit status.
 #pragma once
 
+#include <filesystem>
+
 #include "config/load/daemon_config.hpp"
 
 namespace wheelwright::daemon {
@@ -11,6 +13,8 @@ namespace wheelwright::daemon {
 // SIGTERM, SIGINT  wheels to rest, logs closed, out
 // SIGUSR1          arm: clears a latched stop and starts the mission (again)
 // SIGUSR2          stop: wheels to rest, the process stays
-int run_process(const config::DaemonConfig& config);
+//
+// Where `lateness_file` is not empty, the histogram of the loop's wake-ups is written there at the end.
+int run_process(const config::DaemonConfig& config, const std::filesystem::path& lateness_file = {});
 
 }  // namespace wheelwright::daemon

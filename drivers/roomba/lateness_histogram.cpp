@@ -21,14 +21,19 @@ void LatenessHistogram::add(std::chrono::nanoseconds lateness) {
   largest_ = std::max(largest_, lateness);
 }
 
+std::chrono::nanoseconds LatenessHistogram::upper_edge(std::size_t bin) {
+  const double edge_ns = first_bin_ns * std::exp2(static_cast<double>(bin) / bins_per_octave);
+  return std::chrono::nanoseconds(static_cast<std::int64_t>(edge_ns));
+}
+
 std::chrono::nanoseconds LatenessHistogram::quantile(double share) const {
   const auto wanted = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(count_)));
   std::uint64_t seen = 0;
   for (std::size_t bin = 0; bin < bins; ++bin) {
     seen += bins_.at(bin);
     if (seen < wanted || seen == 0) continue;
-    const double upper_ns = first_bin_ns * std::exp2(static_cast<double>(bin) / bins_per_octave);
-    return std::min(largest_, std::chrono::nanoseconds(static_cast<std::int64_t>(upper_ns)));
+    if (bin + 1 == bins) break;  // has no upper end
+    return std::min(largest_, upper_edge(bin));
   }
   return largest_;
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 
 namespace wheelwright::roomba {
@@ -16,8 +17,12 @@ class LatenessHistogram {
   // The lateness that a share of all wake-ups (0 to 1) stayed below; to about 4 %.
   std::chrono::nanoseconds quantile(double share) const;
 
- private:
+  // The bins themselves, from early to late; no lateness in a bin is larger than its upper edge.
   static constexpr std::size_t bins = 512;
+  std::uint32_t in_bin(std::size_t bin) const { return bins_.at(bin); }
+  static std::chrono::nanoseconds upper_edge(std::size_t bin);
+
+ private:
   std::array<std::uint32_t, bins> bins_{};
   std::uint64_t count_ = 0;
   std::chrono::nanoseconds largest_{0};
