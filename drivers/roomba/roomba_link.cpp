@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "drivers/roomba/danger.hpp"
+
 namespace wheelwright::roomba {
 namespace {
 
@@ -174,11 +176,7 @@ void RoombaLink::ask_for_mode() {
     return;
   }
   asked_for_mode_ = true;
-  if (config_.full_mode) {
-    out_.full_mode();
-  } else {
-    out_.safe_mode();
-  }
+  config_.full_mode ? out_.full_mode() : out_.safe_mode();
 }
 
 // What is asked for holds a 7, the number of the bump sensors. To a robot in Off mode that is Reset: one that
@@ -243,7 +241,8 @@ void RoombaLink::take_reading(const Reading& reading, SensorFrame& frame) {
   if (state_ == LinkState::starting) state_ = LinkState::running;
   last_sound_tick_ = frame.tick;
   // A wheel drop or cliff also ends Safe mode: the cause is told, not the consequence.
-  check_safety(reading);
+  const StopReason danger = danger_in(reading, config_.lowest_battery_v);
+  if (arm_state_ != ArmState::disarmed && danger != StopReason::none) stop(danger);
   follow_mode(reading.oi_mode);
 }
 
@@ -294,27 +293,6 @@ void RoombaLink::follow_mode(std::uint8_t reported_mode) {
   } else if (armed() && !obeys) {
     stop(StopReason::mode_changed);
   }
-}
-
-StopReason RoombaLink::unsafe_reason(const Reading& reading) const {
-  constexpr unsigned bumps = 3U;
-  constexpr unsigned wheel_drops = 12U;
-  constexpr unsigned wheel_overcurrents = 24U;
-  constexpr int charging_fault = 5;
-  if ((reading.bumps_and_wheel_drops & wheel_drops) != 0) return StopReason::wheel_drop;
-  if (reading.cliff) return StopReason::cliff;
-  if ((reading.bumps_and_wheel_drops & bumps) != 0) return StopReason::bump;
-  if ((reading.overcurrents & wheel_overcurrents) != 0) return StopReason::overcurrent;
-  if (reading.charging_state != 0 && reading.charging_state < charging_fault) return StopReason::charging;
-  if (reading.voltage_mv < static_cast<int>(1000.0 * config_.lowest_battery_v))
-    return StopReason::low_battery;
-  return StopReason::none;
-}
-
-void RoombaLink::check_safety(const Reading& reading) {
-  if (arm_state_ == ArmState::disarmed) return;
-  const StopReason reason = unsafe_reason(reading);
-  if (reason != StopReason::none) stop(reason);
 }
 
 }  // namespace wheelwright::roomba

@@ -95,9 +95,7 @@ class RoombaLink {
   void take_reading(const open_interface::Reading& reading, SensorFrame& frame);
   void take_counts(const open_interface::Reading& reading, SensorFrame& frame);
   void note_silence();
-  void check_safety(const open_interface::Reading& reading);
   void follow_mode(std::uint8_t reported_mode);
-  StopReason unsafe_reason(const open_interface::Reading& reading) const;
   int ticks_of(double seconds) const;
 
   LinkConfig config_;

@@ -1,0 +1,12 @@
+// What in a reading must stop the wheels.
+#pragma once
+
+#include "drivers/open_interface/reading.hpp"
+#include "model/sensor_frame.hpp"
+
+namespace wheelwright::roomba {
+
+// The worst of what is wrong, or none.
+StopReason danger_in(const open_interface::Reading& reading, double lowest_battery_v);
+
+}  // namespace wheelwright::roomba
