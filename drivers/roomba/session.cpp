@@ -58,16 +58,26 @@ void Session::run() {
   io_->port.close();
 }
 
-void Session::wait_for_tick() {
+// A running stream is the clock; the timer then only notices its silence.
+steady_clock::time_point Session::timer_due() const {
   const bool streaming = config_.link.transport == Transport::stream && link_.state() == LinkState::running;
-  // A running stream is the clock; the timer then only notices its silence.
-  io_->timer.expires_at(streaming ? deadline_ + period_ : deadline_);
+  return streaming ? deadline_ + period_ : deadline_;
+}
+
+void Session::wait_for_tick() {
+  io_->timer.expires_at(timer_due());
   io_->timer.async_wait([this](const boost::system::error_code& error) {
     if (!error) on_timer();
   });
 }
 
 void Session::on_timer() {
+  // A frame has come since the wait began. Were the wait begun anew with each frame, Asio would need memory
+  // for the old and the new one.
+  if (steady_clock::now() < timer_due()) {
+    wait_for_tick();
+    return;
+  }
   const auto late = steady_clock::now() - deadline_;
   if (config_.link.transport == Transport::query) lateness_.add(late);
   skip_missed_periods();
@@ -175,7 +185,6 @@ void Session::on_reading(const open_interface::Reading& reading) {
   if (ending_) return;
   finish_tick(&reading);
   deadline_ = steady_clock::now() + period_;
-  wait_for_tick();
 }
 
 void Session::measure_stream_period() {

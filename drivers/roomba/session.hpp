@@ -88,6 +88,7 @@ class Session {
  private:
   struct Io;
 
+  std::chrono::steady_clock::time_point timer_due() const;
   void wait_for_tick();
   void on_timer();
   void start_reading();

@@ -1,0 +1,96 @@
+#include <array>
+#include <memory>
+
+#include "drivers/roomba/roomba_link.hpp"
+#include "drivers/simulation/simulated_robot.hpp"
+#include "model/brain/brain.hpp"
+#include "tests/allocation/heap_calls.hpp"
+#include "tests/allocation/route_plan.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace wheelwright;
+using namespace std::chrono_literals;
+
+namespace {
+
+// Brain and link on the simulated robot; only what belongs to the robot's computer is counted.
+class CountedDrive {
+ public:
+  CountedDrive(PoseSource source, roomba::LinkConfig config)
+      : link_(config),
+        brain_(test::triangle_mission(source), RobotLimits{},
+               std::make_unique<MotionPredictor>(test::lagging_model())) {
+    link_.port_opened();
+  }
+
+  bool drive_to_the_end() {
+    for (std::int64_t tick = 0; tick < 3000 && !brain_.ended(); ++tick) one_tick(tick);
+    return brain_.activity() == Activity::finished;
+  }
+
+  test::HeapCalls calls{0};
+
+ private:
+  void one_tick(std::int64_t tick) {
+    {
+      const test::CountedScope scope(calls);
+      if (tick == 30) link_.arm();
+      send(link_.begin_tick(tick, 0.0, command_for(tick)));
+    }
+    bool answered = false;
+    for (int look = 0; look < 18; ++look) {
+      pass(1ms);
+      std::array<std::uint8_t, 512> bytes{};
+      const std::size_t count = robot_.transmit(bytes);
+      const test::CountedScope scope(calls);
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto reading = link_.receive(bytes.at(i));
+        if (!reading || answered) continue;
+        answered = true;
+        finish(&*reading);
+      }
+    }
+    const test::CountedScope scope(calls);
+    if (!answered) finish(nullptr);
+  }
+
+  void finish(const open_interface::Reading* reading) {
+    brain_.take(link_.complete_tick(reading));
+    send(link_.urgent_bytes());
+    while (const auto command = brain_.next_command()) {
+      commands_.at(static_cast<std::size_t>(command->tick) % commands_.size()) = *command;
+    }
+  }
+
+  std::optional<Command> command_for(std::int64_t tick) const {
+    const Command& command = commands_.at(static_cast<std::size_t>(tick) % commands_.size());
+    return command.tick == tick && link_.armed() ? std::optional(command) : std::nullopt;
+  }
+
+  void send(std::span<const std::uint8_t> bytes) { robot_.receive(bytes); }
+  void pass(std::chrono::nanoseconds time) { robot_.advance(time); }
+
+  simulation::SimulatedRobot robot_{simulation::SimulationConfig{}};
+  roomba::RoombaLink link_;
+  Brain brain_;
+  std::array<Command, 64> commands_{};
+};
+
+roomba::LinkConfig with(roomba::Transport transport) {
+  roomba::LinkConfig config;
+  config.transport = transport;
+  return config;
+}
+
+}  // namespace
+
+TEST_CASE("Brain and link drive a whole route without the heap") {
+  for (const auto source : {PoseSource::fir, PoseSource::odometry}) {
+    for (const auto transport : {roomba::Transport::query, roomba::Transport::stream}) {
+      INFO("pose source " << static_cast<int>(source) << ", transport " << static_cast<int>(transport));
+      const auto drive = std::make_unique<CountedDrive>(source, with(transport));
+      CHECK(drive->drive_to_the_end());
+      CHECK(drive->calls == 0);
+    }
+  }
+}
