@@ -1,11 +1,16 @@
 #include "model/identification/arx_fit.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "model/free_run.hpp"
 #include "model/identification/arx_accumulator.hpp"
 #include "model/identification/fit_checks.hpp"
+#include "model/identification/free_run_refinement.hpp"
+#include "model/identification/free_run_starts.hpp"
 #include "model/identification/run_periods.hpp"
 #include "model/identification/small_solve.hpp"
 #include "model/score.hpp"
@@ -16,6 +21,8 @@ namespace {
 using Factor = LeastSquaresAccumulator::Factor;
 
 constexpr Eigen::Index rows_per_unknown = 4;
+// A wheel that remembers for more than 200 periods is a fit that ran into its limit, not a wheel.
+constexpr double slowest_pole = 0.995;
 // Commands below this share of independence from each other show nothing but rounding.
 constexpr double weakest_command_direction = 1e-6;
 
@@ -53,8 +60,10 @@ std::optional<Refusal> find_too_few_rows(Eigen::Index rows, const ArxLayout& lay
 }
 
 Refusal runs_away(double pole, std::size_t order) {
-  return {"the fit of order " + std::to_string(order) + " runs away (largest pole " + std::to_string(pole) +
-          ", must be below 1); record a longer run with more changes of command, or fit another order"};
+  const std::string what = pole >= 1.0 ? "runs away" : "never comes to rest";
+  return {"the fit of order " + std::to_string(order) + " " + what + " (largest pole " +
+          std::to_string(pole) + ", must be below " + std::to_string(slowest_pole) +
+          "); record a longer run with more changes of command, or fit another order"};
 }
 
 // Standard errors of the gain by the derivative of B(1) / (1 - A(1)) after each weight.
@@ -85,11 +94,101 @@ EstimatedWheel estimate_from_equations(const Factor& factor, const ArxLayout& la
   wheel.fit.condition = solution.condition;
   wheel.fit.rank = static_cast<std::size_t>(solution.rank);
   wheel.fit.unknowns = static_cast<std::size_t>(layout.columns());
-  wheel.fit.largest_pole = largest_pole(wheel.response);
-  wheel.fit.one_step_rms_m_s =
-      std::sqrt(residual_square_sum(factor, solution.unknowns) / static_cast<double>(factor.rows));
   describe_gain(wheel.response, solution.covariance, layout, wheel.fit.quality);
   return wheel;
+}
+
+// Refines from the plain fit and from the reduced moving average, and keeps the likelier result: each is the
+// better start on some logs.
+void refine(const FreeRunProblem& problem, const WheelResponse* reduced, EstimatedWheel& wheel) {
+  RefinedResponse best = refine_free_run(problem, drawn_to_stability(wheel.response));
+  if (reduced != nullptr) {
+    RefinedResponse other = refine_free_run(problem, drawn_to_stability(*reduced));
+    if (other.objective < best.objective) best = std::move(other);
+  }
+  const SmallSolution& step = best.last_step;
+  wheel.response = best.response;
+  wheel.fit.standard_errors = problem.layout.to_response(step.deviations);
+  describe_gain(wheel.response, step.covariance, problem.layout, wheel.fit.quality);
+  const double variance = best.noise_variance;
+  wheel.fit.quality.position_noise_m = std::sqrt(variance);
+  wheel.fit.quality.drift_m_per_sqrt_s = std::sqrt(variance * best.noise.drift_ratio / problem.period_s);
+}
+
+// Runs of one robot, checked, with what fits of all orders share.
+class ArxData {
+ public:
+  ArxData(std::span<const DriveLog> logs, double period_s) : logs_(logs), period_s_(period_s) {}
+
+  tl::expected<ArxFit, Refusal> fit(const ArxLayout& layout, ArxMethod method) {
+    ArxAccumulator equations = stack_equations(logs_, period_s_, layout);
+    if (auto refusal = find_too_few_rows(equations.rows(), layout)) return tl::unexpected(*refusal);
+    const Factor left_factor = equations.left_factor();
+    const Factor right_factor = equations.right_factor();
+    if (auto refusal = find_missing_command_changes(left_factor, layout)) return tl::unexpected(*refusal);
+
+    EstimatedWheel left = estimate_from_equations(left_factor, layout);
+    EstimatedWheel right = estimate_from_equations(right_factor, layout);
+    if (method == ArxMethod::free_run) refine_both(layout, left, right);
+    finish(left_factor, layout, left);
+    finish(right_factor, layout, right);
+    const double pole = std::max(left.fit.largest_pole, right.fit.largest_pole);
+    if (pole >= slowest_pole) return tl::unexpected(runs_away(pole, layout.order));
+    return summary(left, right, equations.rows());
+  }
+
+ private:
+  void refine_both(const ArxLayout& layout, EstimatedWheel& left, EstimatedWheel& right) {
+    prepare_refinement();
+    std::optional<LinearModel> reduced;
+    std::optional<ResponsePrior> prior;
+    if (moving_average_) {
+      reduced = reduce_to_arx(moving_average_->model, logs_, layout);
+      prior = moving_average_->prior;
+    }
+    const WheelPair& tick_m = *logs_.front().metres_per_tick;
+    refine({runs_, period_s_, tick_m.left, WheelSide::left, layout, prior},
+           reduced ? &reduced->left : nullptr, left);
+    refine({runs_, period_s_, tick_m.right, WheelSide::right, layout, prior},
+           reduced ? &reduced->right : nullptr, right);
+  }
+
+  void prepare_refinement() {
+    if (!runs_.empty()) return;
+    runs_ = travel_runs(logs_, period_s_);
+    FirFitOptions options;
+    options.period_s = period_s_;
+    if (auto fit = fit_fir(logs_, options)) moving_average_ = std::move(*fit);
+  }
+
+  static void finish(const Factor& factor, const ArxLayout& layout, EstimatedWheel& wheel) {
+    wheel.fit.largest_pole = largest_pole(wheel.response);
+    const double square_sum = residual_square_sum(factor, layout.to_unknowns(wheel.response));
+    wheel.fit.one_step_rms_m_s = std::sqrt(square_sum / static_cast<double>(factor.rows));
+  }
+
+  ArxFit summary(const EstimatedWheel& left, const EstimatedWheel& right, Eigen::Index rows) const {
+    ArxFit fit;
+    fit.model = {ModelType::arma, period_s_, logs_.front().wheel_base_m, left.response, right.response};
+    fit.left = left.fit;
+    fit.right = right.fit;
+    fit.rows = static_cast<std::size_t>(rows);
+    ScoreSums sums;
+    for (const auto& log : logs_) sums.add(free_run(fit.model, log), log);
+    fit.free_run_distance_rms_m = sums.score().distance_rms_m.value_or(0.0);
+    return fit;
+  }
+
+  std::span<const DriveLog> logs_;
+  double period_s_;
+  std::vector<TravelRun> runs_;
+  std::optional<FirFit> moving_average_;
+};
+
+OrderTrial to_trial(const ArxFit& fit) {
+  return {fit.model, std::max(fit.left.one_step_rms_m_s, fit.right.one_step_rms_m_s),
+          std::max(fit.left.largest_pole, fit.right.largest_pole),
+          std::max(fit.left.condition, fit.right.condition)};
 }
 
 }  // namespace
@@ -97,26 +196,22 @@ EstimatedWheel estimate_from_equations(const Factor& factor, const ArxLayout& la
 tl::expected<ArxFit, Refusal> fit_arx(std::span<const DriveLog> logs, const ArxFitOptions& options) {
   if (auto refusal = find_unfit_log(logs)) return tl::unexpected(*refusal);
   const double period_s = options.period_s.value_or(logs.front().period_s);
-  const ArxLayout layout{options.order, options.delay};
-  ArxAccumulator equations = stack_equations(logs, period_s, layout);
-  if (auto refusal = find_too_few_rows(equations.rows(), layout)) return tl::unexpected(*refusal);
-  const Factor left_factor = equations.left_factor();
-  const Factor right_factor = equations.right_factor();
-  if (auto refusal = find_missing_command_changes(left_factor, layout)) return tl::unexpected(*refusal);
-
-  const EstimatedWheel left = estimate_from_equations(left_factor, layout);
-  const EstimatedWheel right = estimate_from_equations(right_factor, layout);
-  const double pole = std::max(left.fit.largest_pole, right.fit.largest_pole);
-  if (pole >= 1.0) return tl::unexpected(runs_away(pole, options.order));
-
-  ArxFit fit;
-  fit.model = {ModelType::arma, period_s, logs.front().wheel_base_m, left.response, right.response};
-  fit.left = left.fit;
-  fit.right = right.fit;
-  fit.rows = static_cast<std::size_t>(equations.rows());
-  ScoreSums sums;
-  for (const auto& log : logs) sums.add(free_run(fit.model, log), log);
-  fit.free_run_distance_rms_m = sums.score().distance_rms_m.value_or(0.0);
+  const auto fit_of = [&](ArxData& data, std::size_t order) {
+    return data.fit({order, std::min(options.delay, order)}, options.method);
+  };
+  std::optional<OrderSweep> sweep;
+  if (!options.order) {
+    auto swept = sweep_orders(logs, options.largest_order, [&](std::span<const DriveLog> training) {
+      return [&fit_of, data = ArxData(training, period_s)](std::size_t order) mutable {
+        return fit_of(data, order).map(to_trial);
+      };
+    });
+    if (!swept) return tl::unexpected(swept.error());
+    sweep = std::move(*swept);
+  }
+  ArxData data(logs, period_s);
+  auto fit = fit_of(data, sweep ? sweep->chosen : *options.order);
+  if (fit) fit->sweep = std::move(sweep);
   return fit;
 }
 

@@ -24,6 +24,7 @@
 
 #include "model/drive_log.hpp"
 #include "model/identification/fir_fit.hpp"
+#include "model/identification/order_sweep.hpp"
 #include "model/identification/refusal.hpp"
 #include "model/linear_model.hpp"
 
@@ -32,7 +33,9 @@ namespace wheelwright {
 enum class ArxMethod { equation_error, free_run };
 
 struct ArxFitOptions {
-  std::size_t order = 9;  // past speeds; commands reach as far back and include the present one
+  std::optional<std::size_t> order = std::nullopt;  // past speeds; commands reach as far back and include the
+                                                    // present one; found by a sweep where absent
+  std::size_t largest_order = 15;                   // of the sweep
   std::size_t delay = 0;  // periods in which a command surely does nothing: leading weights fixed at zero
   std::optional<double> period_s = std::nullopt;  // of the model; that of the first log where absent
   ArxMethod method = ArxMethod::free_run;
@@ -55,6 +58,7 @@ struct ArxFit {
   ArxWheelFit right;
   std::size_t rows = 0;                  // of eq. (12)
   double free_run_distance_rms_m = 0.0;  // over the runs of the fit
+  std::optional<OrderSweep> sweep;       // where the order was to be found
 };
 
 // Fits all runs together. Runs start from rest; rows whose past is not known because of a gap are left out.

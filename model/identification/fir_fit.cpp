@@ -61,10 +61,18 @@ ResponseProblem problem_of(const LeastSquaresAccumulator::Factor& factor, Eigen:
   return problem;
 }
 
-std::array<ResponseEstimate, 2> estimate_both(const LeastSquaresAccumulator::Factor& factor, std::size_t taps,
-                                              double metres_per_tick) {
-  return estimate_responses(
-      {problem_of(factor, 0, taps, metres_per_tick), problem_of(factor, 1, taps, metres_per_tick)});
+struct BothEstimates {
+  ResponsePrior prior;
+  ResponseEstimate left;
+  ResponseEstimate right;
+};
+
+BothEstimates estimate_both(const LeastSquaresAccumulator::Factor& factor, std::size_t taps,
+                            double metres_per_tick) {
+  const std::array wheels{problem_of(factor, 0, taps, metres_per_tick),
+                          problem_of(factor, 1, taps, metres_per_tick)};
+  const ResponsePrior prior = most_likely_prior(wheels);
+  return {prior, estimate_response(wheels[0], prior), estimate_response(wheels[1], prior)};
 }
 
 // The shortest length after which no tail is left that is both above its own uncertainty and above a
@@ -129,15 +137,16 @@ tl::expected<FirFit, Refusal> fit_fir(std::span<const DriveLog> logs, const FirF
   std::size_t length = longest;
   if (!options.length) {
     const auto whole = estimate_both(factored.factor, longest, tick_m);
-    length = std::max(length_worth_keeping(whole[0]), length_worth_keeping(whole[1]));
+    length = std::max(length_worth_keeping(whole.left), length_worth_keeping(whole.right));
   }
 
   FirFit fit;
   const auto estimates = estimate_both(factored.factor, length, tick_m);
-  fit.model = {ModelType::fir, period_s, logs.front().wheel_base_m, to_response(estimates[0].response),
-               to_response(estimates[1].response)};
-  fit.left = describe(estimates[0], noise, period_s);
-  fit.right = describe(estimates[1], noise, period_s);
+  fit.model = {ModelType::fir, period_s, logs.front().wheel_base_m, to_response(estimates.left.response),
+               to_response(estimates.right.response)};
+  fit.left = describe(estimates.left, noise, period_s);
+  fit.right = describe(estimates.right, noise, period_s);
+  fit.prior = estimates.prior;
   fit.rows = static_cast<std::size_t>(factored.factor.rows);
   return fit;
 }

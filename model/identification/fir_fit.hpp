@@ -23,6 +23,7 @@
 
 #include "model/drive_log.hpp"
 #include "model/identification/refusal.hpp"
+#include "model/identification/response_prior.hpp"
 #include "model/linear_model.hpp"
 
 namespace wheelwright {
@@ -45,6 +46,7 @@ struct FirFit {
   LinearModel model;
   WheelFit left;
   WheelFit right;
+  ResponsePrior prior;   // as the data chose it
   std::size_t rows = 0;  // samples used
 };
 

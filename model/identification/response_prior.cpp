@@ -8,19 +8,20 @@
 namespace wheelwright {
 namespace {
 
-struct Prior {
+// The sizes range over many decades.
+struct SearchedPrior {
   double log10_own = 0.0;
   double log10_cross = -3.0;
   double decay = 0.8;
+
+  ResponsePrior prior() const { return {std::pow(10.0, log10_own), std::pow(10.0, log10_cross), decay}; }
 };
 
-Eigen::MatrixXd prior_covariance(const Prior& prior, Eigen::Index columns, Eigen::Index own_column) {
+Eigen::MatrixXd prior_covariance(const ResponsePrior& prior, Eigen::Index columns, Eigen::Index own_column) {
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(columns, columns);
-  const double own = std::pow(10.0, prior.log10_own);
-  const double cross = std::pow(10.0, prior.log10_cross);
   for (Eigen::Index a = 0; a < columns; ++a) {
     for (Eigen::Index b = a % 2; b < columns; b += 2) {
-      const double size = a % 2 == own_column ? own : cross;
+      const double size = a % 2 == own_column ? prior.own_size : prior.cross_size;
       covariance(a, b) = size * std::pow(prior.decay, static_cast<double>(std::max(a / 2, b / 2)));
     }
   }
@@ -44,7 +45,7 @@ double noise_variance_of(const ResponseProblem& problem) {
   return std::max(problem.residual_square_sum / static_cast<double>(spare), problem.least_noise_variance);
 }
 
-double negative_log_evidence(const ResponseProblem& problem, const Prior& prior) {
+double negative_log_evidence(const ResponseProblem& problem, const ResponsePrior& prior) {
   const auto factor = evidence_factor(problem, prior_covariance(prior, problem.r.cols(), problem.own_column),
                                       noise_variance_of(problem));
   if (factor.info() != Eigen::Success) return std::numeric_limits<double>::infinity();
@@ -52,14 +53,17 @@ double negative_log_evidence(const ResponseProblem& problem, const Prior& prior)
   return 0.5 * whitened.squaredNorm() + factor.matrixLLT().diagonal().array().log().sum();
 }
 
+}  // namespace
+
 // One variable at a time with a shrinking step: the surface is smooth and has three dimensions.
-Prior best_prior(const std::array<ResponseProblem, 2>& wheels) {
-  const auto evidence = [&](const Prior& prior) {
+ResponsePrior most_likely_prior(const std::array<ResponseProblem, 2>& wheels) {
+  const auto evidence = [&](const SearchedPrior& candidate) {
+    const ResponsePrior prior = candidate.prior();
     return negative_log_evidence(wheels[0], prior) + negative_log_evidence(wheels[1], prior);
   };
-  Prior best;
+  SearchedPrior best;
   double best_value = evidence(best);
-  const auto consider = [&](Prior candidate) {
+  const auto consider = [&](SearchedPrior candidate) {
     candidate.log10_own = std::clamp(candidate.log10_own, -8.0, 3.0);
     candidate.log10_cross = std::clamp(candidate.log10_cross, -12.0, 3.0);
     candidate.decay = std::clamp(candidate.decay, 0.4, 0.985);
@@ -77,10 +81,10 @@ Prior best_prior(const std::array<ResponseProblem, 2>& wheels) {
       }
     }
   }
-  return best;
+  return best.prior();
 }
 
-ResponseEstimate posterior(const ResponseProblem& problem, const Prior& prior) {
+ResponseEstimate estimate_response(const ResponseProblem& problem, const ResponsePrior& prior) {
   ResponseEstimate estimate;
   estimate.noise_variance = noise_variance_of(problem);
   const Eigen::MatrixXd covariance = prior_covariance(prior, problem.r.cols(), problem.own_column);
@@ -89,13 +93,6 @@ ResponseEstimate posterior(const ResponseProblem& problem, const Prior& prior) {
   estimate.response = gain * problem.z;
   estimate.covariance = covariance - gain * problem.r * covariance;
   return estimate;
-}
-
-}  // namespace
-
-std::array<ResponseEstimate, 2> estimate_responses(const std::array<ResponseProblem, 2>& wheels) {
-  const Prior prior = best_prior(wheels);
-  return {posterior(wheels[0], prior), posterior(wheels[1], prior)};
 }
 
 }  // namespace wheelwright

@@ -20,15 +20,24 @@ struct ResponseProblem {
   Eigen::Index own_column = 0;  // 0 where the even columns are the wheel's own command, 1 where the odd are
 };
 
+// What is believed of impulse responses before any data: h_i of a channel has covariance
+// size * decay^max(i,j), own and cross channel each with a size of their own, independent of each other.
+struct ResponsePrior {
+  double own_size = 1.0;     // (m/s per m/s)^2
+  double cross_size = 1e-3;  // the same
+  double decay = 0.8;        // per period
+};
+
 struct ResponseEstimate {
   Eigen::VectorXd response;     // posterior mean of h
   Eigen::MatrixXd covariance;   // posterior covariance of h
   double noise_variance = 0.0;  // of one whitened equation
 };
 
-// Prior: h_i of a channel has covariance size * decay^max(i,j), own and cross channel each with a size of
-// their own, independent of each other. Sizes and decay are those of both wheels, since a robot's wheels are
-// made alike, and maximise the marginal likelihood of both.
-std::array<ResponseEstimate, 2> estimate_responses(const std::array<ResponseProblem, 2>& wheels);
+// Sizes and decay are those of both wheels, since a robot's wheels are made alike, and maximise the marginal
+// likelihood of both.
+ResponsePrior most_likely_prior(const std::array<ResponseProblem, 2>& wheels);
+
+ResponseEstimate estimate_response(const ResponseProblem& problem, const ResponsePrior& prior);
 
 }  // namespace wheelwright

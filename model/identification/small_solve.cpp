@@ -5,10 +5,19 @@
 #include <limits>
 
 namespace wheelwright {
+namespace {
+
+// Factors that bring all columns to equal size.
+Eigen::VectorXd equal_sizes(const Eigen::MatrixXd& r) {
+  Eigen::VectorXd scale = r.colwise().norm();
+  for (double& size : scale) size = size > 0.0 ? 1.0 / size : 1.0;
+  return scale;
+}
+
+}  // namespace
 
 SmallSolution solve_small(const LeastSquaresAccumulator::Factor& factor, Eigen::Index output) {
-  Eigen::VectorXd scale = factor.r.colwise().norm();
-  for (double& size : scale) size = size > 0.0 ? 1.0 / size : 1.0;
+  const Eigen::VectorXd scale = equal_sizes(factor.r);
   const Eigen::BDCSVD<Eigen::MatrixXd> svd(factor.r * scale.asDiagonal(),
                                            Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Eigen::VectorXd& singular = svd.singularValues();
@@ -29,6 +38,24 @@ SmallSolution solve_small(const LeastSquaresAccumulator::Factor& factor, Eigen::
   result.covariance = result.residual_variance * seen * seen.transpose();
   result.deviations = result.covariance.diagonal().cwiseSqrt();
   return result;
+}
+
+DampedSteps::DampedSteps(const LeastSquaresAccumulator::Factor& factor) : scale_(equal_sizes(factor.r)) {
+  const Eigen::BDCSVD<Eigen::MatrixXd> svd(factor.r * scale_.asDiagonal(),
+                                           Eigen::ComputeFullU | Eigen::ComputeFullV);
+  singular_ = svd.singularValues();
+  v_ = svd.matrixV();
+  image_ = svd.matrixU().transpose() * factor.z.col(0);
+}
+
+Eigen::VectorXd DampedSteps::step(double damping) const {
+  const double largest = singular_[0];
+  Eigen::VectorXd along = Eigen::VectorXd::Zero(singular_.size());
+  for (Eigen::Index i = 0; i < singular_.size(); ++i) {
+    if (singular_[i] <= rank_tolerance * largest) break;
+    along[i] = singular_[i] * image_[i] / (singular_[i] * singular_[i] + damping * largest * largest);
+  }
+  return scale_.asDiagonal() * (v_ * along);
 }
 
 double residual_square_sum(const LeastSquaresAccumulator::Factor& factor, const Eigen::VectorXd& unknowns,

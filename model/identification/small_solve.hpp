@@ -23,6 +23,22 @@ inline constexpr double rank_tolerance = 1e-11;
 // do not depend on the units of the commands.
 SmallSolution solve_small(const LeastSquaresAccumulator::Factor& factor, Eigen::Index output = 0);
 
+// Levenberg-Marquardt steps of any damping from one factorisation.
+class DampedSteps {
+ public:
+  explicit DampedSteps(const LeastSquaresAccumulator::Factor& factor);
+
+  // The step for a damping relative to the squared largest singular value; 0 is the full step, in which
+  // directions below rank_tolerance stay put.
+  Eigen::VectorXd step(double damping) const;
+
+ private:
+  Eigen::VectorXd scale_;
+  Eigen::VectorXd singular_;
+  Eigen::MatrixXd v_;
+  Eigen::VectorXd image_;
+};
+
 // Square sum of the residual of any other unknowns in the same equations.
 double residual_square_sum(const LeastSquaresAccumulator::Factor& factor, const Eigen::VectorXd& unknowns,
                            Eigen::Index output = 0);
