@@ -9,6 +9,8 @@ namespace {
 
 // After so many ticks without news the last command has long settled or was stopped.
 constexpr std::int64_t most_ticks_left_out = 200;
+// While the robot did not obey, its wheels may have done anything; the model forgets it within this time.
+constexpr std::int64_t believed_after_rest_ticks = 45;
 
 WheelPair scale_of(const RobotModel& model) {
   if (!model.encoder_scale) {
@@ -17,13 +19,12 @@ WheelPair scale_of(const RobotModel& model) {
   return model.encoder_scale->metres_per_tick;
 }
 
-WheelFilter wheel_filter(const FilterNoise& noise, double position_noise_m, double drift_m_per_sqrt_s,
-                         double period_s) {
+WheelNoise wheel_noise(const FilterNoise& noise, double position_noise_m, double drift_m_per_sqrt_s) {
   WheelNoise wheel;
   wheel.refresh_period_s = noise.refresh_period_s;
   wheel.position_noise_m = position_noise_m;
   wheel.drift_m_per_sqrt_s = drift_m_per_sqrt_s;
-  return WheelFilter(wheel, period_s);
+  return wheel;
 }
 
 }  // namespace
@@ -36,60 +37,147 @@ HybridFilter::HybridFilter(const LinearModel& model, const WheelPair& metres_per
     : period_s_(model.period_s),
       noise_(noise),
       predictor_(model),
-      left_{wheel_filter(noise, noise.position_noise_m.left, noise.drift_m_per_sqrt_s.left, model.period_s),
-            metres_per_tick.left, noise.gain_standard_error.left},
-      right_{
-          wheel_filter(noise, noise.position_noise_m.right, noise.drift_m_per_sqrt_s.right, model.period_s),
-          metres_per_tick.right, noise.gain_standard_error.right},
+      left_(wheel_noise(noise, noise.position_noise_m.left, noise.drift_m_per_sqrt_s.left), model.period_s,
+            metres_per_tick.left, noise.gain_standard_error.left),
+      right_(wheel_noise(noise, noise.position_noise_m.right, noise.drift_m_per_sqrt_s.right), model.period_s,
+             metres_per_tick.right, noise.gain_standard_error.right),
+      detector_(model.period_s),
+      environment_(model.period_s),
       pose_(model.wheel_base_m, noise.scale_standard_error) {}
 
+void HybridFilter::set_prediction(Side& side, double predicted_m, double ticks) const {
+  side.predicted_m = predicted_m;
+  const double speed_m_s = ticks > 0.0 ? predicted_m / (ticks * period_s_) : side.speed_m_s;
+  side.acceleration_m_s2 = ticks > 0.0 ? (speed_m_s - side.speed_m_s) / (ticks * period_s_) : 0.0;
+  side.speed_m_s = speed_m_s;
+}
+
 void HybridFilter::advance_model(const SensorFrame& frame) {
-  predicted_m_ = {};
+  WheelPair predicted_m;
   const std::int64_t ticks =
       started_ ? std::clamp<std::int64_t>(frame.tick - tick_, 0, most_ticks_left_out) : 0;
   for (std::int64_t i = 0; i < ticks; ++i) {
     const WheelPair speed = predictor_.step(command_);
-    predicted_m_.left += period_s_ * speed.left;
-    predicted_m_.right += period_s_ * speed.right;
+    predicted_m.left += period_s_ * speed.left;
+    predicted_m.right += period_s_ * speed.right;
   }
+  set_prediction(left_, predicted_m.left, static_cast<double>(ticks));
+  set_prediction(right_, predicted_m.right, static_cast<double>(ticks));
+  left_.counts_backwards = counts_backwards(left_, command_.left);
+  right_.counts_backwards = counts_backwards(right_, command_.right);
   started_ = true;
   tick_ = frame.tick;
   command_ = frame.command.speed_m_s;
 }
 
-HybridWheel HybridFilter::step_wheel(Side& side, const SensorFrame& frame, double predicted_m,
-                                     std::int64_t ticks, double& step_m, double& variance_m2) const {
+// The wheel still turns against the direction in which a robot without quadrature counts by now.
+bool HybridFilter::counts_backwards(const Side& side, double command_m_s) {
+  constexpr double turning_m_s = 0.003;
+  return std::abs(side.speed_m_s) > turning_m_s && (command_m_s < 0.0) != (side.speed_m_s < 0.0);
+}
+
+void HybridFilter::step_wheel(Side& side, const SensorFrame& frame, std::int64_t ticks) {
   WheelReading reading;
-  reading.predicted_m = predicted_m;
-  reading.gain_standard_error = side.gain_standard_error;
-  reading.doubtful = frame.doubtful_sign;
+  reading.predicted_m = side.predicted_m;
+  reading.gain_error = side.drift.gain_error();
+  reading.gain_standard_error = side.drift.gain_standard_error();
+  reading.doubtful = frame.doubtful_sign || side.counts_backwards;
   reading.new_origin = frame.after_gap;
-  reading.believed = !frame.armed;
+  reading.believed = frame.tick - last_not_driven_tick_ < believed_after_rest_ticks || side.stalled;
+  reading.distrusted = side.distrusted;
   if (frame.valid) reading.counted_m = side.metres_per_tick * static_cast<double>(ticks);
   const WheelEstimate estimate = side.filter.step(reading);
-  step_m = estimate.step_m;
-  const double slip_m2 = noise_.slip_m_per_sqrt_m * noise_.slip_m_per_sqrt_m * std::abs(step_m);
-  variance_m2 = slip_m2 + estimate.variance_growth_m2;
-  HybridWheel wheel;
-  wheel.speed_m_s = predicted_m / period_s_;
-  wheel.innovation_m = estimate.innovation_m;
-  if (estimate.heard) wheel.innovation = estimate.innovation_m / estimate.innovation_sd_m;
-  wheel.accepted = estimate.accepted;
-  wheel.discarded = estimate.heard && !estimate.accepted;
-  return wheel;
+  side.step_m = estimate.step_m + side.taken_out_m;
+  side.taken_out_m = 0.0;
+  side.variance_m2 = noise_.slip_m_per_sqrt_m * noise_.slip_m_per_sqrt_m * std::abs(side.predicted_m) +
+                     estimate.variance_growth_m2;
+  gather(side, reading, estimate);
+  if (!estimate.accepted || reading.believed || estimate.resynchronised) {
+    side.drift.interrupt();
+  } else {
+    side.drift.take(side.predicted_m, side.filter.offset_m(), estimate.process_variance_m2,
+                    estimate.reading_sd_m);
+  }
+  side.out.speed_m_s = (1.0 + side.drift.gain_error()) * side.speed_m_s;
+  side.out.innovation_m = estimate.innovation_m;
+  side.out.innovation = estimate.heard ? estimate.innovation_m / estimate.innovation_sd_m : 0.0;
+  side.out.accepted = estimate.accepted;
+  side.out.discarded = estimate.heard && !estimate.accepted;
+}
+
+void HybridFilter::gather(Side& side, const WheelReading& reading, const WheelEstimate& estimate) {
+  WheelEvidence& evidence = side.evidence;
+  evidence = {};
+  side.predicted_since_heard_m += side.predicted_m;
+  evidence.metres_per_tick = side.metres_per_tick;
+  evidence.innovation_m = estimate.innovation_m;
+  evidence.reading_sd_m = estimate.reading_sd_m;
+  evidence.new_origin = reading.new_origin && estimate.heard;
+  evidence.accepted = estimate.accepted;
+  evidence.suspended = estimate.suspended;
+  evidence.resynchronised = estimate.resynchronised;
+  evidence.kept_out_m = estimate.kept_out_m;
+  if (!estimate.heard) return;
+  evidence.heard = side.was_heard && !reading.new_origin;
+  evidence.predicted_m = side.predicted_since_heard_m;
+  evidence.counted_m = *reading.counted_m - side.counted_m;
+  side.predicted_since_heard_m = 0.0;
+  side.counted_m = *reading.counted_m;
+  side.was_heard = true;
+}
+
+void HybridFilter::obey(Side& side, bool stalled, bool distrusted, double take_out_m) {
+  if (take_out_m != 0.0) side.taken_out_m = side.filter.suspend(take_out_m);
+  side.stalled = stalled;
+  side.distrusted = distrusted;
+}
+
+bool HybridFilter::watch_environment(const SensorFrame& frame, bool both_misfit) {
+  DrivingEvidence evidence;
+  evidence.heard = frame.valid;
+  evidence.sound = frame.armed && !detector_.any();
+  evidence.speed_m_s = {left_.speed_m_s, right_.speed_m_s};
+  evidence.acceleration_m_s2 = {left_.acceleration_m_s2, right_.acceleration_m_s2};
+  evidence.current_a = frame.motor_current_a;
+  evidence.innovation = {left_.out.innovation, right_.out.innovation};
+  evidence.both_misfit = both_misfit;
+  return environment_.take(evidence);
+}
+
+void HybridFilter::judge(const SensorFrame& frame, HybridOutput& output) {
+  TickEvidence evidence;
+  evidence.tick = frame.tick;
+  evidence.wheels = {left_.evidence, right_.evidence};
+  evidence.wheels[0].excess_a = environment_.excess_a().left;
+  evidence.wheels[1].excess_a = environment_.excess_a().right;
+  evidence.drift_statistic = {left_.drift.statistic(), right_.drift.statistic()};
+  evidence.drift_collected_m = {left_.drift.collected_m(), right_.drift.collected_m()};
+  evidence.driven = frame.armed;
+  evidence.wheel_drop = frame.valid && frame.wheel_drop;
+  const FaultVerdict verdict = detector_.take(evidence, output.events);
+  obey(left_, verdict.stalled[0], verdict.distrust[0], verdict.take_out_m[0]);
+  obey(right_, verdict.stalled[1], verdict.distrust[1], verdict.take_out_m[1]);
+  if (verdict.exchange) {
+    exchanged_ = !exchanged_;
+    left_.was_heard = right_.was_heard = false;
+  }
+  output.raised_recalibration = watch_environment(frame, verdict.both_drift);
+  output.recalibration_due = environment_.recalibration_due();
+  output.left_fault = detector_.fault(WheelSide::left);
+  output.right_fault = detector_.fault(WheelSide::right);
 }
 
 HybridOutput HybridFilter::step(const SensorFrame& frame) {
-  advance_model(frame);
   HybridOutput output;
   output.tick = frame.tick;
-  WheelPair rolled_m;
-  TravelVariance variance;
-  output.left =
-      step_wheel(left_, frame, predicted_m_.left, frame.ticks.left, rolled_m.left, variance.left_m2);
-  output.right =
-      step_wheel(right_, frame, predicted_m_.right, frame.ticks.right, rolled_m.right, variance.right_m2);
-  pose_.move(rolled_m, variance);
+  advance_model(frame);
+  if (!frame.armed) last_not_driven_tick_ = frame.tick;
+  step_wheel(left_, frame, exchanged_ ? frame.ticks.right : frame.ticks.left);
+  step_wheel(right_, frame, exchanged_ ? frame.ticks.left : frame.ticks.right);
+  judge(frame, output);
+  output.left = left_.out;
+  output.right = right_.out;
+  pose_.move({left_.step_m, right_.step_m}, {left_.variance_m2, right_.variance_m2});
   output.pose = pose_.pose();
   output.covariance = pose_.covariance();
   return output;

@@ -17,9 +17,12 @@
 #include <Eigen/Core>
 #include <cstdint>
 
+#include "model/filter/environment_monitor.hpp"
 #include "model/filter/fault.hpp"
+#include "model/filter/fault_detector.hpp"
 #include "model/filter/filter_noise.hpp"
 #include "model/filter/pose_with_covariance.hpp"
+#include "model/filter/scale_drift_test.hpp"
 #include "model/filter/wheel_filter.hpp"
 #include "model/linear_model.hpp"
 #include "model/robot_model.hpp"
@@ -42,7 +45,11 @@ struct HybridOutput {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  // of x, y, theta in the frame of the pose
   HybridWheel left;
   HybridWheel right;
-  FaultEvents events;
+  FaultKind left_fault = FaultKind::none;  // that lasts
+  FaultKind right_fault = FaultKind::none;
+  FaultEvents events;                 // of this tick, to be logged
+  bool recalibration_due = false;     // stays until the filter is made anew or recalibrated() is called
+  bool raised_recalibration = false;  // on this tick
 };
 
 class HybridFilter {
@@ -56,28 +63,59 @@ class HybridFilter {
   // The robot is at a known pose. What is known of model, encoders and faults stays.
   void set_pose(const Pose& pose) { pose_.reset(pose); }
   const Pose& pose() const { return pose_.pose(); }
+  // The environment is taken for usual as it is from now on. After a new model make a new filter instead.
+  void recalibrated() { environment_.recalibrated(); }
+  const EnvironmentMonitor& environment() const { return environment_; }
+  const ScaleDriftTest& drift_test(WheelSide wheel) const {
+    return wheel == WheelSide::right ? right_.drift : left_.drift;
+  }
 
  private:
   struct Side {
+    Side(const WheelNoise& noise, double period_s, double scale, double gain_standard_error)
+        : filter(noise, period_s), drift(period_s, gain_standard_error), metres_per_tick(scale) {}
+
     WheelFilter filter;
+    ScaleDriftTest drift;
     double metres_per_tick;
-    double gain_standard_error;
+    double predicted_m = 0.0;  // over this tick
+    double speed_m_s = 0.0;    // of the model
+    double acceleration_m_s2 = 0.0;
+    double counted_m = 0.0;  // total of the last reading that was heard
+    double predicted_since_heard_m = 0.0;
+    bool was_heard = false;
+    bool counts_backwards = false;
+    bool stalled = false;
+    bool distrusted = false;
+    double taken_out_m = 0.0;  // by a verdict, still to be put into the pose
+    HybridWheel out;
+    WheelEvidence evidence;
+    double step_m = 0.0;
+    double variance_m2 = 0.0;
   };
 
   void advance_model(const SensorFrame& frame);
-  HybridWheel step_wheel(Side& side, const SensorFrame& frame, double predicted_m, std::int64_t ticks,
-                         double& step_m, double& variance_m2) const;
+  void set_prediction(Side& side, double predicted_m, double ticks) const;
+  static bool counts_backwards(const Side& side, double command_m_s);
+  void step_wheel(Side& side, const SensorFrame& frame, std::int64_t ticks);
+  void gather(Side& side, const WheelReading& reading, const WheelEstimate& estimate);
+  void judge(const SensorFrame& frame, HybridOutput& output);
+  void obey(Side& side, bool stalled, bool distrusted, double take_out_m);
+  bool watch_environment(const SensorFrame& frame, bool both_misfit);
 
   double period_s_;
   FilterNoise noise_;
   LinearPredictor predictor_;
   Side left_;
   Side right_;
+  FaultDetector detector_;
+  EnvironmentMonitor environment_;
   PoseWithCovariance pose_;
   bool started_ = false;
+  bool exchanged_ = false;  // left and right counts
   std::int64_t tick_ = 0;
+  std::int64_t last_not_driven_tick_ = 0;
   WheelPair command_;
-  WheelPair predicted_m_;  // over the last tick
 };
 
 }  // namespace wheelwright

@@ -6,10 +6,13 @@
 namespace wheelwright {
 namespace {
 
-// What the sign repair of a coasting wheel may leave behind.
-constexpr double doubtful_sign_m = 0.002;
+// What the sign repair of a coasting wheel may leave behind, apart from the way itself, there and back.
+constexpr double doubtful_sign_m = 0.001;
+constexpr int doubt_lasts_ticks = 14;
+constexpr double sign_gate = 3.0;
 // Speed changes are smeared over about so many ticks; the timing error of each is that of the whole.
 constexpr double ticks_per_change = 5.0;
+constexpr double change_fades = 0.955;
 // The encoder has to follow the model over this distance before it is believed again ...
 constexpr double least_proof_m = 0.005;
 // ... within so many standard deviations of a reading. Twice the half-width of the age's uniform spread.
@@ -21,25 +24,34 @@ constexpr double unmodelled_m = 0.01;
 
 WheelFilter::WheelFilter(const WheelNoise& noise, double period_s) : noise_(noise), period_s_(period_s) {}
 
-double WheelFilter::reading_variance_m2(const WheelReading& reading, double speed_m_s) const {
+// While the speed changes, the model's course of it is off by about one period of the robot's controller.
+double WheelFilter::reading_variance_m2(double speed_m_s) const {
   const double age_m = std::max(std::abs(speed_m_s), std::abs(last_speed_m_s_)) * noise_.refresh_period_s;
-  const double doubt_m = reading.doubtful ? doubtful_sign_m + age_m : 0.0;
-  return noise_.position_noise_m * noise_.position_noise_m + age_m * age_m / 12.0 + doubt_m * doubt_m;
+  const double change_m = recent_change_m_s_ * noise_.refresh_period_s;
+  return noise_.position_noise_m * noise_.position_noise_m + age_m * age_m / 12.0 + change_m * change_m;
 }
 
-void WheelFilter::predict(const WheelReading& reading, double speed_m_s) {
+double WheelFilter::predict(const WheelReading& reading, double speed_m_s) {
   model_m_ += reading.predicted_m;
   offset_m_ += reading.gain_error * reading.predicted_m;
   const double distance_m = std::abs(reading.predicted_m);
   const double gain_m = reading.gain_standard_error * distance_m;
   const double late_m = (speed_m_s - last_speed_m_s_) * noise_.refresh_period_s;
-  const double doubt_m = reading.doubtful ? doubtful_sign_m : 0.0;
+  recent_change_m_s_ = change_fades * recent_change_m_s_ + speed_m_s - last_speed_m_s_;
   const double free_m = reading.believed ? unmodelled_m : 0.0;
+  const double process_m2 = noise_.drift_m_per_sqrt_s * noise_.drift_m_per_sqrt_s * period_s_ +
+                            ticks_per_change * late_m * late_m / 12.0;
   // A wrong gain errs the same way all along, so its variance grows with the square of the distance.
-  variance_m2_ += noise_.drift_m_per_sqrt_s * noise_.drift_m_per_sqrt_s * period_s_ +
-                  ticks_per_change * late_m * late_m / 12.0 + doubt_m * doubt_m + free_m * free_m +
-                  gain_m * gain_m + 2.0 * gain_m * reading.gain_standard_error * blind_m_;
+  variance_m2_ +=
+      process_m2 + free_m * free_m + gain_m * gain_m + 2.0 * gain_m * reading.gain_standard_error * blind_m_;
   blind_m_ += distance_m;
+  if (reading.doubtful) {
+    doubt_m_ += 2.0 * distance_m + (ticks_since_doubt_ > 0 ? doubtful_sign_m : 0.0);
+    ticks_since_doubt_ = 0;
+  } else if (++ticks_since_doubt_ > doubt_lasts_ticks) {
+    doubt_m_ = 0.0;
+  }
+  return process_m2;
 }
 
 void WheelFilter::weigh(double innovation_m, double variance_m2) {
@@ -59,6 +71,16 @@ void WheelFilter::discard_first() {
   }
   suspended_ = true;
   proofs_ = 0;
+}
+
+// An encoder without direction counts a coasting wheel the wrong way. That is no fault: the model says how
+// far it coasted, and the encoder's origin follows.
+bool WheelFilter::explained_by_sign(double innovation_m, double sd_m) {
+  const double beyond_m = std::abs(innovation_m) - sign_gate * sd_m;
+  if (beyond_m <= 0.0 || beyond_m > doubt_m_) return false;
+  doubt_m_ -= beyond_m;
+  origin_m_ += innovation_m;
+  return true;
 }
 
 double WheelFilter::suspend(double offset_m) {
@@ -88,6 +110,7 @@ void WheelFilter::resynchronise(const WheelReading& reading, WheelEstimate& esti
   const double found_m = mean_m - offset_m_;
   const double reading_m2 = estimate.innovation_sd_m * estimate.innovation_sd_m;
   suspended_ = false;
+  undone_m_ = {};
   estimate.resynchronised = true;
   if (std::abs(found_m) <= noise_.gate * estimate.innovation_sd_m) {
     weigh(*reading.counted_m - origin_m_ - model_m_ - offset_m_, reading_m2);
@@ -103,9 +126,10 @@ WheelEstimate WheelFilter::step(const WheelReading& reading) {
   const double before_m = model_m_ + offset_m_;
   const double speed_m_s = reading.predicted_m / period_s_;
   const double variance_before_m2 = variance_m2_;
-  predict(reading, speed_m_s);
-  const double reading_m2 = reading_variance_m2(reading, speed_m_s);
+  estimate.process_variance_m2 = predict(reading, speed_m_s);
+  const double reading_m2 = reading_variance_m2(speed_m_s);
   last_speed_m_s_ = speed_m_s;
+  estimate.reading_sd_m = std::sqrt(reading_m2);
   if (reading.counted_m) {
     estimate.heard = true;
     if (reading.new_origin || !has_origin_) {
@@ -117,13 +141,18 @@ WheelEstimate WheelFilter::step(const WheelReading& reading) {
     estimate.innovation_m = residual_m - offset_m_;
     estimate.innovation_sd_m = std::sqrt(variance_m2_ + reading_m2);
     const bool fits = std::abs(estimate.innovation_m) <= noise_.gate * estimate.innovation_sd_m;
-    if (reading.believed) {
+    if (reading.distrusted) {
+      suspended_ = true;
+    } else if (reading.believed) {
       suspended_ = false;
       estimate.accepted = true;
       weigh(estimate.innovation_m, reading_m2);
+      undone_m_ = {};
     } else if (suspended_) {
       if (proves_sound(residual_m, std::sqrt(reading_m2), reading.predicted_m))
         resynchronise(reading, estimate);
+    } else if (explained_by_sign(estimate.innovation_m, estimate.innovation_sd_m)) {
+      estimate.accepted = true;
     } else if (fits) {
       estimate.accepted = true;
       weigh(estimate.innovation_m, reading_m2);

@@ -31,14 +31,17 @@ struct WheelReading {
   std::optional<double> counted_m;  // encoder total times metres per tick; nothing where not heard
   bool doubtful = false;            // the sign of the last counts may yet change
   bool new_origin = false;          // counts have nothing to do with those before
+  bool distrusted = false;          // discard whatever it says
   bool believed = false;            // the model does not hold (not driven, stalled): no gate
 };
 
 struct WheelEstimate {
-  double step_m = 0.0;              // travel over this tick, corrections included
-  double variance_growth_m2 = 0.0;  // by which the travel became less certain while the model stood in
-  double innovation_m = 0.0;        // encoder minus prediction; 0 where not heard
-  double innovation_sd_m = 0.0;     // its standard deviation while all is sound
+  double step_m = 0.0;               // travel over this tick, corrections included
+  double variance_growth_m2 = 0.0;   // by which the travel became less certain while the model stood in
+  double innovation_m = 0.0;         // encoder minus prediction; 0 where not heard
+  double innovation_sd_m = 0.0;      // its standard deviation while all is sound
+  double reading_sd_m = 0.0;         // of the reading alone
+  double process_variance_m2 = 0.0;  // by which model and wheel may have parted over this tick, gain apart
   bool heard = false;
   bool accepted = false;
   bool suspended = false;       // the model stands in until the encoder has proved itself
@@ -65,8 +68,9 @@ class WheelFilter {
   static constexpr std::size_t proof_ticks = 8;
   static constexpr std::size_t hindsight_ticks = 3;
 
-  double reading_variance_m2(const WheelReading& reading, double speed_m_s) const;
-  void predict(const WheelReading& reading, double speed_m_s);
+  bool explained_by_sign(double innovation_m, double sd_m);
+  double reading_variance_m2(double speed_m_s) const;
+  double predict(const WheelReading& reading, double speed_m_s);
   void weigh(double innovation_m, double variance_m2);
   void discard_first();
   bool proves_sound(double counted_less_model_m, double reading_sd_m, double predicted_m);
@@ -82,6 +86,9 @@ class WheelFilter {
   bool suspended_ = false;
   double blind_m_ = 0.0;  // distance for which the model stood in
   double last_speed_m_s_ = 0.0;
+  double recent_change_m_s_ = 0.0;  // of the speed, fading
+  double doubt_m_ = 0.0;            // travel that may have been counted in the wrong direction
+  int ticks_since_doubt_ = 0;
   std::array<double, hindsight_ticks> undone_m_{};  // corrections of the last ticks, newest first
   std::array<double, proof_ticks> residual_m_{};    // of the last readings while suspended
   std::array<double, proof_ticks> proof_step_m_{};

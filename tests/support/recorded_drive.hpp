@@ -71,7 +71,7 @@ class RandomSegments {
   void draw() {
     std::uniform_real_distribution<double> uniform(0.0, 1.0);
     left_in_segment_ = static_cast<int>((0.6 + 2.4 * uniform(random_)) / 0.018);
-    step_ = uniform(random_) < 0.2;
+    const bool abrupt = uniform(random_) < 0.2;
     const double kind = uniform(random_);
     const double speed = 0.08 + 0.17 * uniform(random_);
     const double turn = 2.0 * uniform(random_) - 1.0;
@@ -89,6 +89,9 @@ class RandomSegments {
     }
     goal_.left = std::clamp(goal_.left, -0.3, 0.3);
     goal_.right = std::clamp(goal_.right, -0.3, 0.3);
+    // A harder step would trip the overcurrent stop.
+    const double change = std::max(std::abs(goal_.left - now_.left), std::abs(goal_.right - now_.right));
+    step_ = abrupt && change < 0.2;
   }
 
   std::mt19937 random_;

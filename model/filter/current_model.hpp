@@ -1,0 +1,53 @@
+// What current a wheel's motor should draw, learnt while driving.
+//
+// Linear in what pulls at a wheel: direction (friction), speed, acceleration, and direction of turning (the
+// scrub of the tyres). Fitted by recursive least squares with slow forgetting, on means over 0.25 s, since
+// the wheel controller's ripple is as large as the current itself. What it is taught is older than 6 s, so
+// that a change is seen before it is learnt; while a wheel stands nothing is learnt.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+
+namespace wheelwright {
+
+class CurrentModel {
+ public:
+  using Features = Eigen::Vector4d;
+
+  // Of a wheel's speed (m/s), its acceleration (m/s^2) and the difference to the other wheel's speed.
+  static Features features(double speed_m_s, double acceleration_m_s2, double turning_m_s);
+
+  // In amperes, signed as the speed.
+  double expected_a(const Features& features) const { return weights_.dot(features); }
+  // Standard deviation of a mean over 0.25 s.
+  double spread_a() const;
+  // Enough has been learnt to judge by it.
+  bool ready() const { return learnt_ >= least_learnt; }
+
+  // A mean over 0.25 s of driving that was sound.
+  void take(const Features& features, double current_a);
+  // What was not learnt yet, never will be.
+  void forget_recent() { count_ = 0; }
+
+ private:
+  struct Sample {
+    Features features = Features::Zero();
+    double current_a = 0.0;
+  };
+  static constexpr std::size_t delay = 24;
+  static constexpr int least_learnt = 24;
+
+  void learn(const Sample& sample);
+
+  Features weights_{0.1, 0.0, 0.0, 0.0};
+  Eigen::Matrix4d covariance_ = Eigen::Matrix4d::Identity() * 100.0;
+  double variance_a2_ = 0.03 * 0.03;
+  int learnt_ = 0;
+  std::array<Sample, delay> waiting_{};  // ring
+  std::size_t next_ = 0;
+  std::size_t count_ = 0;
+};
+
+}  // namespace wheelwright

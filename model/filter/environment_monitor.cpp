@@ -1,0 +1,112 @@
+#include "model/filter/environment_monitor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelwright {
+namespace {
+
+constexpr double block_s = 0.25;
+constexpr double settle_s = 1.0;
+constexpr double driving_m_s = 0.03;
+constexpr double excess_smoothing = 0.25;
+// CUSUM: shifts of twice the allowance are found fastest; a single block, however odd, is no proof.
+constexpr double allowance = 0.75;
+constexpr double most_of_one_block = 3.0;
+constexpr double alarm = 12.0;
+constexpr double least_power_spread = 0.2;
+
+double added_up(double sum, double score) {
+  return std::max(0.0, sum + std::min(score, most_of_one_block) - allowance);
+}
+
+}  // namespace
+
+EnvironmentMonitor::EnvironmentMonitor(double period_s)
+    : ticks_per_block_(std::max(1, static_cast<int>(std::lround(block_s / period_s)))) {}
+
+void EnvironmentMonitor::recalibrated() {
+  wheels_ = {};
+  due_ = false;
+  ticks_ = 0;
+}
+
+void EnvironmentMonitor::drop_block() {
+  ticks_ = 0;
+  for (Wheel& wheel : wheels_) {
+    wheel.features.setZero();
+    wheel.current_a = wheel.innovation2 = 0.0;
+  }
+}
+
+void EnvironmentMonitor::add_tick(Wheel& wheel, double speed, double other_speed, double acceleration,
+                                  double current_a, double innovation, double& excess_a) {
+  const auto features = CurrentModel::features(speed, acceleration, speed - other_speed);
+  wheel.features += features;
+  wheel.current_a += current_a;
+  wheel.innovation2 += innovation * innovation;
+  if (!wheel.model.ready()) return;
+  const double direction = speed < 0.0 ? -1.0 : 1.0;
+  const double excess = direction * (current_a - wheel.model.expected_a(features));
+  excess_a += excess_smoothing * (excess - excess_a);
+}
+
+void EnvironmentMonitor::close_block(Wheel& wheel) {
+  const double n = ticks_per_block_;
+  const CurrentModel::Features features = wheel.features / n;
+  const double current_a = wheel.current_a / n;
+  const double power = std::log(wheel.innovation2 / n + 0.05);
+  const double direction = features[0] < 0.0 ? -1.0 : 1.0;
+  if (wheel.model.ready()) {
+    const double score = direction * (current_a - wheel.model.expected_a(features)) / wheel.model.spread_a();
+    wheel.more = added_up(wheel.more, score);
+    wheel.less = added_up(wheel.less, -score);
+  }
+  if (wheel.power.ready()) {
+    const double spread = std::max(least_power_spread, wheel.power.spread());
+    wheel.rougher = added_up(wheel.rougher, (power - wheel.power.mean()) / spread);
+  }
+  wheel.model.take(features, current_a);
+  wheel.power.take(power);
+}
+
+double EnvironmentMonitor::current_score() const {
+  const auto& [left, right] = wheels_;
+  return std::max(std::min(left.more, right.more), std::min(left.less, right.less)) / alarm;
+}
+
+double EnvironmentMonitor::innovation_score() const {
+  return std::min(wheels_[0].rougher, wheels_[1].rougher) / alarm;
+}
+
+bool EnvironmentMonitor::take(const DrivingEvidence& evidence) {
+  const bool was_due = due_;
+  due_ = due_ || evidence.both_misfit;
+  if (!evidence.sound) {
+    settle_ticks_ = static_cast<int>(std::lround(settle_s / block_s)) * ticks_per_block_;
+    drop_block();
+  } else if (settle_ticks_ > 0) {
+    --settle_ticks_;
+  }
+  const auto& [left_speed, right_speed] = evidence.speed_m_s;
+  const bool drives = std::abs(left_speed) > driving_m_s && std::abs(right_speed) > driving_m_s;
+  if (!evidence.heard || !drives) return due_ && !was_due;
+  // The excess is wanted most while a wheel has a fault; learning waits until it is over.
+  const bool counts = evidence.sound && settle_ticks_ == 0;
+  add_tick(wheels_[0], left_speed, right_speed, evidence.acceleration_m_s2.left, evidence.current_a.left,
+           evidence.innovation.left, excess_a_.left);
+  add_tick(wheels_[1], right_speed, left_speed, evidence.acceleration_m_s2.right, evidence.current_a.right,
+           evidence.innovation.right, excess_a_.right);
+  if (!counts) {
+    drop_block();
+    return due_ && !was_due;
+  }
+  if (++ticks_ == ticks_per_block_) {
+    for (Wheel& wheel : wheels_) close_block(wheel);
+    drop_block();
+    due_ = due_ || current_score() >= 1.0 || innovation_score() >= 1.0;
+  }
+  return due_ && !was_due;
+}
+
+}  // namespace wheelwright

@@ -1,0 +1,80 @@
+// Has the robot's world changed for good: another floor, another load, worn wheels? Then the model is due to
+// be made again.
+//
+// Three signs, each of both wheels, since what concerns one wheel is a fault of that wheel:
+//   * motor currents against what the motion should need (current_model.hpp): a two-sided cumulative sum
+//     (CUSUM) for each wheel over means of 0.25 s of driving; the smaller of the two counts. Where the robot
+//     controls its wheel speeds by itself, this is nearly all that a floor changes,
+//   * power of the travel innovations against its usual power, by CUSUM likewise: starting and stopping have
+//     become different,
+//   * a lasting drift or misfit of both encoders against the model alike, as the fault detector reports it.
+//
+// Only driving counts; while the robot stands, and while a wheel has a fault, nothing is added up and nothing
+// is learnt. The verdict stays until recalibrated() is called. Before about 12 s of driving the usual values
+// are not known and nothing is reported.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "model/filter/current_model.hpp"
+#include "model/filter/usual_level.hpp"
+#include "model/pose.hpp"
+
+namespace wheelwright {
+
+struct DrivingEvidence {
+  bool heard = false;
+  bool sound = false;   // driven, and no wheel has a fault
+  WheelPair speed_m_s;  // of the model
+  WheelPair acceleration_m_s2;
+  WheelPair current_a;
+  WheelPair innovation;      // in standard deviations
+  bool both_misfit = false;  // both encoders have left the model alike
+};
+
+class EnvironmentMonitor {
+ public:
+  explicit EnvironmentMonitor(double period_s);
+
+  // Takes a tick. Returns true where this tick raises the verdict.
+  bool take(const DrivingEvidence& evidence);
+
+  bool recalibration_due() const { return due_; }
+  // The model has been made anew: what is usual is learnt anew.
+  void recalibrated();
+
+  // Motor current beyond what the motion needs, in its direction, smoothed over about 0.1 s; 0 until the need
+  // is known.
+  const WheelPair& excess_a() const { return excess_a_; }
+
+  // The tests themselves, in standard deviations added up; the verdict is at 1.
+  double current_score() const;
+  double innovation_score() const;
+
+ private:
+  struct Wheel {
+    CurrentModel model;
+    UsualLevel power;
+    CurrentModel::Features features = CurrentModel::Features::Zero();  // sums over the block
+    double current_a = 0.0;
+    double innovation2 = 0.0;
+    double more = 0.0;  // CUSUM of current, upwards and downwards
+    double less = 0.0;
+    double rougher = 0.0;  // CUSUM of innovation power
+  };
+
+  void add_tick(Wheel& wheel, double speed, double other_speed, double acceleration, double current_a,
+                double innovation, double& excess_a);
+  void close_block(Wheel& wheel);
+  void drop_block();
+
+  int ticks_per_block_;
+  int settle_ticks_ = 0;  // after a fault, until its traces have gone
+  int ticks_ = 0;
+  std::array<Wheel, 2> wheels_;
+  WheelPair excess_a_;
+  bool due_ = false;
+};
+
+}  // namespace wheelwright

@@ -1,0 +1,156 @@
+#include "model/filter/fault_detector.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelwright {
+namespace {
+
+constexpr double drift_gate = 7.0;
+// The other wheel leaves the model too: then it is the model.
+constexpr double shared_drift = 0.4;
+constexpr double swap_least_difference_m = 0.010;
+constexpr double swap_fit = 0.25;  // of that difference
+constexpr double slip_excess_a = 0.25;
+constexpr double slip_after_s = 0.5;
+
+WheelSide side_of(std::size_t wheel) {
+  return wheel == 0 ? WheelSide::left : WheelSide::right;
+}
+
+}  // namespace
+
+FaultDetector::FaultDetector(double period_s) : period_s_(period_s), sides_{Side(period_s), Side(period_s)} {}
+
+void FaultDetector::look_for_misfit(std::size_t wheel, const TickEvidence& evidence, FaultEvents& events) {
+  Side& side = sides_[wheel];
+  const WheelEvidence& seen = evidence.wheels[wheel];
+  const auto tell = [&](FaultEvent::Stage stage, double size) {
+    events.add({stage, side.kind, side_of(wheel), evidence.tick, size});
+  };
+  if (side.kind == FaultKind::none) {
+    if (!seen.suspended) return side.record.watch(seen);
+    side.kind = FaultKind::misfit;
+    side.record.open();
+    side.record.take(seen);
+    return tell(FaultEvent::Stage::began, seen.innovation_m);
+  }
+  side.record.take(seen);
+  if (side.kind == FaultKind::misfit) {
+    if (seen.resynchronised) {
+      side.kind = side.record.name_at_end(seen.kept_out_m);
+    } else {
+      side.kind = side.record.is_stall() ? FaultKind::stalled : side.record.name_by_now();
+    }
+    const double size = side.kind == FaultKind::stalled ? seen.excess_a : seen.innovation_m;
+    if (side.kind != FaultKind::misfit) tell(FaultEvent::Stage::named, size);
+  } else if (side.kind == FaultKind::frozen && side.record.is_stall()) {
+    side.kind = FaultKind::stalled;
+    tell(FaultEvent::Stage::named, seen.excess_a);
+  }
+  if (!seen.resynchronised && evidence.driven) return;
+  if (side.kind == FaultKind::stalled && evidence.driven) return;
+  tell(FaultEvent::Stage::ended, seen.kept_out_m);
+  side.kind = FaultKind::none;
+}
+
+// Each encoder shows what the other wheel was to do, and the wheels were to do different things.
+bool FaultDetector::are_swapped(const TickEvidence& evidence) const {
+  const MisfitRecord& left = sides_[0].record;
+  const MisfitRecord& right = sides_[1].record;
+  const auto open = [](FaultKind kind) { return kind == FaultKind::misfit || kind == FaultKind::dropped; };
+  if (!open(sides_[0].kind) || !open(sides_[1].kind)) return false;
+  const double difference_m = std::abs(left.predicted_m() - right.predicted_m());
+  const double noise_m = std::max(evidence.wheels[0].reading_sd_m, evidence.wheels[1].reading_sd_m);
+  if (difference_m < std::max(swap_least_difference_m, 8.0 * noise_m)) return false;
+  const double allowed_m = swap_fit * difference_m + 2.0 * noise_m;
+  return std::abs(left.counted_m() - right.predicted_m()) < allowed_m &&
+         std::abs(right.counted_m() - left.predicted_m()) < allowed_m;
+}
+
+void FaultDetector::look_for_drift(const TickEvidence& evidence, FaultVerdict& verdict, FaultEvents& events) {
+  for (std::size_t wheel = 0; wheel < 2; ++wheel) {
+    Side& side = sides_[wheel];
+    const double statistic = evidence.drift_statistic[wheel];
+    const double other = evidence.drift_statistic[1 - wheel];
+    if (side.kind != FaultKind::none || std::abs(statistic) < drift_gate) continue;
+    if (other * statistic > 0.0 && std::abs(other) > shared_drift * std::abs(statistic)) {
+      verdict.both_drift = true;
+      continue;
+    }
+    side.kind = FaultKind::drifting;
+    verdict.take_out_m[wheel] = evidence.drift_collected_m[wheel];
+    for (const auto stage : {FaultEvent::Stage::began, FaultEvent::Stage::named}) {
+      events.add({stage, side.kind, side_of(wheel), evidence.tick, evidence.drift_collected_m[wheel]});
+    }
+  }
+}
+
+void FaultDetector::look_for_stall_end(std::size_t wheel, const TickEvidence& evidence, FaultEvents& events) {
+  Side& side = sides_[wheel];
+  const WheelEvidence& seen = evidence.wheels[wheel];
+  constexpr double fade = 0.9;
+  if (side.kind != FaultKind::stalled) {
+    side.told_m = side.turned_m = 0.0;
+    return;
+  }
+  side.told_m = fade * side.told_m + std::abs(seen.predicted_m);
+  side.turned_m = fade * side.turned_m + std::abs(seen.counted_m);
+  if (side.told_m < 0.005 || side.turned_m < 0.6 * side.told_m) return;
+  events.add({FaultEvent::Stage::ended, side.kind, side_of(wheel), evidence.tick, seen.excess_a});
+  side.kind = FaultKind::none;
+}
+
+void FaultDetector::look_for_slip(const TickEvidence& evidence, FaultEvents& events) {
+  const auto& [left, right] = evidence.wheels;
+  const bool held = left.excess_a > slip_excess_a && right.excess_a > slip_excess_a && left.accepted &&
+                    right.accepted && evidence.driven;
+  held_s_ = held ? held_s_ + period_s_ : 0.0;
+  const double size = std::max(left.excess_a, right.excess_a);
+  if (!slips_ && held_s_ > slip_after_s) {
+    slips_ = true;
+    for (const auto stage : {FaultEvent::Stage::began, FaultEvent::Stage::named}) {
+      events.add({stage, FaultKind::slipping, WheelSide::both, evidence.tick, size});
+    }
+  } else if (slips_ && !held) {
+    slips_ = false;
+    events.add({FaultEvent::Stage::ended, FaultKind::slipping, WheelSide::both, evidence.tick, size});
+  }
+}
+
+void FaultDetector::look_for_lift(const TickEvidence& evidence, FaultEvents& events) {
+  if (lifted_ == evidence.wheel_drop) return;
+  lifted_ = evidence.wheel_drop;
+  const FaultEvent event{FaultEvent::Stage::ended, FaultKind::lifted, WheelSide::both, evidence.tick, 0.0};
+  if (lifted_) {
+    for (const auto stage : {FaultEvent::Stage::began, FaultEvent::Stage::named}) {
+      events.add({stage, event.kind, event.wheel, event.tick, event.size});
+    }
+  } else {
+    events.add(event);
+  }
+}
+
+FaultVerdict FaultDetector::take(const TickEvidence& evidence, FaultEvents& events) {
+  FaultVerdict verdict;
+  look_for_lift(evidence, events);
+  for (std::size_t wheel = 0; wheel < 2; ++wheel) {
+    look_for_stall_end(wheel, evidence, events);
+    if (sides_[wheel].kind != FaultKind::drifting) look_for_misfit(wheel, evidence, events);
+  }
+  if (are_swapped(evidence)) {
+    verdict.exchange = true;
+    events.add({FaultEvent::Stage::named, FaultKind::swapped, WheelSide::both, evidence.tick,
+                evidence.wheels[0].innovation_m});
+    sides_[0].kind = sides_[1].kind = FaultKind::swapped;
+  }
+  look_for_drift(evidence, verdict, events);
+  look_for_slip(evidence, events);
+  for (std::size_t wheel = 0; wheel < 2; ++wheel) {
+    verdict.stalled[wheel] = sides_[wheel].kind == FaultKind::stalled;
+    verdict.distrust[wheel] = sides_[wheel].kind == FaultKind::drifting;
+  }
+  return verdict;
+}
+
+}  // namespace wheelwright

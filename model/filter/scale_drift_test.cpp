@@ -1,0 +1,100 @@
+#include "model/filter/scale_drift_test.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelwright {
+namespace {
+
+constexpr double mark_interval_s = 0.25;
+// The gain wanders a little with speed, load and temperature, so it is never known better than this.
+constexpr double gain_floor = 0.001;
+constexpr double gain_walk_per_mark = 2e-5;
+// Over less the windows say nothing of a scale.
+constexpr double shortest_window_m = 0.4;
+// Roughness is judged over 2 s, longer than the robot keeps one speed.
+constexpr std::size_t roughness_marks = 8;
+constexpr double slowest_roughness_rate = 0.01;
+
+}  // namespace
+
+ScaleDriftTest::ScaleDriftTest(double period_s, double gain_standard_error)
+    : ticks_per_mark_(std::max(1, static_cast<int>(std::lround(mark_interval_s / period_s)))),
+      gain_variance_(gain_standard_error * gain_standard_error) {}
+
+double ScaleDriftTest::gain_standard_error() const {
+  return std::sqrt(gain_variance_ + gain_floor * gain_floor);
+}
+
+double ScaleDriftTest::roughness() const {
+  return std::sqrt(std::max(1.0, roughness2_));
+}
+
+void ScaleDriftTest::interrupt() {
+  ticks_ = 0;
+  count_ = 0;
+  statistic_ = 0.0;
+  collected_m_ = 0.0;
+}
+
+void ScaleDriftTest::take(double predicted_m, double offset_m, double process_variance_m2,
+                          double reading_sd_m) {
+  now_.model_m += predicted_m;
+  now_.distance_m += std::abs(predicted_m);
+  now_.variance_m2 += process_variance_m2;
+  now_.offset_m = offset_m;
+  now_.reading_m2 = reading_sd_m * reading_sd_m;
+  if (++ticks_ < ticks_per_mark_) return;
+  ticks_ = 0;
+  if (count_ == marks) {
+    learn(past_[(newest_ + 1) % marks], past_[(newest_ + 2) % marks]);
+    learn_roughness();
+  } else {
+    ++count_;
+  }
+  newest_ = (newest_ + 1) % marks;
+  past_[newest_] = now_;
+  look_back();
+}
+
+void ScaleDriftTest::look_back() {
+  statistic_ = 0.0;
+  collected_m_ = 0.0;
+  if (!ready()) return;
+  const double gain_se = gain_standard_error();
+  for (std::size_t age = 1; age < count_; ++age) {
+    const Mark& then = past_[(newest_ + marks - age) % marks];
+    const double distance_m = now_.distance_m - then.distance_m;
+    if (distance_m < shortest_window_m) continue;
+    const double collected_m = now_.offset_m - then.offset_m - gain_error_ * (now_.model_m - then.model_m);
+    const double random_m2 = now_.reading_m2 + then.reading_m2 + now_.variance_m2 - then.variance_m2;
+    const double variance_m2 =
+        std::max(1.0, roughness2_) * random_m2 + gain_se * gain_se * distance_m * distance_m;
+    const double ratio = collected_m / std::sqrt(variance_m2);
+    if (std::abs(ratio) > std::abs(statistic_)) {
+      statistic_ = ratio;
+      collected_m_ = collected_m;
+    }
+  }
+}
+
+void ScaleDriftTest::learn(const Mark& older, const Mark& newer) {
+  gain_variance_ += gain_walk_per_mark * gain_walk_per_mark;
+  const double model_m = newer.model_m - older.model_m;
+  const double noise_m2 = std::max(1.0, roughness2_) * (newer.variance_m2 - older.variance_m2) + 1e-6;
+  const double weight = gain_variance_ * model_m / (gain_variance_ * model_m * model_m + noise_m2);
+  gain_error_ += weight * (newer.offset_m - older.offset_m - gain_error_ * model_m);
+  gain_variance_ *= 1.0 - weight * model_m;
+}
+
+void ScaleDriftTest::learn_roughness() {
+  const Mark& older = past_[(newest_ + 1) % marks];
+  const Mark& newer = past_[(newest_ + 1 + roughness_marks) % marks];
+  const double collected_m = newer.offset_m - older.offset_m - gain_error_ * (newer.model_m - older.model_m);
+  const double expected_m2 = newer.variance_m2 - older.variance_m2 + 1e-6;
+  ++learnt_;
+  const double rate = std::max(slowest_roughness_rate, 1.0 / learnt_);
+  roughness2_ += rate * (collected_m * collected_m / expected_m2 - roughness2_);
+}
+
+}  // namespace wheelwright
