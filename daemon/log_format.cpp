@@ -19,7 +19,8 @@ std::string drive_log_head(const config::DaemonConfig& config, const WheelPair& 
   text += "# metres_per_tick_right: " + plain_number(metres_per_tick.right) + "\n";
   text += "t,cmd_left,cmd_right,ticks_left,ticks_right,battery_v,tick,activity,repetition,stop,";
   text += "light_left,light_front_left,light_center_left,light_center_right,light_front_right,light_right,";
-  text += "bump,wheel_drop,cliff,overcurrents,current_left_a,current_right_a,oi_mode,doubtful_sign\n";
+  text +=
+      "bump,wheel_drop,cliff,overcurrents,current_left_a,current_right_a,oi_mode,doubtful_sign,after_gap\n";
   return text;
 }
 
@@ -36,7 +37,7 @@ std::string drive_log_line(const LogEntry& entry) {
   }
   line += "," + std::to_string(record.tick) + "," + std::string(name_of(frame.command.activity)) + "," +
           std::to_string(frame.command.repetition) + "," + std::string(name_of(frame.stop));
-  if (!frame.valid) return line + ",,,,,,,,,,,,,,";
+  if (!frame.valid) return line + ",,,,,,,,,,,,,,,";
   for (const auto signal : frame.light_bumper) line += "," + std::to_string(signal);
   const auto flag = [](bool value) { return value ? ",1" : ",0"; };
   line += flag(frame.bump_left || frame.bump_right);
@@ -45,6 +46,7 @@ std::string drive_log_line(const LogEntry& entry) {
   line += "," + std::to_string(frame.overcurrents) + "," + fixed_number(frame.motor_current_a.left, 3) + "," +
           fixed_number(frame.motor_current_a.right, 3) + "," + std::to_string(frame.oi_mode);
   line += flag(frame.doubtful_sign);
+  line += flag(frame.after_gap);
   return line;
 }
 

@@ -19,13 +19,9 @@ void accept_deliveries(Brain& brain, Wiring& wiring) {
       case CalibrationKind::encoder_scale:
         brain.accept_encoder_scale(delivery.metres_per_tick);
         break;
-      case CalibrationKind::response: {
-        auto old = brain.accept_model(std::unique_ptr<MotionPredictor>(delivery.model));
-        // Freed by the thread that made it. Where its ring is full it is kept for good: better than a free
-        // here.
-        if (old) wiring.push(wiring.old_models, old.release());
+      case CalibrationKind::response:
+        brain.accept_model(std::unique_ptr<MotionPredictor>(delivery.model));
         break;
-      }
     }
   }
 }
@@ -41,6 +37,9 @@ void run_predictor(Brain& brain, Wiring& wiring) {
       entry.record = brain.take(entry.frame);
       while (const auto command = brain.next_command()) wiring.push(wiring.commands, *command);
       wiring.push(wiring.entries, entry);
+      // Freed by the thread that made it; where its ring is full it is kept for good, which is better than a
+      // free here.
+      if (auto retired = brain.take_retired_model()) wiring.push(wiring.old_models, retired.release());
       if (entry.frame.command.activity == Activity::finished) {
         wiring.finished.store(true, std::memory_order_relaxed);
       }

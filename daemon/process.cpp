@@ -14,6 +14,7 @@
 #include "daemon/calibrator_thread.hpp"
 #include "daemon/lateness_file.hpp"
 #include "daemon/log_thread.hpp"
+#include "daemon/plan.hpp"
 #include "daemon/predictor_thread.hpp"
 #include "daemon/real_time.hpp"
 #include "daemon/ring_client.hpp"
@@ -39,34 +40,19 @@ sigset_t block_signals() {
   return signals;
 }
 
-// What this run is to do: calibration only where it is wanted or nothing is known yet.
-struct Plan {
-  Mission mission;
-  std::optional<RobotModel> model;
-};
+std::optional<RobotModel> known_model(const config::DaemonConfig& config) {
+  const bool wanted = config.calibrate != config::CalibrateWhen::always;
+  if (!wanted || !std::filesystem::exists(config.model_file)) return std::nullopt;
+  return config::load_model(config.model_file);
+}
 
-Plan make_plan(const config::DaemonConfig& config) {
-  Plan plan;
-  const bool have_model = std::filesystem::exists(config.model_file);
-  const bool calibrate = config.calibrate == config::CalibrateWhen::always ||
-                         (config.calibrate == config::CalibrateWhen::if_needed && !have_model);
-  if (calibrate) {
-    plan.mission.encoder_turn = config.encoder_turn;
-    plan.mission.response = config.response;
-  } else if (have_model) {
-    plan.model = config::load_model(config.model_file);
-  } else if (config.pose_source != PoseSource::odometry) {
-    throw config::ConfigError(
-        config.model_file.string() +
-        ": no such model, and calibration.when is 'never'; calibrate once, or drive by odometry");
-  }
-  if (plan.model && std::abs(plan.model->core.period_s / config.link.period_s - 1.0) > 0.005) {
-    throw config::ConfigError(config.model_file.string() +
-                              ": was made for another period than link.period_s; calibrate again");
-  }
-  plan.mission.route = config.route;
-  plan.mission.pose_source = config.pose_source;
-  return plan;
+// What replay needs beside the drive log: the run's folder explains itself.
+void keep_inputs(const std::filesystem::path& folder, const config::DaemonConfig& config, const Plan& plan) {
+  const auto keep = [&](const char* name, const std::string& text) {
+    if (const auto error = config::write_file_atomically(folder / name, text)) spdlog::error("{}", *error);
+  };
+  keep("config.yaml", config::daemon_config_to_yaml(config));
+  if (plan.model) keep("model.yaml", config::model_to_yaml(*plan.model));
 }
 
 std::filesystem::path make_run_folder(const config::DaemonConfig& config) {
@@ -144,24 +130,20 @@ class Supervisor {
 
 int run_process(const config::DaemonConfig& config, const std::filesystem::path& lateness_file) {
   const sigset_t signals = block_signals();
-  Plan plan = make_plan(config);
+  const Plan plan = make_plan(config, known_model(config));
   const auto port = serial::open_port(config.device, config.baud);
   if (!port) throw config::ConfigError(port.error().message);
   const auto folder = make_run_folder(config);
+  keep_inputs(folder, config, plan);
 
   RealTimeStatus real_time = set_up_process(config.real_time);
   auto wiring = std::make_unique<Wiring>();
   RingClient client(*wiring);
   roomba::Session session({config.link, config.device, config.baud}, *port, client);
-  const WheelPair metres_per_tick = plan.model && plan.model->encoder_scale
-                                        ? plan.model->encoder_scale->metres_per_tick
-                                        : config.limits.metres_per_tick;
-  RobotLimits limits = config.limits;
-  limits.metres_per_tick = metres_per_tick;
-  Brain brain(plan.mission, limits,
+  Brain brain(plan.mission, plan.limits,
               plan.model ? std::make_unique<MotionPredictor>(plan.model->core) : nullptr);
   CalibratorThread calibrator(config, plan.mission, session, *wiring);
-  LogThread log(config, folder, metres_per_tick, *wiring);
+  LogThread log(config, folder, plan.limits.metres_per_tick, *wiring);
 
   // The real-time rights are settled before anything moves.
   std::atomic<int> scheduled{0};  // 0 not yet, 1 go, -1 refused

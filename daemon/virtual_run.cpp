@@ -16,19 +16,23 @@ using std::chrono::nanoseconds;
 // How often the host looks for bytes within a tick.
 constexpr int looks_per_tick = 6;
 
+RobotLimits limits_of(const VirtualRunConfig& config) {
+  RobotLimits limits = config.limits;
+  if (config.model && config.model->encoder_scale)
+    limits.metres_per_tick = config.model->encoder_scale->metres_per_tick;
+  return limits;
+}
+
 class VirtualRun {
  public:
   VirtualRun(const VirtualRunConfig& config, simulation::SimulatedRobot& robot)
       : config_(config),
         robot_(robot),
         link_(config.link),
-        calibrator_(config.mission, config.limits),
-        brain_(config.mission, config.limits,
+        calibrator_(config.mission, limits_of(config)),
+        brain_(config.mission, limits_of(config),
                config.model ? std::make_unique<MotionPredictor>(config.model->core) : nullptr) {
     link_.port_opened();
-    if (config.model && config.model->encoder_scale) {
-      brain_.accept_encoder_scale(config.model->encoder_scale->metres_per_tick);
-    }
   }
 
   VirtualRunResult run(const TickHook& hook) {

@@ -111,7 +111,12 @@ void read_calibration(YamlReader& file, DaemonConfig& config) {
 void read_run(YamlReader& file, DaemonConfig& config) {
   auto run = file.section("run");
   if (!run) return;
-  if (run->has("route")) config.route = load_route(run->existing_file("route"));
+  if (run->has_section("route")) {
+    auto route = run->section("route");
+    config.route = read_route(*route);
+  } else if (run->has("route")) {
+    config.route = load_route(run->existing_file("route"));
+  }
   config.pose_source = run->choice<PoseSource>(
       "pose_source", {{"fir", PoseSource::fir}, {"odometry", PoseSource::odometry}}, config.pose_source);
   config.arm_at_start =

@@ -60,4 +60,7 @@ struct DaemonConfig {
 // ConfigError for anything that is not as it should be.
 DaemonConfig load_daemon_config(const std::filesystem::path& path);
 
+// The whole configuration as one file that needs no other: what a run keeps of itself, and what replay reads.
+std::string daemon_config_to_yaml(const DaemonConfig& config);
+
 }  // namespace wheelwright::config

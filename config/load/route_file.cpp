@@ -29,6 +29,10 @@ void check(const YamlReader& file, const std::vector<Checkpoint>& checkpoints) {
 
 Route load_route(const std::filesystem::path& path) {
   YamlReader file = YamlReader::load(path);
+  return read_route(file);
+}
+
+Route read_route(YamlReader& file) {
   Route route;
   route.name = file.text("name");
   route.speed_m_s = file.number("speed", {0.03, 0.5, "m/s"}, route.speed_m_s);

@@ -13,4 +13,7 @@ namespace wheelwright::config {
 // one checkpoint, none equal to the one before. Throws ConfigError with file, line and column.
 Route load_route(const std::filesystem::path& path);
 
+// The same from a mapping that stands in another file.
+Route read_route(YamlReader& file);
+
 }  // namespace wheelwright::config

@@ -238,6 +238,11 @@ bool YamlReader::has(std::string_view key) const {
   return std::as_const(node_->yaml)[std::string(key)].IsDefined();
 }
 
+bool YamlReader::has_section(std::string_view key) const {
+  const YAML::Node value = std::as_const(node_->yaml)[std::string(key)];
+  return value.IsDefined() && value.IsMap();
+}
+
 std::optional<YamlReader> YamlReader::section(std::string_view key) {
   const YAML::Node value = node_->find(key);
   if (!value.IsDefined()) return std::nullopt;

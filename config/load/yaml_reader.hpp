@@ -69,6 +69,8 @@ class YamlReader {
   }
 
   bool has(std::string_view key) const;
+  // Whether the key is there and holds keys below it.
+  bool has_section(std::string_view key) const;
   // A mapping below this one, or nothing where the key is absent.
   std::optional<YamlReader> section(std::string_view key);
   // A list of mappings below this one; empty where the key is absent.

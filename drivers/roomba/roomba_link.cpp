@@ -84,6 +84,7 @@ void RoombaLink::set_encoder_order(EncoderOrder order) {
   config_.encoder_order = order;
   first_counter_.forget_signs();
   second_counter_.forget_signs();
+  after_gap_ = true;  // what was the left total is the right one now
 }
 
 std::span<const std::uint8_t> RoombaLink::urgent_bytes() {

@@ -110,14 +110,21 @@ void Brain::refuse() {
 }
 
 void Brain::accept_encoder_scale(const WheelPair& metres_per_tick) {
-  odometry_.set_metres_per_tick(metres_per_tick);
+  accepted_scale_ = metres_per_tick;
   outcome_arrived_ = true;
 }
 
-std::unique_ptr<MotionPredictor> Brain::accept_model(std::unique_ptr<MotionPredictor> model) {
-  std::swap(model, model_);
+void Brain::accept_model(std::unique_ptr<MotionPredictor> model) {
+  accepted_model_ = std::move(model);
   outcome_arrived_ = true;
-  return model;
+}
+
+void Brain::apply_accepted() {
+  if (accepted_scale_) odometry_.set_metres_per_tick(*accepted_scale_);
+  accepted_scale_.reset();
+  if (!accepted_model_) return;
+  retired_model_ = std::move(model_);
+  model_ = std::move(accepted_model_);
 }
 
 PoseRecord Brain::take(const SensorFrame& frame) {
@@ -213,7 +220,10 @@ std::optional<WheelOrder> Brain::stage_order() {
 
 std::optional<WheelOrder> Brain::await_order(Activity activity) {
   const bool long_enough = ticks_in_stage_ * limits_.period_s >= shortest_wait_s;
-  if (outcome_arrived_ && long_enough) return std::nullopt;
+  if (outcome_arrived_ && long_enough) {
+    apply_accepted();
+    return std::nullopt;
+  }
   return WheelOrder{{}, activity, 0};
 }
 

@@ -42,18 +42,20 @@ class Brain {
   // `model` may be empty where the mission calibrates first.
   Brain(const Mission& mission, const RobotLimits& limits, std::unique_ptr<MotionPredictor> model);
 
-  // Receives a frame and returns what to log of it. A run starts whenever the robot becomes armed; before that
-  // it is told to stand.
+  // Receives a frame and returns what to log of it. A run starts whenever the robot becomes armed; before
+  // that it is told to stand.
   PoseRecord take(const SensorFrame& frame);
 
   // The next command, or nothing where the next frame has to come first.
   std::optional<Command> next_command();
 
-  // What the calibrator found; the brain waits for it.
+  // What the calibrator found. It takes effect when the brain stops waiting for it, so that the tick at which
+  // it came, which is a matter of the machine, does not show.
   void accept_encoder_order() { outcome_arrived_ = true; }
   void accept_encoder_scale(const WheelPair& metres_per_tick);
-  // Exchanges the model; the old one is returned so that the caller frees it elsewhere.
-  std::unique_ptr<MotionPredictor> accept_model(std::unique_ptr<MotionPredictor> model);
+  void accept_model(std::unique_ptr<MotionPredictor> model);
+  // The model that the last one replaced, so that it is freed elsewhere; nothing most of the time.
+  std::unique_ptr<MotionPredictor> take_retired_model() { return std::move(retired_model_); }
   // A calibration was refused: the run ends.
   void refuse();
 
@@ -85,6 +87,7 @@ class Brain {
   void begin_run(std::int64_t tick);
   void advance();
   void enter_step();
+  void apply_accepted();
   void end_by(StopReason reason);
   WheelOrder order();
   std::optional<WheelOrder> stage_order();
@@ -100,6 +103,9 @@ class Brain {
   Mission mission_;
   RobotLimits limits_;
   std::unique_ptr<MotionPredictor> model_;
+  std::unique_ptr<MotionPredictor> accepted_model_;
+  std::unique_ptr<MotionPredictor> retired_model_;
+  std::optional<WheelPair> accepted_scale_;
   Odometry odometry_;
   RouteFollower follower_;
   std::vector<Step> steps_;

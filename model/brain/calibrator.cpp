@@ -92,7 +92,9 @@ void Calibrator::record_response(const SensorFrame& frame) {
   }
   if (response_runs_.empty() || !frame.valid || (!on && !mission_.response->use_fall)) return;
   DriveSample sample;
-  sample.t_s = frame.t_s;
+  // Counted from the action's own start, so that a replay of the log fits the very same numbers.
+  if (response_runs_.back().samples.empty()) response_start_tick_ = frame.tick;
+  sample.t_s = static_cast<double>(frame.tick - response_start_tick_) * limits_.period_s;
   sample.command_m_s = command;
   sample.ticks = frame.ticks;
   sample.battery_v = frame.battery_v;

@@ -52,6 +52,7 @@ class Calibrator {
   WheelTicks check_end_;
   std::vector<TurnSample> turn_samples_;
   std::vector<DriveLog> response_runs_;
+  std::int64_t response_start_tick_ = 0;
 };
 
 }  // namespace wheelwright

@@ -13,6 +13,7 @@
 #include "model/identification/fir_fit.hpp"
 #include "model/score.hpp"
 #include "tools/wheelwright/commands.hpp"
+#include "tools/wheelwright/fit_arma.hpp"
 #include "tools/wheelwright/log_checks.hpp"
 
 namespace wheelwright::tools {
@@ -25,25 +26,49 @@ struct FitOptions {
   std::string output;
   std::string type = "fir";
   std::string order = "auto";
+  std::size_t delay = 0;
+  std::string method = "free-run";
   std::optional<double> max_command_m_s;
 };
 
-std::optional<std::size_t> parse_order(const std::string& text) {
-  constexpr std::size_t largest = 200;
+constexpr std::size_t largest_fir_order = 200;
+constexpr std::size_t largest_arma_order = 30;
+
+std::optional<std::size_t> parse_order(const std::string& text, std::size_t largest) {
   if (text == "auto") return std::nullopt;
   const bool digits =
       !text.empty() && text.size() <= 3 && text.find_first_not_of("0123456789") == std::string::npos;
   const std::size_t order = digits ? std::stoul(text) : 0;
   if (order < 1 || order > largest) {
-    throw UsageError("--order is '" + text + "', but must be 'auto' or a whole number from 1 to 200");
+    throw UsageError("--order is '" + text + "', but must be 'auto' or a whole number from 1 to " +
+                     std::to_string(largest));
   }
   return order;
 }
 
-void check_type(const std::string& type) {
-  if (type == "fir") return;
-  if (type == "arma") throw UsageError("--type arma is not known to this build; it knows fir only");
-  throw UsageError("--type is '" + type + "', but must be fir or arma");
+void check_type(const FitOptions& options) {
+  if (options.type != "fir" && options.type != "arma") {
+    throw UsageError("--type is '" + options.type + "', but must be fir or arma");
+  }
+  if (options.method != "free-run" && options.method != "equation-error") {
+    throw UsageError("--method is '" + options.method + "', but must be free-run or equation-error");
+  }
+  if (options.type == "fir" && (options.delay > 0 || options.method != "free-run")) {
+    throw UsageError("--delay and --method belong to --type arma");
+  }
+}
+
+ArxFitOptions arma_options(const FitOptions& options) {
+  ArxFitOptions result;
+  result.order = parse_order(options.order, largest_arma_order);
+  result.delay = options.delay;
+  if (options.method == "equation-error") result.method = ArxMethod::equation_error;
+  const std::size_t order = result.order.value_or(result.largest_order);
+  if (options.delay > order) {
+    throw UsageError("--delay is " + std::to_string(options.delay) + ", but must be at most the order, " +
+                     std::to_string(order));
+  }
+  return result;
 }
 
 std::vector<DriveLog> load_training_runs(const FitOptions& options) {
@@ -65,14 +90,15 @@ std::string now_as_text() {
   return buffer.data();
 }
 
-RobotModel to_robot_model(const FirFit& fit, const std::vector<std::string>& sources, const DriveLog& first) {
+RobotModel to_robot_model(const LinearModel& core, const WheelFit& left, const WheelFit& right,
+                          const std::vector<std::string>& sources, const DriveLog& first) {
   RobotModel model;
   model.robot = robot_name(first);
   model.created = now_as_text();
   model.source = sources;
-  model.core = fit.model;
-  model.left_fit = fit.left;
-  model.right_fit = fit.right;
+  model.core = core;
+  model.left_fit = left;
+  model.right_fit = right;
   return model;
 }
 
@@ -106,19 +132,38 @@ void print_fit(std::ostream& out, const FirFit& fit, const std::vector<DriveLog>
       << " mm/s RMS\n";
 }
 
+void fit_and_save_fir(const FitOptions& options, const FirFitOptions& fit_options,
+                      const std::vector<DriveLog>& runs, std::ostream& out) {
+  const auto fit = fit_fir(runs, fit_options);
+  if (!fit) throw DataRefusal(fit.error().reason);
+  config::save_model(to_robot_model(fit->model, fit->left, fit->right, options.logs, runs.front()),
+                     options.output);
+  print_fit(out, *fit, runs);
+}
+
+void fit_and_save_arma(const FitOptions& options, const ArxFitOptions& fit_options,
+                       const std::vector<DriveLog>& runs, std::ostream& out) {
+  const ArxFit fit = fit_arma(runs, fit_options);
+  config::save_model(
+      to_robot_model(fit.model, fit.left.quality, fit.right.quality, options.logs, runs.front()),
+      options.output);
+  print_arma_fit(out, fit, runs.size());
+}
+
 ExitStatus run_fit(const FitOptions& options, Streams streams) {
-  check_type(options.type);
+  check_type(options);
   if (options.max_command_m_s && !(*options.max_command_m_s > 0.0)) {
     throw UsageError("--max-command must be above 0 m/s");
   }
   check_output(options.output, options.logs);
-  FirFitOptions fit_options;
-  fit_options.length = parse_order(options.order);
-  const auto runs = load_training_runs(options);
-  const auto result = fit_fir(runs, fit_options);
-  if (!result) throw DataRefusal(result.error().reason);
-  config::save_model(to_robot_model(*result, options.logs, runs.front()), options.output);
-  print_fit(streams.out, *result, runs);
+  if (options.type == "arma") {
+    const ArxFitOptions fit_options = arma_options(options);
+    fit_and_save_arma(options, fit_options, load_training_runs(options), streams.out);
+  } else {
+    FirFitOptions fit_options;
+    fit_options.length = parse_order(options.order, largest_fir_order);
+    fit_and_save_fir(options, fit_options, load_training_runs(options), streams.out);
+  }
   streams.out << "  wrote " << options.output << "\n";
   return ExitStatus::done;
 }
@@ -132,7 +177,16 @@ Action add_fit(CLI::App& app) {
       ->required();
   command->add_option("-o,--output", options->output, "Model file to write")->required();
   command->add_option("--type", options->type, "fir (moving average) or arma")->capture_default_str();
-  command->add_option("--order", options->order, "Length of the response in periods, or auto")
+  command
+      ->add_option("--order", options->order,
+                   "Length of the response (fir) or of the past (arma, up to 30) in periods, or auto")
+      ->capture_default_str();
+  command->add_option("--delay", options->delay, "arma: periods in which a command surely does nothing")
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--method", options->method,
+          "arma: free-run (fits travel predicted from commands alone) or equation-error (the paper's)")
       ->capture_default_str();
   command->add_option("--max-command", options->max_command_m_s,
                       "Largest wheel command that the robot takes, m/s; larger ones are refused as garbage");

@@ -63,3 +63,21 @@ TEST_CASE("Values that contradict each other are refused") {
   CHECK_THAT(error_of("limits:\n  largest_speed_m_s: 0.1\n  slowest_speed_m_s: 0.2\n"),
              ContainsSubstring("not below its largest"));
 }
+
+TEST_CASE("What a run keeps of its configuration reads back the same, route included") {
+  auto config = load_daemon_config(written(
+      "robot: {name: 'a \"quoted\" robot', wheel_base_m: 0.258}\n"
+      "link: {transport: stream, drive: pwm, period_s: 0.015625, encoder_order: right_is_43, mode: full}\n"
+      "calibration: {when: never, response: {repetitions: 3, alternate_direction: false}}\n"
+      "run:\n  pose_source: odometry\n  at_end: stay\n"
+      "  route: {name: there, speed: 0.1, checkpoints: [[0.5, 0.25], [0, 0]]}\n"
+      "real_time: {policy: off}\n"));
+  const std::string text = config::daemon_config_to_yaml(config);
+  const auto back = load_daemon_config(written(text));
+  CHECK(config::daemon_config_to_yaml(back) == text);
+  CHECK(back.robot_name == "a \"quoted\" robot");
+  CHECK(back.link.encoder_order == roomba::EncoderOrder::right_is_43);
+  CHECK(back.limits.command_step_m_s == config.limits.command_step_m_s);
+  REQUIRE(back.route);
+  CHECK(back.route->checkpoints[0].y_m == 0.25);
+}

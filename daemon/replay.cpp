@@ -1,0 +1,183 @@
+#include "daemon/replay.hpp"
+
+#include <array>
+#include <cmath>
+#include <deque>
+#include <memory>
+
+#include "daemon/log_format.hpp"
+#include "daemon/plan.hpp"
+#include "model/brain/brain.hpp"
+#include "model/brain/calibrator.hpp"
+
+namespace wheelwright::daemon {
+namespace {
+
+// Commands are logged with six decimals.
+constexpr double same_command_m_s = 1e-6;
+
+const ExtraColumn& column_of(const DriveLog& log, const std::string& name) {
+  for (const ExtraColumn& column : log.extra_columns) {
+    if (column.name == name) return column;
+  }
+  throw config::ConfigError(log.name + ": has no column '" + name +
+                            "'; replay needs a drive log of the daemon");
+}
+
+// The rows of a log as the frames that the brain saw.
+class RecordedFrames {
+ public:
+  explicit RecordedFrames(const DriveLog& log)
+      : log_(log),
+        tick_(column_of(log, "tick")),
+        activity_(column_of(log, "activity")),
+        stop_(column_of(log, "stop")),
+        after_gap_(column_of(log, "after_gap")) {
+    const std::array names{"light_left",         "light_front_left",  "light_center_left",
+                           "light_center_right", "light_front_right", "light_right"};
+    for (std::size_t s = 0; s < names.size(); ++s) light_.at(s) = &column_of(log, names.at(s));
+  }
+
+  std::size_t size() const { return log_.samples.size(); }
+  std::int64_t tick(std::size_t row) const { return std::llround(tick_.values[row]); }
+  const std::string& activity(std::size_t row) const { return activity_.texts[row]; }
+  const WheelPair& command(std::size_t row) const { return log_.samples[row].command_m_s; }
+
+  // All but the command.
+  SensorFrame frame(std::size_t row) const {
+    SensorFrame frame;
+    frame.tick = tick(row) + 1;  // the run starts one tick after it was armed
+    frame.stop = stop_reason(row);
+    frame.armed = frame.stop == StopReason::none;
+    const DriveSample& sample = log_.samples[row];
+    frame.valid = sample.ticks.has_value();
+    if (!frame.valid) return frame;
+    frame.ticks = *sample.ticks;
+    frame.after_gap = after_gap_.values[row] > 0.0;
+    frame.battery_v = sample.battery_v.value_or(0.0);
+    for (std::size_t s = 0; s < light_.size(); ++s) {
+      frame.light_bumper.at(s) = static_cast<std::uint16_t>(light_.at(s)->values[row]);
+    }
+    return frame;
+  }
+
+  // The robot as it was armed, standing where the first row finds it.
+  SensorFrame before_start() const {
+    SensorFrame frame;
+    frame.armed = true;
+    for (const DriveSample& sample : log_.samples) {
+      if (!sample.ticks) continue;
+      frame.valid = true;
+      frame.ticks = *sample.ticks;
+      break;
+    }
+    return frame;
+  }
+
+ private:
+  StopReason stop_reason(std::size_t row) const {
+    for (int code = 0; code <= static_cast<int>(StopReason::requested); ++code) {
+      const auto reason = static_cast<StopReason>(code);
+      if (name_of(reason) == stop_.texts[row]) return reason;
+    }
+    throw config::ConfigError(log_.name + ":" + std::to_string(log_.first_line + row) + ": '" +
+                              stop_.texts[row] + "' is no reason to stop that this version knows");
+  }
+
+  const DriveLog& log_;
+  const ExtraColumn& tick_;
+  const ExtraColumn& activity_;
+  const ExtraColumn& stop_;
+  const ExtraColumn& after_gap_;
+  std::array<const ExtraColumn*, 6> light_{};
+};
+
+class Replay {
+ public:
+  Replay(const DriveLog& log, const config::DaemonConfig& config, const Plan& plan)
+      : config_(config),
+        frames_(log),
+        calibrator_(plan.mission, plan.limits),
+        brain_(plan.mission, plan.limits,
+               plan.model ? std::make_unique<MotionPredictor>(plan.model->core) : nullptr) {}
+
+  ReplayResult run() {
+    result_.pose_log = pose_log_head(config_);
+    brain_.take(frames_.before_start());
+    collect_commands();
+    for (std::size_t row = 0; row < frames_.size(); ++row) one_row(row);
+    result_.ticks = frames_.size();
+    return std::move(result_);
+  }
+
+ private:
+  void one_row(std::size_t row) {
+    LogEntry entry;
+    entry.frame = frames_.frame(row);
+    entry.frame.command = command_of(row, entry.frame);
+    entry.record = brain_.take(entry.frame);
+    result_.pose_log += pose_log_line(entry, config_.limits.wheel_base_m) + "\n";
+    if (auto outcome = calibrator_.take(entry.frame)) waiting_ = std::move(outcome);
+    // A fit took some time then and takes another now: its outcome comes when the recorded run went on.
+    const bool goes_on = row + 1 == frames_.size() || frames_.activity(row + 1) != frames_.activity(row);
+    if (waiting_ && goes_on) deliver();
+    collect_commands();
+  }
+
+  Command command_of(std::size_t row, const SensorFrame& frame) {
+    while (!commands_.empty() && commands_.front().tick < frame.tick) commands_.pop_front();
+    if (frame.stop != StopReason::none) return {frame.tick, frames_.command(row), Activity::stopped, 0};
+    const bool given = !commands_.empty() && commands_.front().tick == frame.tick;
+    if (given && was_recorded(commands_.front(), row)) {
+      last_command_ = commands_.front();
+    } else if (!was_recorded(last_command_, row) && !result_.first_difference) {
+      // Where the command came too late the loop held the last one; anything else is another brain.
+      result_.first_difference = frames_.tick(row);
+    }
+    last_command_.tick = frame.tick;
+    return last_command_;
+  }
+
+  bool was_recorded(const Command& command, std::size_t row) const {
+    const WheelPair& recorded = frames_.command(row);
+    return std::abs(command.speed_m_s.left - recorded.left) < same_command_m_s &&
+           std::abs(command.speed_m_s.right - recorded.right) < same_command_m_s &&
+           name_of(command.activity) == frames_.activity(row);
+  }
+
+  void collect_commands() {
+    while (const auto command = brain_.next_command()) commands_.push_back(*command);
+  }
+
+  void deliver() {
+    const CalibrationOutcome outcome = std::move(*waiting_);
+    waiting_.reset();
+    if (outcome.refusal) {
+      brain_.refuse();
+    } else if (outcome.kind == CalibrationKind::encoder_order) {
+      brain_.accept_encoder_order();
+    } else if (outcome.kind == CalibrationKind::encoder_scale) {
+      brain_.accept_encoder_scale(outcome.encoder_scale->metres_per_tick);
+    } else {
+      brain_.accept_model(std::make_unique<MotionPredictor>(outcome.response->model));
+    }
+  }
+
+  const config::DaemonConfig& config_;
+  RecordedFrames frames_;
+  Calibrator calibrator_;
+  Brain brain_;
+  std::deque<Command> commands_;
+  Command last_command_;
+  std::optional<CalibrationOutcome> waiting_;
+  ReplayResult result_;
+};
+
+}  // namespace
+
+ReplayResult replay(const DriveLog& log, const config::DaemonConfig& config,
+                    const std::optional<RobotModel>& model) {
+  return Replay(log, config, make_plan(config, model)).run();
+}
+
+}  // namespace wheelwright::daemon
