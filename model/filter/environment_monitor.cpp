@@ -14,6 +14,8 @@ constexpr double excess_smoothing = 0.25;
 constexpr double allowance = 0.75;
 constexpr double most_of_one_block = 3.0;
 constexpr double alarm = 12.0;
+constexpr double innovation_alarm = 16.0;  // its blocks hang together more than those of current
+constexpr double least_power = 0.5;        // less is no misfit, however unusual
 constexpr double least_power_spread = 0.2;
 
 double added_up(double sum, double score) {
@@ -55,7 +57,7 @@ void EnvironmentMonitor::close_block(Wheel& wheel) {
   const double n = ticks_per_block_;
   const CurrentModel::Features features = wheel.features / n;
   const double current_a = wheel.current_a / n;
-  const double power = std::log(wheel.innovation2 / n + 0.05);
+  const double power = std::log(wheel.innovation2 / n + least_power);
   const double direction = features[0] < 0.0 ? -1.0 : 1.0;
   if (wheel.model.ready()) {
     const double score = direction * (current_a - wheel.model.expected_a(features)) / wheel.model.spread_a();
@@ -76,7 +78,7 @@ double EnvironmentMonitor::current_score() const {
 }
 
 double EnvironmentMonitor::innovation_score() const {
-  return std::min(wheels_[0].rougher, wheels_[1].rougher) / alarm;
+  return std::min(wheels_[0].rougher, wheels_[1].rougher) / innovation_alarm;
 }
 
 bool EnvironmentMonitor::take(const DrivingEvidence& evidence) {

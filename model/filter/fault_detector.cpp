@@ -11,6 +11,9 @@ constexpr double drift_gate = 7.0;
 constexpr double shared_drift = 0.4;
 constexpr double swap_least_difference_m = 0.010;
 constexpr double swap_fit = 0.25;  // of that difference
+constexpr double both_misfit_s = 2.0;
+constexpr double misfits_fade_s = 60.0;
+constexpr double too_many_misfits = 3.5;
 constexpr double slip_excess_a = 0.25;
 constexpr double slip_after_s = 0.5;
 
@@ -31,6 +34,7 @@ void FaultDetector::look_for_misfit(std::size_t wheel, const TickEvidence& evide
   if (side.kind == FaultKind::none) {
     if (!seen.suspended) return side.record.watch(seen);
     side.kind = FaultKind::misfit;
+    side.recent_misfits += 1.0;
     side.record.open();
     side.record.take(seen);
     return tell(FaultEvent::Stage::began, seen.innovation_m);
@@ -75,7 +79,7 @@ void FaultDetector::look_for_drift(const TickEvidence& evidence, FaultVerdict& v
     const double other = evidence.drift_statistic[1 - wheel];
     if (side.kind != FaultKind::none || std::abs(statistic) < drift_gate) continue;
     if (other * statistic > 0.0 && std::abs(other) > shared_drift * std::abs(statistic)) {
-      verdict.both_drift = true;
+      verdict.model_is_off = true;
       continue;
     }
     side.kind = FaultKind::drifting;
@@ -99,6 +103,19 @@ void FaultDetector::look_for_stall_end(std::size_t wheel, const TickEvidence& ev
   if (side.told_m < 0.005 || side.turned_m < 0.6 * side.told_m) return;
   events.add({FaultEvent::Stage::ended, side.kind, side_of(wheel), evidence.tick, seen.excess_a});
   side.kind = FaultKind::none;
+}
+
+// Faults come to one wheel at a time. Where both misfit for long, or again and again, it is the model.
+bool FaultDetector::both_misfit(const TickEvidence& evidence) {
+  bool open = evidence.driven;
+  bool often = evidence.driven;
+  for (Side& side : sides_) {
+    open = open && side.kind != FaultKind::none && side.kind != FaultKind::swapped;
+    side.recent_misfits *= 1.0 - period_s_ / misfits_fade_s;
+    often = often && side.recent_misfits > too_many_misfits;
+  }
+  both_open_s_ = open ? both_open_s_ + period_s_ : 0.0;
+  return often || both_open_s_ > both_misfit_s;
 }
 
 void FaultDetector::look_for_slip(const TickEvidence& evidence, FaultEvents& events) {
@@ -131,9 +148,33 @@ void FaultDetector::look_for_lift(const TickEvidence& evidence, FaultEvents& eve
   }
 }
 
+// The robot stops itself before a misfit has grown: what its motor says then is enough, if the wheel stands.
+void FaultDetector::look_for_overcurrent(const TickEvidence& evidence, FaultEvents& events) {
+  for (std::size_t wheel = 0; wheel < 2; ++wheel) {
+    Side& side = sides_[wheel];
+    const WheelEvidence& seen = evidence.wheels[wheel];
+    const bool stands = std::abs(seen.counted_m) < 0.5 * std::abs(seen.predicted_m);
+    const bool began = evidence.overcurrent[wheel] && !side.overcurrent;
+    side.overcurrent = evidence.overcurrent[wheel];
+    if (!began || !stands || side.kind == FaultKind::stalled) continue;
+    if (side.kind == FaultKind::none) {
+      events.add(
+          {FaultEvent::Stage::began, FaultKind::stalled, side_of(wheel), evidence.tick, seen.excess_a});
+    }
+    side.kind = FaultKind::stalled;
+    events.add({FaultEvent::Stage::named, FaultKind::stalled, side_of(wheel), evidence.tick, seen.excess_a});
+  }
+}
+
 FaultVerdict FaultDetector::take(const TickEvidence& evidence, FaultEvents& events) {
   FaultVerdict verdict;
   look_for_lift(evidence, events);
+  look_for_overcurrent(evidence, events);
+  if (evidence.counter_jumped) {
+    for (const auto stage : {FaultEvent::Stage::began, FaultEvent::Stage::named, FaultEvent::Stage::ended}) {
+      events.add({stage, FaultKind::spike, WheelSide::both, evidence.tick, 0.0});
+    }
+  }
   for (std::size_t wheel = 0; wheel < 2; ++wheel) {
     look_for_stall_end(wheel, evidence, events);
     if (sides_[wheel].kind != FaultKind::drifting) look_for_misfit(wheel, evidence, events);
@@ -146,6 +187,7 @@ FaultVerdict FaultDetector::take(const TickEvidence& evidence, FaultEvents& even
   }
   look_for_drift(evidence, verdict, events);
   look_for_slip(evidence, events);
+  verdict.model_is_off = both_misfit(evidence) || verdict.model_is_off;
   for (std::size_t wheel = 0; wheel < 2; ++wheel) {
     verdict.stalled[wheel] = sides_[wheel].kind == FaultKind::stalled;
     verdict.distrust[wheel] = sides_[wheel].kind == FaultKind::drifting;

@@ -33,6 +33,8 @@ struct TickEvidence {
   std::array<double, 2> drift_collected_m{};
   bool driven = false;  // the robot obeys
   bool wheel_drop = false;
+  std::array<bool, 2> overcurrent{};
+  bool counter_jumped = false;  // the link gave the counts a new origin although the robot was heard
 };
 
 // What the filter is to do about it.
@@ -41,7 +43,7 @@ struct FaultVerdict {
   std::array<bool, 2> distrust{};      // discard the encoder until further notice
   std::array<double, 2> take_out_m{};  // offset that a drift brought into the travel
   bool exchange = false;               // left and right counts, from now on
-  bool both_drift = false;             // the model is off, not an encoder
+  bool model_is_off = false;  // both wheels leave the model: believe the encoders until it is made anew
 };
 
 class FaultDetector {
@@ -59,7 +61,8 @@ class FaultDetector {
     explicit Side(double period_s) : record(period_s) {}
     FaultKind kind = FaultKind::none;
     MisfitRecord record;
-    double since_end_m = 0.0;
+    double recent_misfits = 0.0;  // fading
+    bool overcurrent = false;
     double turned_m = 0.0;  // while stalled: what it was told and what it did, fading
     double told_m = 0.0;
     double held_s = 0.0;  // of high current although the wheel turns
@@ -69,11 +72,14 @@ class FaultDetector {
   bool are_swapped(const TickEvidence& evidence) const;
   void look_for_drift(const TickEvidence& evidence, FaultVerdict& verdict, FaultEvents& events);
   void look_for_stall_end(std::size_t wheel, const TickEvidence& evidence, FaultEvents& events);
+  bool both_misfit(const TickEvidence& evidence);
   void look_for_slip(const TickEvidence& evidence, FaultEvents& events);
+  void look_for_overcurrent(const TickEvidence& evidence, FaultEvents& events);
   void look_for_lift(const TickEvidence& evidence, FaultEvents& events);
 
   double period_s_;
   std::array<Side, 2> sides_;
+  double both_open_s_ = 0.0;
   bool slips_ = false;
   double held_s_ = 0.0;
   bool lifted_ = false;

@@ -12,6 +12,12 @@ constexpr std::int64_t most_ticks_left_out = 200;
 // While the robot did not obey, its wheels may have done anything; the model forgets it within this time.
 constexpr std::int64_t believed_after_rest_ticks = 45;
 
+// Bits of packet 14.
+constexpr unsigned right_overcurrent = 8U;
+constexpr unsigned left_overcurrent = 16U;
+// A link takes so long to see that a counter's jump is lasting; after a longer silence it was the link.
+constexpr std::int64_t longest_jump_ticks = 8;
+
 WheelPair scale_of(const RobotModel& model) {
   if (!model.encoder_scale) {
     throw std::invalid_argument("the model has no encoder scale: calibrate it, or give metres per tick");
@@ -83,8 +89,9 @@ void HybridFilter::step_wheel(Side& side, const SensorFrame& frame, std::int64_t
   reading.gain_standard_error = side.drift.gain_standard_error();
   reading.doubtful = frame.doubtful_sign || side.counts_backwards;
   reading.new_origin = frame.after_gap;
-  reading.believed = frame.tick - last_not_driven_tick_ < believed_after_rest_ticks || side.stalled;
-  reading.distrusted = side.distrusted;
+  reading.believed =
+      frame.tick - last_not_driven_tick_ < believed_after_rest_ticks || side.stalled || model_is_off_;
+  reading.distrusted = side.distrusted && !model_is_off_;
   if (frame.valid) reading.counted_m = side.metres_per_tick * static_cast<double>(ticks);
   const WheelEstimate estimate = side.filter.step(reading);
   side.step_m = estimate.step_m + side.taken_out_m;
@@ -152,7 +159,15 @@ void HybridFilter::judge(const SensorFrame& frame, HybridOutput& output) {
   evidence.wheels[1].excess_a = environment_.excess_a().right;
   evidence.drift_statistic = {left_.drift.statistic(), right_.drift.statistic()};
   evidence.drift_collected_m = {left_.drift.collected_m(), right_.drift.collected_m()};
-  evidence.driven = frame.armed;
+  evidence.overcurrent = {frame.valid && (frame.overcurrents & left_overcurrent) != 0,
+                          frame.valid && (frame.overcurrents & right_overcurrent) != 0};
+  const bool short_silence = heard_ && frame.tick - last_heard_tick_ <= longest_jump_ticks;
+  evidence.counter_jumped = frame.valid && frame.after_gap && short_silence;
+  if (frame.valid) {
+    heard_ = true;
+    last_heard_tick_ = frame.tick;
+  }
+  evidence.driven = frame.armed && !model_is_off_;
   evidence.wheel_drop = frame.valid && frame.wheel_drop;
   const FaultVerdict verdict = detector_.take(evidence, output.events);
   obey(left_, verdict.stalled[0], verdict.distrust[0], verdict.take_out_m[0]);
@@ -161,7 +176,8 @@ void HybridFilter::judge(const SensorFrame& frame, HybridOutput& output) {
     exchanged_ = !exchanged_;
     left_.was_heard = right_.was_heard = false;
   }
-  output.raised_recalibration = watch_environment(frame, verdict.both_drift);
+  model_is_off_ = model_is_off_ || verdict.model_is_off;
+  output.raised_recalibration = watch_environment(frame, verdict.model_is_off);
   output.recalibration_due = environment_.recalibration_due();
   output.left_fault = detector_.fault(WheelSide::left);
   output.right_fault = detector_.fault(WheelSide::right);

@@ -64,7 +64,10 @@ class HybridFilter {
   void set_pose(const Pose& pose) { pose_.reset(pose); }
   const Pose& pose() const { return pose_.pose(); }
   // The environment is taken for usual as it is from now on. After a new model make a new filter instead.
-  void recalibrated() { environment_.recalibrated(); }
+  void recalibrated() {
+    environment_.recalibrated();
+    model_is_off_ = false;
+  }
   const EnvironmentMonitor& environment() const { return environment_; }
   const ScaleDriftTest& drift_test(WheelSide wheel) const {
     return wheel == WheelSide::right ? right_.drift : left_.drift;
@@ -112,6 +115,9 @@ class HybridFilter {
   EnvironmentMonitor environment_;
   PoseWithCovariance pose_;
   bool started_ = false;
+  bool model_is_off_ = false;
+  bool heard_ = false;
+  std::int64_t last_heard_tick_ = 0;
   bool exchanged_ = false;  // left and right counts
   std::int64_t tick_ = 0;
   std::int64_t last_not_driven_tick_ = 0;

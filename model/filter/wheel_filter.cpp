@@ -8,10 +8,13 @@ namespace {
 
 // What the sign repair of a coasting wheel may leave behind, apart from the way itself, there and back.
 constexpr double doubtful_sign_m = 0.001;
+constexpr double longest_coast_m = 0.015;
 constexpr int doubt_lasts_ticks = 14;
 constexpr double sign_gate = 3.0;
 // Speed changes are smeared over about so many ticks; the timing error of each is that of the whole.
 constexpr double ticks_per_change = 5.0;
+// A standing robot rocks by a few counts, which no noise figure of driving holds.
+constexpr double least_gate_m = 0.0025;
 constexpr double change_fades = 0.955;
 // The encoder has to follow the model over this distance before it is believed again ...
 constexpr double least_proof_m = 0.005;
@@ -46,7 +49,8 @@ double WheelFilter::predict(const WheelReading& reading, double speed_m_s) {
       process_m2 + free_m * free_m + gain_m * gain_m + 2.0 * gain_m * reading.gain_standard_error * blind_m_;
   blind_m_ += distance_m;
   if (reading.doubtful) {
-    doubt_m_ += 2.0 * distance_m + (ticks_since_doubt_ > 0 ? doubtful_sign_m : 0.0);
+    const double way_m = 2.0 * distance_m + (ticks_since_doubt_ > 0 ? doubtful_sign_m : 0.0);
+    doubt_m_ = std::min(doubt_m_ + way_m, longest_coast_m);
     ticks_since_doubt_ = 0;
   } else if (++ticks_since_doubt_ > doubt_lasts_ticks) {
     doubt_m_ = 0.0;
@@ -140,7 +144,8 @@ WheelEstimate WheelFilter::step(const WheelReading& reading) {
     const double residual_m = *reading.counted_m - origin_m_ - model_m_;
     estimate.innovation_m = residual_m - offset_m_;
     estimate.innovation_sd_m = std::sqrt(variance_m2_ + reading_m2);
-    const bool fits = std::abs(estimate.innovation_m) <= noise_.gate * estimate.innovation_sd_m;
+    const bool fits =
+        std::abs(estimate.innovation_m) <= std::max(least_gate_m, noise_.gate * estimate.innovation_sd_m);
     if (reading.distrusted) {
       suspended_ = true;
     } else if (reading.believed) {
