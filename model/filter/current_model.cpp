@@ -7,8 +7,8 @@ namespace wheelwright {
 namespace {
 
 constexpr double forgetting = 0.999;  // about four minutes of driving
-constexpr double spread_forgetting = 0.02;
-constexpr double least_spread_a = 0.004;
+constexpr double spread_rate = 0.02;
+constexpr double least_spread_a = 0.008;
 constexpr double outlier = 4.0;
 constexpr double largest_covariance = 1e4;  // what is not excited must not wind up
 
@@ -42,7 +42,7 @@ void CurrentModel::learn(const Sample& sample) {
   double residual_a = sample.current_a - expected_a(sample.features);
   if (ready()) residual_a = std::clamp(residual_a, -limit_a, limit_a);
   if (learnt_ >= least_learnt / 2) {
-    variance_a2_ += spread_forgetting * (residual_a * residual_a - variance_a2_);
+    variance_a2_ += spread_rate * (residual_a * residual_a - variance_a2_);
   }
   const Features reach = covariance_ * sample.features;
   const Features gain = reach / (forgetting + sample.features.dot(reach));

@@ -13,7 +13,8 @@ constexpr double excess_smoothing = 0.25;
 // CUSUM: shifts of twice the allowance are found fastest; a single block, however odd, is no proof.
 constexpr double allowance = 0.75;
 constexpr double most_of_one_block = 3.0;
-constexpr double alarm = 12.0;
+constexpr double usual_deviation = 0.8;  // mean size of a standard normal deviate
+constexpr double alarm = 9.0;
 constexpr double innovation_alarm = 16.0;  // its blocks hang together more than those of current
 constexpr double least_power = 0.5;        // less is no misfit, however unusual
 constexpr double least_power_spread = 0.2;
@@ -63,6 +64,7 @@ void EnvironmentMonitor::close_block(Wheel& wheel) {
     const double score = direction * (current_a - wheel.model.expected_a(features)) / wheel.model.spread_a();
     wheel.more = added_up(wheel.more, score);
     wheel.less = added_up(wheel.less, -score);
+    wheel.other = added_up(wheel.other, std::abs(score) - usual_deviation);
   }
   if (wheel.power.ready()) {
     const double spread = std::max(least_power_spread, wheel.power.spread());
@@ -74,7 +76,9 @@ void EnvironmentMonitor::close_block(Wheel& wheel) {
 
 double EnvironmentMonitor::current_score() const {
   const auto& [left, right] = wheels_;
-  return std::max(std::min(left.more, right.more), std::min(left.less, right.less)) / alarm;
+  return std::max({std::min(left.more, right.more), std::min(left.less, right.less),
+                   std::min(left.other, right.other)}) /
+         alarm;
 }
 
 double EnvironmentMonitor::innovation_score() const {

@@ -2,9 +2,10 @@
 // be made again.
 //
 // Three signs, each of both wheels, since what concerns one wheel is a fault of that wheel:
-//   * motor currents against what the motion should need (current_model.hpp): a two-sided cumulative sum
-//     (CUSUM) for each wheel over means of 0.25 s of driving; the smaller of the two counts. Where the robot
-//     controls its wheel speeds by itself, this is nearly all that a floor changes,
+//   * motor currents against what the motion should need (current_model.hpp): cumulative sums
+//     (CUSUM) for each wheel over means of 0.25 s of driving, upwards, downwards, and of the size of the
+//     deviation (a floor that scrubs pulls at both wheels in turn); the smaller of both wheels counts. Where
+//     the robot controls its wheel speeds by itself, this is nearly all that a floor changes,
 //   * power of the travel innovations against its usual power, by CUSUM likewise: starting and stopping have
 //     become different,
 //   * a lasting drift or misfit of both encoders against the model alike, as the fault detector reports it.
@@ -61,6 +62,7 @@ class EnvironmentMonitor {
     double innovation2 = 0.0;
     double more = 0.0;  // CUSUM of current, upwards and downwards
     double less = 0.0;
+    double other = 0.0;    // CUSUM of its deviation to either side
     double rougher = 0.0;  // CUSUM of innovation power
   };
 
