@@ -11,6 +11,7 @@
 #include "model/identification/fit_checks.hpp"
 #include "model/identification/free_run_refinement.hpp"
 #include "model/identification/free_run_starts.hpp"
+#include "model/identification/held_out_error.hpp"
 #include "model/identification/run_periods.hpp"
 #include "model/identification/small_solve.hpp"
 #include "model/score.hpp"
@@ -64,6 +65,27 @@ Refusal runs_away(double pole, std::size_t order) {
   return {"the fit of order " + std::to_string(order) + " " + what + " (largest pole " +
           std::to_string(pole) + ", must be below " + std::to_string(slowest_pole) +
           "); record a longer run with more changes of command, or fit another order"};
+}
+
+// A free run with this share of the travel wrong is hardly better than none, however its poles look.
+constexpr double most_unexplained = 0.9;
+
+std::optional<Refusal> find_unexplained_travel(std::span<const DriveLog> logs, const LinearModel& model) {
+  LinearModel standing = model;
+  standing.left = {{0.0}, {0.0}, {}};
+  standing.right = standing.left;
+  double wrong = 0.0;
+  double travelled = 0.0;
+  for (const auto& log : logs) {
+    const double start_s = log.samples.front().t_s;
+    for (const double square : block_distance_squares(model, log, start_s)) wrong += square;
+    for (const double square : block_distance_squares(standing, log, start_s)) travelled += square;
+  }
+  if (wrong <= most_unexplained * most_unexplained * travelled) return std::nullopt;
+  return Refusal{
+      "the free run of the fit has more than half of the wheels' travel wrong: the wheels did not "
+      "do what they were commanded; check that counts and commands belong together, and record a "
+      "longer run on free floor"};
 }
 
 // Standard errors of the gain by the derivative of B(1) / (1 - A(1)) after each weight.
@@ -134,7 +156,9 @@ class ArxData {
     finish(right_factor, layout, right);
     const double pole = std::max(left.fit.largest_pole, right.fit.largest_pole);
     if (pole >= slowest_pole) return tl::unexpected(runs_away(pole, layout.order));
-    return summary(left, right, equations.rows());
+    ArxFit result = summary(left, right, equations.rows());
+    if (auto refusal = find_unexplained_travel(logs_, result.model)) return tl::unexpected(*refusal);
+    return result;
   }
 
  private:
@@ -201,11 +225,12 @@ tl::expected<ArxFit, Refusal> fit_arx(std::span<const DriveLog> logs, const ArxF
   };
   std::optional<OrderSweep> sweep;
   if (!options.order) {
-    auto swept = sweep_orders(logs, options.largest_order, [&](std::span<const DriveLog> training) {
-      return [&fit_of, data = ArxData(training, period_s)](std::size_t order) mutable {
-        return fit_of(data, order).map(to_trial);
-      };
-    });
+    auto swept =
+        sweep_orders(logs, options.largest_order, options.on_order, [&](std::span<const DriveLog> training) {
+          return [&fit_of, data = ArxData(training, period_s)](std::size_t order) mutable {
+            return fit_of(data, order).map(to_trial);
+          };
+        });
     if (!swept) return tl::unexpected(swept.error());
     sweep = std::move(*swept);
   }

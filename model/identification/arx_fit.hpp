@@ -17,6 +17,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -39,6 +40,7 @@ struct ArxFitOptions {
   std::size_t delay = 0;  // periods in which a command surely does nothing: leading weights fixed at zero
   std::optional<double> period_s = std::nullopt;  // of the model; that of the first log where absent
   ArxMethod method = ArxMethod::free_run;
+  std::function<void(std::size_t order)> on_order = nullptr;  // called as a sweep comes to an order
 };
 
 // What one wheel's fit says of itself.
@@ -57,7 +59,7 @@ struct ArxFit {
   ArxWheelFit left;
   ArxWheelFit right;
   std::size_t rows = 0;                  // of eq. (12)
-  double free_run_distance_rms_m = 0.0;  // over the runs of the fit
+  double free_run_distance_rms_m = 0.0;  // over the runs of the fit, as model/score.hpp has it
   std::optional<OrderSweep> sweep;       // where the order was to be found
 };
 

@@ -108,12 +108,14 @@ void choose(OrderSweep& sweep, double tick_m) {
 }  // namespace
 
 tl::expected<OrderSweep, Refusal> sweep_orders(std::span<const DriveLog> logs, std::size_t largest_order,
+                                               const std::function<void(std::size_t order)>& on_order,
                                                const FitTraining& fit_training) {
   const auto folds = folds_of(logs);
   std::vector<FitOrder> fits;
   for (const auto& fold : folds) fits.push_back(fit_training(fold.training));
   OrderSweep sweep;
   for (std::size_t order = 1; order <= largest_order; ++order) {
+    if (on_order) on_order(order);
     Judgement judgement;
     std::optional<Refusal> refusal;
     for (std::size_t i = 0; i < folds.size() && !refusal; ++i) {

@@ -54,8 +54,10 @@ using FitOrder = std::function<tl::expected<OrderTrial, Refusal>(std::size_t ord
 // Makes the fit for one set of training runs, which outlive it.
 using FitTraining = std::function<FitOrder(std::span<const DriveLog> training)>;
 
-// Orders 1 to `largest_order`. Refuses where not a single order could be fitted and judged.
+// Orders 1 to `largest_order`; `on_order`, where given, is called as each begins. Refuses where not a single
+// order could be fitted and judged.
 tl::expected<OrderSweep, Refusal> sweep_orders(std::span<const DriveLog> logs, std::size_t largest_order,
+                                               const std::function<void(std::size_t order)>& on_order,
                                                const FitTraining& fit_training);
 
 }  // namespace wheelwright

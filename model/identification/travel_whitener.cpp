@@ -4,43 +4,49 @@
 
 namespace wheelwright {
 
-TravelWhitener::TravelWhitener(Eigen::Index columns, const TravelNoise& noise)
-    : level_(columns), wander_(columns), noise_(noise) {}
-
-bool TravelWhitener::filter(const Eigen::RowVectorXd& row, double periods, double reading_variance,
-                            Eigen::RowVectorXd& whitened) {
+WhiteningStep WhiteningGains::next(double periods, double reading_variance) {
+  WhiteningStep step;
   if (!started_) {
-    level_ = row;
-    wander_.setZero();
     level_variance_ = reading_variance;
     wander_variance_ = 0.0;
     covariance_ = 0.0;
     started_ = true;
-    return false;
+    step.starts = true;
+    return step;
   }
-  let_wander(periods);
-  const double level_share = level_variance_ + covariance_;
-  const double wander_share = wander_variance_ + covariance_;
-  const double innovation_variance = level_share + wander_share + reading_variance;
-  whitened = row - level_ - wander_;
-  level_ += (level_share / innovation_variance) * whitened;
-  wander_ += (wander_share / innovation_variance) * whitened;
-  level_variance_ -= level_share * level_share / innovation_variance;
-  wander_variance_ -= wander_share * wander_share / innovation_variance;
-  covariance_ -= level_share * wander_share / innovation_variance;
-  whitened /= std::sqrt(innovation_variance);
-  log_variance_sum_ += std::log(innovation_variance);
-  return true;
-}
-
-void TravelWhitener::let_wander(double periods) {
-  const double kept = std::exp(-periods / noise_.memory_periods);
+  step.kept = std::exp(-periods / noise_.memory_periods);
   const double fading_periods = 0.5 * noise_.memory_periods;
   const double effective_periods =
       std::isinf(fading_periods) ? periods : -fading_periods * std::expm1(-periods / fading_periods);
-  wander_ *= kept;
-  covariance_ *= kept;
-  wander_variance_ = kept * kept * wander_variance_ + noise_.drift_ratio * effective_periods;
+  covariance_ *= step.kept;
+  wander_variance_ = step.kept * step.kept * wander_variance_ + noise_.drift_ratio * effective_periods;
+
+  const double level_share = level_variance_ + covariance_;
+  const double wander_share = wander_variance_ + covariance_;
+  const double variance = level_share + wander_share + reading_variance;
+  step.level_gain = level_share / variance;
+  step.wander_gain = wander_share / variance;
+  step.scale = 1.0 / std::sqrt(variance);
+  step.log_variance = std::log(variance);
+  level_variance_ -= level_share * step.level_gain;
+  wander_variance_ -= wander_share * step.wander_gain;
+  covariance_ -= level_share * step.wander_gain;
+  return step;
+}
+
+bool TravelWhitener::filter(const Eigen::RowVectorXd& row, const WhiteningStep& step,
+                            Eigen::RowVectorXd& whitened) {
+  if (step.starts) {
+    level_ = row;
+    wander_.setZero();
+    return false;
+  }
+  wander_ *= step.kept;
+  whitened = row - level_ - wander_;
+  level_ += step.level_gain * whitened;
+  wander_ += step.wander_gain * whitened;
+  whitened *= step.scale;
+  return true;
 }
 
 // First whether readings have ages of their own: refreshed at some rate, the age spreads over one period of

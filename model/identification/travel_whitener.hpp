@@ -26,35 +26,48 @@ struct TravelNoise {
   }
 };
 
-// The Kalman filter of a constant level plus a fading wander, read with unit noise. The level starts without
-// knowledge, the wander at zero. Applied to each column alike it turns equations with that noise into
-// independent ones.
-class TravelWhitener {
- public:
-  TravelWhitener(Eigen::Index columns, const TravelNoise& noise);
+// What one reading does to the filter below. It depends on when readings come, not on what they say.
+struct WhiteningStep {
+  bool starts = false;        // only sets the level
+  double kept = 1.0;          // of the wander since the reading before
+  double level_gain = 0.0;    // of the innovation
+  double wander_gain = 0.0;   // the same
+  double scale = 1.0;         // brings the innovation to the variance of one reading's white part
+  double log_variance = 0.0;  // of the innovation, in units of that
+};
 
-  // The next row belongs to another run, or follows a hole: its level is not known.
+// The Kalman filter of a constant level plus a fading wander, read with unit noise: its gains. The level
+// starts without knowledge, the wander at zero.
+class WhiteningGains {
+ public:
+  explicit WhiteningGains(const TravelNoise& noise) : noise_(noise) {}
+
+  // The next reading belongs to another run, or follows a hole: its level is not known.
   void restart() { started_ = false; }
 
-  // Takes the row that follows the last one after so many periods. Returns true and the whitened row where
-  // there is one; the first row after a restart only sets the level.
-  bool filter(const Eigen::RowVectorXd& row, double periods, double reading_variance,
-              Eigen::RowVectorXd& whitened);
-
-  // Of the logarithms of the variances that rows were divided by: what a likelihood needs.
-  double log_variance_sum() const { return log_variance_sum_; }
+  // For the reading that follows the last one after so many periods.
+  WhiteningStep next(double periods, double reading_variance);
 
  private:
-  void let_wander(double periods);
-
-  Eigen::RowVectorXd level_;
-  Eigen::RowVectorXd wander_;
   TravelNoise noise_;
   double level_variance_ = 1.0;
   double wander_variance_ = 0.0;
   double covariance_ = 0.0;
-  double log_variance_sum_ = 0.0;
   bool started_ = false;
+};
+
+// That filter on the columns of equations: applied to each column alike it turns equations with that noise
+// into independent ones.
+class TravelWhitener {
+ public:
+  explicit TravelWhitener(Eigen::Index columns) : level_(columns), wander_(columns) {}
+
+  // Returns true and the whitened row where there is one; the first row only sets the level.
+  bool filter(const Eigen::RowVectorXd& row, const WhiteningStep& step, Eigen::RowVectorXd& whitened);
+
+ private:
+  Eigen::RowVectorXd level_;
+  Eigen::RowVectorXd wander_;
 };
 
 // The noise with the smallest negative log-likelihood, by search. `tick_m` over `period_s` is the speed at

@@ -1,8 +1,5 @@
-// Logs of a real Create 2, where they are: beside the project, or where WHEELWRIGHT_DATA says.
-#include <cmath>
-#include <cstdlib>
+// FIR models of a real Create 2, where its logs are.
 #include <filesystem>
-#include <optional>
 #include <sstream>
 
 #include "config/load/drive_log_file.hpp"
@@ -10,28 +7,14 @@
 #include "model/identification/fir_fit.hpp"
 #include "model/score.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/create2_logs.hpp"
 #include "tools/wheelwright/command_line.hpp"
 
 using namespace wheelwright;
 
-namespace {
-
-std::optional<std::filesystem::path> create2_folder() {
-  const char* given = std::getenv("WHEELWRIGHT_DATA");
-  const auto data = given != nullptr
-                        ? std::filesystem::path(given)
-                        : std::filesystem::path(WHEELWRIGHT_SOURCE_DIR).parent_path() / "shared" / "data";
-  if (std::filesystem::exists(data / "create2" / "run1.csv")) return data / "create2";
-  WARN("SKIPPED: no Create 2 logs at " << data);
-  SUCCEED("SKIPPED");
-  return std::nullopt;
-}
-
-}  // namespace
-
 TEST_CASE(
     "A model of one run of a Create 2 predicts the repeat to 1 mm, and shows that later runs are faster") {
-  const auto folder = create2_folder();
+  const auto folder = test::create2_folder();
   if (!folder) return;
   const DriveLog training = config::load_drive_log(*folder / "run1.csv");
   const auto fit = fit_fir(std::span(&training, 1));
@@ -52,7 +35,7 @@ TEST_CASE(
 }
 
 TEST_CASE("The garbage in the first row of a real log is refused by fit, with its line") {
-  const auto folder = create2_folder();
+  const auto folder = test::create2_folder();
   if (!folder) return;
   const auto model = std::filesystem::temp_directory_path() / "wheelwright_garbage.yaml";
   std::ostringstream out;

@@ -1,0 +1,18 @@
+// The ARMA part of `wheelwright fit`.
+#pragma once
+
+#include <iosfwd>
+#include <vector>
+
+#include "model/drive_log.hpp"
+#include "model/identification/arx_fit.hpp"
+
+namespace wheelwright::tools {
+
+// Fits, and shows on a terminal how far a sweep of orders has come. Throws DataRefusal.
+ArxFit fit_arma(const std::vector<DriveLog>& runs, ArxFitOptions options);
+
+// The table of orders, where there was a sweep, and what the fit says of itself.
+void print_arma_fit(std::ostream& out, const ArxFit& fit, std::size_t runs);
+
+}  // namespace wheelwright::tools
