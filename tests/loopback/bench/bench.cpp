@@ -65,7 +65,7 @@ std::unique_ptr<ChildProcess> Bench::start_robot(const std::string& shipped, con
 }
 
 std::filesystem::path Bench::configure(const DaemonSetup& setup) const {
-  if (!std::filesystem::exists(folder_ / "model.yaml")) write("model.yaml", model);
+  if (setup.has_model) write("model.yaml", model);
   std::string run = "log_folder: " + (folder_ / "runs").string();
   if (!setup.route.empty()) {
     write("route.yaml", "name: test\nspeed: " + std::to_string(setup.speed_m_s) +

@@ -21,7 +21,8 @@ struct DaemonSetup {
   std::string limits = {};
   std::string calibration = "when: never";
   std::string run = {};
-  std::string route = "[[0.35, 0]]";  // checkpoints; empty for none
+  bool has_model = true;             // one that says that a wheel follows within 0.13 s with gain 1
+  std::string route = "[[0.3, 0]]";  // checkpoints; empty for none
   double speed_m_s = 0.2;
 };
 
@@ -41,7 +42,7 @@ class Bench {
   // Starts roomba-sim: a shipped robot with the keys of `changes` (YAML, block style) in place of its own.
   std::unique_ptr<ChildProcess> start_robot(const std::string& shipped, const std::string& changes = "",
                                             const std::vector<std::string>& options = {});
-  // Writes the daemon's configuration; its model says that a wheel follows within 0.13 s with gain 1.
+  // Writes the daemon's configuration.
   std::filesystem::path configure(const DaemonSetup& setup) const;
   // Starts wheelwrightd; `wrapper` is put in front of the command.
   std::unique_ptr<ChildProcess> start_daemon(const std::filesystem::path& config,

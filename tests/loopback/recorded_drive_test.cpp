@@ -1,0 +1,63 @@
+// The daemon on a recording of a real Create 2: what the robot counted is what the daemon logs.
+#include <cstdlib>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "config/load/drive_log_file.hpp"
+#include "tests/loopback/bench/bench.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace wheelwright::bench;
+
+namespace {
+
+constexpr double played_until_s = 13.0;  // of 33, to save time
+
+std::optional<std::filesystem::path> recording() {
+  const char* given = std::getenv("WHEELWRIGHT_DATA");
+  const auto data = given != nullptr
+                        ? std::filesystem::path(given)
+                        : std::filesystem::path(WHEELWRIGHT_SOURCE_DIR).parent_path() / "shared" / "data";
+  const auto file = data / "create2" / "run1.csv";
+  return std::filesystem::exists(file) ? std::optional(file) : std::nullopt;
+}
+
+}  // namespace
+
+TEST_CASE("A recorded drive of a real robot comes back from the daemon count by count") {
+  const auto recorded = recording();
+  if (!recorded) {
+    return skip("no Create 2 logs; set WHEELWRIGHT_DATA to the folder that holds create2/run1.csv");
+  }
+  auto log = wheelwright::config::load_drive_log(*recorded);
+  while (log.samples.back().t_s > played_until_s) log.samples.pop_back();
+  log.extra_columns.clear();
+  Bench bench;
+  const auto played = bench.folder() / "recorded.csv";
+  wheelwright::config::save_drive_log(log, played);
+  const auto robot = bench.start_robot("default", "", {"--replay", played.string()});
+  // The recording begins with the first order, which is to stand; the daemon drives once it has ended.
+  const auto daemon = bench.start_daemon(bench.configure({.route = "[[0.1, 0]]"}));
+  CHECK(daemon->wait(40s) == 0);
+
+  const Table written = bench.drive_log();
+  CHECK(bench.pose_log().rows() == written.rows());
+  const auto origin = *log.samples.front().ticks;
+  const auto end = *log.samples.back().ticks;
+  REQUIRE(end.left - origin.left > 1000);
+  const std::size_t last = written.rows() - 1;
+  CHECK(written.number(last, "ticks_left") == static_cast<double>(end.left - origin.left));
+  CHECK(written.number(last, "ticks_right") == static_cast<double>(end.right - origin.right));
+
+  std::set<std::pair<double, double>> counted;
+  for (const auto& sample : log.samples) {
+    counted.emplace(static_cast<double>(sample.ticks->left - origin.left),
+                    static_cast<double>(sample.ticks->right - origin.right));
+  }
+  for (std::size_t row = 0; row < written.rows(); ++row) {
+    if (written.empty(row, "ticks_left")) continue;
+    CAPTURE(row);
+    CHECK(counted.contains({written.number(row, "ticks_left"), written.number(row, "ticks_right")}));
+  }
+}
