@@ -2,92 +2,125 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
+#include <numeric>
 
 namespace wheelwright::open_interface {
 namespace {
 
-// The command acts only after 31-47 ms (GAP.md); in so many samples after it nothing can have turned round.
-constexpr std::size_t dead_time_samples = 2;
-// With at most one tick in each of so many samples a wheel stands: a robot that rocks still makes one now and
-// then.
-constexpr int standing_samples_to_trust = 3;
-constexpr int standing_ticks = 1;
-// So many samples that count against the command show an encoder that knows its direction.
-constexpr int samples_to_believe_signs = 3;
+// A wheel that makes no more ticks than this in the recent samples stands; one that rocks still makes some,
+// and most where it is not driven.
+constexpr int standing_ticks = 2;
+constexpr int rocking_ticks = 4;
+// A command acts only after 31-47 ms (GAP.md), and shows a refresh later; nothing turns round before.
+constexpr int dead_time_samples = 2;
+// By then it has (125-145 ms, GAP.md).
+constexpr int longest_turn_samples = 8;
+// Without a command the slowest of old motors still creep for so long.
+constexpr int longest_coast_samples = 60;
+// In so many samples after a command the robot may change the way it counts without the wheel turning round.
+constexpr int sign_rule_samples = 4;
+// After so many samples in which the robot counts the other way it is believed.
+constexpr int samples_to_believe = 60;
+
+int sign_of(double value) {
+  return value > 0.0 ? 1 : (value < 0.0 ? -1 : 0);
+}
 
 }  // namespace
 
 void EncoderCounter::rebase() {
   last_raw_.reset();
-  coast_size_ = 0;
-  standing_samples_ = 0;
+  forget_signs();
 }
 
-bool EncoderCounter::coasts_now(int counted) const {
-  return counted != direction_ && standing_samples_ < standing_samples_to_trust &&
-         samples_against_command_ < samples_to_believe_signs;
+void EncoderCounter::forget_signs() {
+  recent_.fill(0);
+  last_sign_ = 0;
+  doubtful_ = false;
 }
 
 bool EncoderCounter::update(std::uint16_t raw, double command, int most_change) {
-  const bool first = !last_raw_;
-  if (first) last_raw_ = raw;
+  if (!last_raw_) last_raw_ = raw;
   const int change = static_cast<std::int16_t>(static_cast<std::uint16_t>(raw - *last_raw_));
   if (std::abs(change) > most_change) return false;
   last_raw_ = raw;
-  const int counted = command < 0.0 ? -1 : 1;
-  if (first) {
-    commanded_ = direction_ = counted;
-    return true;
-  }
-
-  if (counted != commanded_) {
-    commanded_ = counted;
-    coast_size_ = 0;
-    if (coasts_now(counted)) {
-      total_before_coast_ = total_;
-      take_coasting(change);
-      return true;
-    }
-    direction_ = counted;
-  } else if (coast_size_ > 0) {
-    take_coasting(change);
-    return true;
-  }
-  total_ += change;
-  if (change * commanded_ < 0) ++samples_against_command_;
-  standing_samples_ = std::abs(change) <= standing_ticks ? standing_samples_ + 1 : 0;
+  note_command(sign_of(command));
+  take(change);
+  std::shift_right(recent_.begin(), recent_.end(), 1);
+  recent_[0] = std::abs(change);
+  if (change != 0) last_sign_ = sign_of(change);
   return true;
 }
 
-void EncoderCounter::take_coasting(int change) {
-  coast_.at(coast_size_++) = change;
-  if (coast_size_ > dead_time_samples && change * commanded_ < 0) ++samples_against_command_;
-  total_ = total_before_coast_ + coasted();
-  if (coast_size_ < longest_coast_samples) return;
-  coast_size_ = 0;
-  direction_ = commanded_;
-  standing_samples_ = 0;
+void EncoderCounter::note_command(int wanted) {
+  ++samples_since_command_;
+  ++samples_since_sought_;
+  if (wanted == wanted_) return;
+  wanted_ = wanted;
+  samples_since_command_ = 0;
+  // A robot is behind its commands: what was told to turn round may do so although it is told to stop by now.
+  if (wanted == 0 || wanted == sought_) return;
+  sought_ = wanted;
+  samples_since_sought_ = 0;
+  looks_for_turn_ = sought_ != direction_;
+  speed_before_turn_ = recent_ticks() / static_cast<int>(recent_.size());
+  slowest_ = std::numeric_limits<int>::max();
+  ticks_since_slowest_ = 0;
 }
 
-// Travel since the command changed sign: in the old direction until the wheel was slowest, then in the new
-// one.
-std::int64_t EncoderCounter::coasted() const {
-  const auto end = coast_.begin() + static_cast<std::ptrdiff_t>(coast_size_);
-  std::int64_t sum = 0;
-  if (samples_against_command_ >= samples_to_believe_signs) {
-    for (auto it = coast_.begin(); it != end; ++it) sum += *it;
-    return sum;
+int EncoderCounter::recent_ticks() const {
+  return std::accumulate(recent_.begin(), recent_.end(), 0);
+}
+
+void EncoderCounter::take(int change) {
+  const int size = std::abs(change);
+  const int sign = sign_of(change);
+  samples_against_count_ = sign == -direction_ ? samples_against_count_ + 1 : 0;
+  const bool stood = recent_ticks() <= standing_ticks;
+  doubtful_ = false;
+  // Where it counts up whatever the wheel does, a wheel that rocks on the spot would count for ever.
+  const bool has_come_to_rest =
+      rests_ || recent_ticks() <= rocking_ticks || samples_since_command_ > longest_coast_samples;
+  rests_ = wanted_ == 0 && size <= standing_ticks && has_come_to_rest;
+  if (rests_) return;
+  if (stood || samples_against_count_ > samples_to_believe || turned_against_command(size, sign)) {
+    if (sign != 0) direction_ = sign;
+    looks_for_turn_ = looks_for_turn_ && direction_ != sought_;
+    total_ += change;
+    return;
   }
-  const auto acts = coast_.begin() + static_cast<std::ptrdiff_t>(std::min(coast_size_, dead_time_samples));
-  const auto slower = [](int a, int b) { return std::abs(a) < std::abs(b); };
-  const auto slowest = std::min_element(acts, end, slower);
-  // While it only slows down, the slowest sample is the newest one, and the wheel has not turned round yet.
-  const bool turned_round = slowest != end && (slowest + 1 != end || *slowest == 0);
-  for (auto it = coast_.begin(); it != end; ++it) {
-    if (turned_round && it == slowest) continue;  // there and back
-    sum += (turned_round && it > slowest ? commanded_ : direction_) * std::abs(*it);
+  total_ += direction_ * size;
+  doubtful_ = looks_for_turn_ || sign == -direction_;
+  if (looks_for_turn_) look_for_turn(size);
+}
+
+// A push from outside, or a wheel that swings back: seen by an encoder that knows its direction, whose sign
+// changes where the wheel is slow and not because of a command.
+bool EncoderCounter::turned_against_command(int size, int sign) const {
+  return sign == -direction_ && last_sign_ == direction_ && std::min(size, recent_[0]) <= 1 &&
+         samples_since_command_ >= sign_rule_samples;
+}
+
+// The wheel slows down, stands or turns round within a sample, and speeds up again.
+void EncoderCounter::look_for_turn(int size) {
+  const bool slow_from_the_start = speed_before_turn_ < 4;
+  if (samples_since_sought_ < dead_time_samples + (slow_from_the_start ? 1 : 0)) return;
+  ticks_since_slowest_ += size;
+  if (size < slowest_) {
+    slowest_ = size;
+    ticks_since_slowest_ = 0;
   }
-  return sum;
+  const bool as_good_as_stands = slowest_ <= speed_before_turn_ / 8;
+  const bool speeds_up =
+      size >= 2 * slowest_ && size >= slowest_ + 2 && slowest_ <= std::max(speed_before_turn_ / 2, 1);
+  const bool must_have_turned = samples_since_sought_ >= longest_turn_samples;
+  if (!as_good_as_stands && !speeds_up && !must_have_turned) return;
+  // The slowest sample goes there and back, and those since go in the new direction.
+  total_ -= direction_ * slowest_;
+  total_ -= 2 * direction_ * ticks_since_slowest_;
+  direction_ = sought_;
+  looks_for_turn_ = false;
 }
 
 }  // namespace wheelwright::open_interface

@@ -1,13 +1,10 @@
 // One wheel's encoder counts, unwrapped and given the sign of the true motion.
 //
 // Counts are 16 bits and roll over. By the documents the encoder is not quadrature (Create 2 OI p30): counts
-// go in the direction that is commanded, and up where the command is zero, whatever the wheel does. While a
-// wheel still coasts in its old direction after the command changed sign, counts then go the wrong way. For
-// that short while they are turned round up to the moment at which the wheel was slowest, and marked as
-// doubtful.
-//
-// A robot whose counts go against the command more than once has an encoder that knows better (recorded
-// Create 2 do); from then on its signs are believed.
+// go in the direction that is commanded, and up where the command is zero, whatever the wheel does. Recorded
+// Create 2 count in the direction in which the motor pushes, which while braking is the wrong one. Others may
+// know the true direction. What holds for all of them is that a wheel only turns round where it is slow. So
+// once it moves only the size of a change is believed, and its sign where the wheel stood before.
 #pragma once
 
 #include <array>
@@ -27,31 +24,39 @@ class EncoderCounter {
   // Forgets where the raw count was; the next sample continues from the same total.
   void rebase();
 
-  // Forgets what was learnt of this encoder's signs: the commands it was told belonged to the other wheel.
-  void forget_signs() { samples_against_command_ = 0; }
+  // Forgets in which direction the wheel moved: the commands it was told belonged to the other wheel. The
+  // next sign is believed.
+  void forget_signs();
 
   std::int64_t total() const { return total_; }
-  // The last samples may yet be given another sign.
-  bool doubtful() const { return coast_size_ > 0; }
+  // The sign of the last sample is inferred against what the robot counted, or may yet be given another.
+  bool doubtful() const { return doubtful_; }
 
  private:
-  // A Roomba's wheel stands within 125-145 ms of a stop command, and has turned round as soon (GAP.md).
-  static constexpr std::size_t longest_coast_samples = 12;
-
-  bool coasts_now(int counted) const;
-  void take_coasting(int change);
-  std::int64_t coasted() const;
+  void note_command(int wanted);
+  void take(int change);
+  void look_for_turn(int size);
+  bool turned_against_command(int size, int sign) const;
+  int recent_ticks() const;
 
   std::optional<std::uint16_t> last_raw_;
   std::int64_t total_ = 0;
-  int direction_ = 1;  // in which the wheel moved last
-  int commanded_ = 1;  // in which the robot counts: the sign of the last command, up for zero
-  int standing_samples_ = 0;
-  int samples_against_command_ = 0;
+  int direction_ = 1;  // in which the wheel moves, or moved last
+  int wanted_ = 0;     // the sign of the command
+  int sought_ = 0;     // the sign of the last command that was not zero
+  int last_sign_ = 0;  // of the last change that was not zero, as the robot counted it
+  bool doubtful_ = false;
+  bool looks_for_turn_ = false;
+  bool rests_ = false;  // not driven, and at most rocking on the spot
 
-  std::array<int, longest_coast_samples> coast_{};  // raw changes since the command changed sign
-  std::size_t coast_size_ = 0;
-  std::int64_t total_before_coast_ = 0;
+  std::array<int, 4> recent_{};    // sizes of the last changes, newest first
+  int samples_since_command_ = 0;  // changed its sign
+  int samples_since_sought_ = 0;
+  int samples_against_count_ = 0;  // in a row, in which the robot counted the other way
+
+  int speed_before_turn_ = 0;  // ticks in a sample
+  int slowest_ = 0;            // ticks in a sample, since the command wants the other direction
+  int ticks_since_slowest_ = 0;
 };
 
 }  // namespace wheelwright::open_interface
