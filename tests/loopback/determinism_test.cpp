@@ -32,7 +32,7 @@ Commands route_commands(const Table& log) {
 Commands drive(const std::string& shipped_robot, const std::string& seed) {
   Bench bench;
   const auto robot = bench.start_robot(shipped_robot, "", {"--seed", seed});
-  const auto daemon = bench.start_daemon(bench.configure({.route = "[[0.12, 0], [0.12, 0.12]]"}));
+  const auto daemon = bench.start_daemon(bench.configure({.route = "[[0.15, 0], [0.3, 0.06]]"}));
   CHECK(daemon->wait(20s) == 0);
   return route_commands(bench.drive_log());
 }

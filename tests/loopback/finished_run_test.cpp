@@ -21,6 +21,6 @@ TEST_CASE("The daemon drives a route on the simulated robot, logs it whole, and 
   }
   robot->end();
   const Table truth = bench.truth();
-  CHECK_THAT(truth.number(truth.rows() - 1, "x"), WithinAbs(0.3, 0.03));
+  CHECK_THAT(truth.number(truth.rows() - 1, "x"), WithinAbs(0.25, 0.03));
   CHECK(log.word(log.rows() - 1, "activity") == "finished");
 }

@@ -43,7 +43,7 @@ TEST_CASE("On a full disk the route is driven to its end, the file is named, and
   CHECK_THAT(daemon->out(), ContainsSubstring("commands late               0"));
   robot->end();
   const Table truth = bench.truth();
-  CHECK_THAT(truth.number(truth.rows() - 1, "x"), WithinAbs(0.3, 0.03));
+  CHECK_THAT(truth.number(truth.rows() - 1, "x"), WithinAbs(0.25, 0.03));
 }
 
 TEST_CASE("A hazard on a full disk stops the robot all the same") {

@@ -46,7 +46,7 @@ TEST_CASE(
   DaemonSetup setup{.device = "tapped", .route = long_way, .speed_m_s = 0.15};
   const auto daemon = bench.start_daemon(bench.configure(setup));
   REQUIRE(daemon->says("route: driving", 10s));
-  std::this_thread::sleep_for(1500ms);
+  std::this_thread::sleep_for(1s);
   const double at_ms = unix_ms_now();
   const auto at = LineTap::Clock::now();
   daemon->signal(SIGTERM);
@@ -74,7 +74,7 @@ TEST_CASE("SIGUSR2 stops the robot but not the daemon, and SIGUSR1 starts the mi
   std::this_thread::sleep_for(500ms);
   daemon->signal(SIGUSR2);
   REQUIRE(daemon->says("requested", 2s));
-  std::this_thread::sleep_for(1s);
+  std::this_thread::sleep_for(600ms);
   CHECK(daemon->wait(0ms) == ChildProcess::still_running);
   CHECK_FALSE(daemon->says("finished", 0ms));
   daemon->signal(SIGUSR1);
@@ -89,7 +89,7 @@ TEST_CASE("With run.arm by_signal nothing moves before SIGUSR1") {
   const auto config = bench.configure({.device = "tapped", .run = "arm: by_signal", .route = "[[0.15, 0]]"});
   const auto daemon = bench.start_daemon(config);
   REQUIRE(daemon->says("the robot answers", 5s));
-  std::this_thread::sleep_for(1s);
+  std::this_thread::sleep_for(600ms);
   CHECK_FALSE(tap.drive_orders().last_moving);
   daemon->signal(SIGUSR1);
   CHECK(daemon->wait(10s) == 0);
@@ -109,7 +109,7 @@ TEST_CASE("After SIGKILL in mid-route a new daemon gets the robot, stops it, and
   daemon = bench.start_daemon(bench.configure({.run = "arm: by_signal"}));
   REQUIRE(daemon->says("the robot answers", 5s));
   const double answered_ms = unix_ms_now();
-  std::this_thread::sleep_for(1s);
+  std::this_thread::sleep_for(700ms);
   const double armed_ms = unix_ms_now();
   daemon->signal(SIGUSR1);
   CHECK(daemon->wait(15s) == 0);
