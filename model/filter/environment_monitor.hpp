@@ -12,7 +12,7 @@
 //
 // Only driving counts; while the robot stands, and while a wheel has a fault, nothing is added up and nothing
 // is learnt. The verdict stays until recalibrated() is called. Before about 12 s of driving the usual values
-// are not known and nothing is reported.
+// are not known and nothing is reported. A floor that has less grip but pulls no harder does not show.
 #pragma once
 
 #include <array>

@@ -13,8 +13,8 @@ constexpr int doubt_lasts_ticks = 14;
 constexpr double sign_gate = 3.0;
 // Speed changes are smeared over about so many ticks; the timing error of each is that of the whole.
 constexpr double ticks_per_change = 5.0;
-// A standing robot rocks by a few counts, which no noise figure of driving holds.
-constexpr double least_gate_m = 0.0025;
+// A robot that brakes to rest coasts and rocks by some counts more than the noise figures of driving hold.
+constexpr double least_gate_m = 0.0045;
 constexpr double change_fades = 0.955;
 // The encoder has to follow the model over this distance before it is believed again ...
 constexpr double least_proof_m = 0.005;
