@@ -1,5 +1,6 @@
 #include "model/identification/small_solve.hpp"
 
+#include <Eigen/QR>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <limits>
@@ -38,6 +39,13 @@ SmallSolution solve_small(const LeastSquaresAccumulator::Factor& factor, Eigen::
   result.covariance = result.residual_variance * seen * seen.transpose();
   result.deviations = result.covariance.diagonal().cwiseSqrt();
   return result;
+}
+
+Eigen::VectorXd solve_quickly(const LeastSquaresAccumulator::Factor& factor, Eigen::Index output) {
+  const Eigen::VectorXd scale = equal_sizes(factor.r);
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(factor.r * scale.asDiagonal());
+  qr.setThreshold(rank_tolerance);
+  return scale.asDiagonal() * qr.solve(factor.z.col(output));
 }
 
 DampedSteps::DampedSteps(const LeastSquaresAccumulator::Factor& factor) : scale_(equal_sizes(factor.r)) {

@@ -23,6 +23,10 @@ inline constexpr double rank_tolerance = 1e-11;
 // do not depend on the units of the commands.
 SmallSolution solve_small(const LeastSquaresAccumulator::Factor& factor, Eigen::Index output = 0);
 
+// The same unknowns in a tenth of the time and nothing else, for a fit beside the robot: by pivoted QR in
+// place of singular values. Directions below rank_tolerance get no part of the solution.
+Eigen::VectorXd solve_quickly(const LeastSquaresAccumulator::Factor& factor, Eigen::Index output = 0);
+
 // Levenberg-Marquardt steps of any damping from one factorisation.
 class DampedSteps {
  public:

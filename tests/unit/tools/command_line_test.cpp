@@ -112,6 +112,30 @@ TEST_CASE("A model is fitted from a log, simulated and scored on another") {
              ContainsSubstring("test.csv"));
 }
 
+TEST_CASE("An ARMA model is fitted with the table of its orders, and scored") {
+  const Folder folder;
+  config::save_drive_log(plant_run(1), folder / "train.csv");
+  config::save_drive_log(plant_run(2), folder / "test.csv");
+  const Outcome fitted = wheelwright_command(
+      {"fit", folder / "train.csv", "-o", folder / "model.yaml", "--type", "arma", "--order", "auto"});
+  INFO(fitted.err);
+  REQUIRE(fitted.status == ExitStatus::done);
+  CHECK_THAT(fitted.out, ContainsSubstring("held out [mm]"));
+  CHECK_THAT(fitted.out, ContainsSubstring("chosen"));
+  const RobotModel model = config::load_model(folder / "model.yaml");
+  CHECK(model.core.type == ModelType::arma);
+  CHECK(wheelwright_command({"score", folder / "model.yaml", folder / "test.csv"}).status ==
+        ExitStatus::done);
+
+  REQUIRE(wheelwright_command({"fit", folder / "train.csv", "-o", folder / "model.yaml", "--type", "arma",
+                               "--order", "4", "--delay", "2", "--method", "equation-error"})
+              .status == ExitStatus::done);
+  const WheelResponse left = config::load_model(folder / "model.yaml").core.left;
+  CHECK(left.from_own_past.size() == 4);
+  CHECK(left.from_left[1] == 0.0);
+  CHECK(left.from_left[2] != 0.0);
+}
+
 TEST_CASE("The order of a fit is the number of taps") {
   const Folder folder;
   config::save_drive_log(plant_run(1), folder / "train.csv");
