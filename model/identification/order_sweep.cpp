@@ -112,6 +112,7 @@ tl::expected<OrderSweep, Refusal> sweep_orders(std::span<const DriveLog> logs, s
                                                const FitTraining& fit_training) {
   const auto folds = folds_of(logs);
   std::vector<FitOrder> fits;
+  fits.reserve(folds.size());
   for (const auto& fold : folds) fits.push_back(fit_training(fold.training));
   OrderSweep sweep;
   for (std::size_t order = 1; order <= largest_order; ++order) {
