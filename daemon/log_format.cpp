@@ -20,7 +20,8 @@ std::string drive_log_head(const config::DaemonConfig& config, const WheelPair& 
   text += "t,cmd_left,cmd_right,ticks_left,ticks_right,battery_v,tick,activity,repetition,stop,";
   text += "light_left,light_front_left,light_center_left,light_center_right,light_front_right,light_right,";
   text +=
-      "bump,wheel_drop,cliff,overcurrents,current_left_a,current_right_a,oi_mode,doubtful_sign,after_gap\n";
+      "bump,wheel_drop,cliff,overcurrents,current_left_a,current_right_a,oi_mode,doubtful_sign,after_gap,"
+      "travel_ticks_left,travel_ticks_right\n";
   return text;
 }
 
@@ -30,14 +31,14 @@ std::string drive_log_line(const LogEntry& entry) {
   std::string line = fixed_number(record.t_s, 6) + "," + fixed_number(frame.command.speed_m_s.left, 6) + "," +
                      fixed_number(frame.command.speed_m_s.right, 6) + ",";
   if (frame.valid) {
-    line += std::to_string(frame.ticks.left) + "," + std::to_string(frame.ticks.right) + "," +
+    line += std::to_string(frame.counted_ticks.left) + "," + std::to_string(frame.counted_ticks.right) + "," +
             fixed_number(frame.battery_v, 3);
   } else {
     line += ",,";
   }
   line += "," + std::to_string(record.tick) + "," + std::string(name_of(frame.command.activity)) + "," +
           std::to_string(frame.command.repetition) + "," + std::string(name_of(frame.stop));
-  if (!frame.valid) return line + ",,,,,,,,,,,,,,,";
+  if (!frame.valid) return line + ",,,,,,,,,,,,,,,,,";
   for (const auto signal : frame.light_bumper) line += "," + std::to_string(signal);
   const auto flag = [](bool value) { return value ? ",1" : ",0"; };
   line += flag(frame.bump_left || frame.bump_right);
@@ -47,6 +48,7 @@ std::string drive_log_line(const LogEntry& entry) {
           fixed_number(frame.motor_current_a.right, 3) + "," + std::to_string(frame.oi_mode);
   line += flag(frame.doubtful_sign);
   line += flag(frame.after_gap);
+  line += "," + std::to_string(frame.ticks.left) + "," + std::to_string(frame.ticks.right);
   return line;
 }
 

@@ -32,7 +32,9 @@ class RecordedFrames {
         tick_(column_of(log, "tick")),
         activity_(column_of(log, "activity")),
         stop_(column_of(log, "stop")),
-        after_gap_(column_of(log, "after_gap")) {
+        after_gap_(column_of(log, "after_gap")),
+        travel_left_(column_of(log, "travel_ticks_left")),
+        travel_right_(column_of(log, "travel_ticks_right")) {
     const std::array names{"light_left",         "light_front_left",  "light_center_left",
                            "light_center_right", "light_front_right", "light_right"};
     for (std::size_t s = 0; s < names.size(); ++s) light_.at(s) = &column_of(log, names.at(s));
@@ -52,7 +54,7 @@ class RecordedFrames {
     const DriveSample& sample = log_.samples[row];
     frame.valid = sample.ticks.has_value();
     if (!frame.valid) return frame;
-    frame.ticks = *sample.ticks;
+    frame.ticks = travel(row);
     frame.after_gap = after_gap_.values[row] > 0.0;
     frame.battery_v = sample.battery_v.value_or(0.0);
     for (std::size_t s = 0; s < light_.size(); ++s) {
@@ -65,16 +67,18 @@ class RecordedFrames {
   SensorFrame before_start() const {
     SensorFrame frame;
     frame.armed = true;
-    for (const DriveSample& sample : log_.samples) {
-      if (!sample.ticks) continue;
-      frame.valid = true;
-      frame.ticks = *sample.ticks;
-      break;
+    for (std::size_t row = 0; row < size() && !frame.valid; ++row) {
+      frame.valid = log_.samples[row].ticks.has_value();
+      if (frame.valid) frame.ticks = travel(row);
     }
     return frame;
   }
 
  private:
+  WheelTicks travel(std::size_t row) const {
+    return {std::llround(travel_left_.values[row]), std::llround(travel_right_.values[row])};
+  }
+
   StopReason stop_reason(std::size_t row) const {
     for (int code = 0; code <= static_cast<int>(StopReason::requested); ++code) {
       const auto reason = static_cast<StopReason>(code);
@@ -89,6 +93,8 @@ class RecordedFrames {
   const ExtraColumn& activity_;
   const ExtraColumn& stop_;
   const ExtraColumn& after_gap_;
+  const ExtraColumn& travel_left_;
+  const ExtraColumn& travel_right_;
   std::array<const ExtraColumn*, 6> light_{};
 };
 

@@ -69,6 +69,7 @@ struct SensorFrame {
 
   bool valid = false;          // the reply of this tick came and was sound; what follows is from it
   bool after_gap = false;      // the first sound reply after a lost link: counts have a new origin
+  WheelTicks counted_ticks;    // unwrapped, with the robot's own signs
   WheelTicks ticks;            // unwrapped, signed by the true direction as far as that can be known
   bool doubtful_sign = false;  // a wheel was coasting through a change of direction
   LightBumper light_bumper{};

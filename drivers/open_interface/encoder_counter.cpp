@@ -45,6 +45,7 @@ bool EncoderCounter::update(std::uint16_t raw, double command, int most_change) 
   const int change = static_cast<std::int16_t>(static_cast<std::uint16_t>(raw - *last_raw_));
   if (std::abs(change) > most_change) return false;
   last_raw_ = raw;
+  counted_ += change;
   note_command(sign_of(command));
   take(change);
   std::shift_right(recent_.begin(), recent_.end(), 1);

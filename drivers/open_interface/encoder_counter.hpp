@@ -29,6 +29,8 @@ class EncoderCounter {
   void forget_signs();
 
   std::int64_t total() const { return total_; }
+  // As the robot counts, only unwrapped: with its own signs.
+  std::int64_t counted() const { return counted_; }
   // The sign of the last sample is inferred against what the robot counted, or may yet be given another.
   bool doubtful() const { return doubtful_; }
 
@@ -41,6 +43,7 @@ class EncoderCounter {
 
   std::optional<std::uint16_t> last_raw_;
   std::int64_t total_ = 0;
+  std::int64_t counted_ = 0;
   int direction_ = 1;  // in which the wheel moves, or moved last
   int wanted_ = 0;     // the sign of the command
   int sought_ = 0;     // the sign of the last command that was not zero

@@ -273,6 +273,7 @@ void RoombaLink::take_counts(const Reading& reading, SensorFrame& frame) {
   }
   const auto& left = left_first ? first_counter_ : second_counter_;
   const auto& right = left_first ? second_counter_ : first_counter_;
+  frame.counted_ticks = {left.counted(), right.counted()};
   frame.ticks = {left.total(), right.total()};
   frame.doubtful_sign = left.doubtful() || right.doubtful();
   if (frame.valid) {
