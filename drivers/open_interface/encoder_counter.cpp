@@ -20,6 +20,10 @@ constexpr int longest_turn_samples = 8;
 constexpr int longest_coast_samples = 60;
 // In so many samples after a command the robot may change the way it counts without the wheel turning round.
 constexpr int sign_rule_samples = 4;
+// A sign that changes sooner after a command, or between samples that are faster, is not a wheel that turns.
+constexpr int soonest_turn_samples = 3;
+constexpr int fast_ticks = 3;
+constexpr int fast_ticks_of_two = 10;
 // After so many samples in which the robot counts the other way it is believed.
 constexpr int samples_to_believe = 60;
 
@@ -31,13 +35,16 @@ int sign_of(double value) {
 
 void EncoderCounter::rebase() {
   last_raw_.reset();
-  forget_signs();
+  recent_.fill(0);
+  last_sign_ = 0;
+  doubtful_ = false;
 }
 
 void EncoderCounter::forget_signs() {
   recent_.fill(0);
   last_sign_ = 0;
   doubtful_ = false;
+  counts_by_rule_ = false;
 }
 
 bool EncoderCounter::update(std::uint16_t raw, double command, int most_change) {
@@ -80,20 +87,36 @@ void EncoderCounter::take(int change) {
   samples_against_count_ = sign == -direction_ ? samples_against_count_ + 1 : 0;
   const bool stood = recent_ticks() <= standing_ticks;
   doubtful_ = false;
+  counts_by_rule_ = counts_by_rule_ || changed_sign_without_turning(size, sign);
+  if (!counts_by_rule_) {
+    believe(change);
+    return;
+  }
   // Where it counts up whatever the wheel does, a wheel that rocks on the spot would count for ever.
   const bool has_come_to_rest =
       rests_ || recent_ticks() <= rocking_ticks || samples_since_command_ > longest_coast_samples;
   rests_ = wanted_ == 0 && size <= standing_ticks && has_come_to_rest;
   if (rests_) return;
   if (stood || samples_against_count_ > samples_to_believe || turned_against_command(size, sign)) {
-    if (sign != 0) direction_ = sign;
-    looks_for_turn_ = looks_for_turn_ && direction_ != sought_;
-    total_ += change;
+    believe(change);
     return;
   }
   total_ += direction_ * size;
   doubtful_ = looks_for_turn_ || sign == -direction_;
   if (looks_for_turn_) look_for_turn(size);
+}
+
+void EncoderCounter::believe(int change) {
+  if (change != 0) direction_ = sign_of(change);
+  looks_for_turn_ = looks_for_turn_ && direction_ != sought_;
+  total_ += change;
+}
+
+bool EncoderCounter::changed_sign_without_turning(int size, int sign) const {
+  if (sign != -direction_ || last_sign_ != direction_) return false;
+  const bool too_soon = samples_since_command_ < soonest_turn_samples && recent_ticks() > standing_ticks;
+  const bool too_fast = std::min(size, recent_[0]) >= fast_ticks && size + recent_[0] >= fast_ticks_of_two;
+  return too_soon || too_fast;
 }
 
 // A push from outside, or a wheel that swings back: seen by an encoder that knows its direction, whose sign

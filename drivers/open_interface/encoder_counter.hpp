@@ -3,8 +3,9 @@
 // Counts are 16 bits and roll over. By the documents the encoder is not quadrature (Create 2 OI p30): counts
 // go in the direction that is commanded, and up where the command is zero, whatever the wheel does. Recorded
 // Create 2 count in the direction in which the motor pushes, which while braking is the wrong one. Others may
-// know the true direction. What holds for all of them is that a wheel only turns round where it is slow. So
-// once it moves only the size of a change is believed, and its sign where the wheel stood before.
+// know the true direction: all are believed until a sign changes at a time or a speed at which no wheel turns
+// round. From then on only the size of a change is believed while the wheel moves, and the direction changes
+// where it is slow.
 #pragma once
 
 #include <array>
@@ -37,6 +38,8 @@ class EncoderCounter {
  private:
   void note_command(int wanted);
   void take(int change);
+  void believe(int change);
+  bool changed_sign_without_turning(int size, int sign) const;
   void look_for_turn(int size);
   bool turned_against_command(int size, int sign) const;
   int recent_ticks() const;
@@ -49,6 +52,7 @@ class EncoderCounter {
   int sought_ = 0;     // the sign of the last command that was not zero
   int last_sign_ = 0;  // of the last change that was not zero, as the robot counted it
   bool doubtful_ = false;
+  bool counts_by_rule_ = false;  // of command or motor, not by the true direction
   bool looks_for_turn_ = false;
   bool rests_ = false;  // not driven, and at most rocking on the spot
 
