@@ -45,8 +45,8 @@ TEST_CASE("By the stream, whose clock is the robot's, a route is driven by odome
 TEST_CASE("By Drive PWM, with the robot's own speed control off, a robot calibrates itself and drives") {
   Bench bench;
   const auto robot = bench.start_robot("default");
-  const auto daemon =
-      bench.start_daemon(bench.configure({.link = "drive: pwm", .calibration = short_calibration}));
+  const auto daemon = bench.start_daemon(bench.configure(
+      {.link = "drive: pwm, blind_limit_s: 1, lost_after_s: 2", .calibration = short_calibration}));
   // Without speed control a stop is longer than a start, which a linear model cannot say.
   check_calibrated_and_driven(bench, *robot, *daemon, 0.06);
 }
@@ -63,7 +63,8 @@ TEST_CASE("A robot with every oddity of firmware and adapter is found out, and d
   Bench bench;
   const auto robot = bench.start_robot("default", odd_robot);
   const auto daemon = bench.start_daemon(
-      bench.configure({.link = "transport: stream, period_s: 0.015625", .calibration = short_calibration}));
+      bench.configure({.link = "transport: stream, period_s: 0.015625, blind_limit_s: 1, lost_after_s: 2",
+                       .calibration = short_calibration}));
   check_calibrated_and_driven(bench, *robot, *daemon, 0.03);
   CHECK_THAT(daemon->err(), ContainsSubstring("packet 44 is the left wheel"));
   CHECK_THAT(daemon->err(), ContainsSubstring("the header byte is not included"));

@@ -58,7 +58,7 @@ std::unique_ptr<ChildProcess> Bench::start_robot(const std::string& shipped, con
   std::vector<std::string> command{ROOMBA_SIM, "--config", config.string(),      "--link",
                                    device(),   "--truth",  truth_file().string()};
   command.insert(command.end(), options.begin(), options.end());
-  auto robot = std::make_unique<ChildProcess>(command, folder_ / "robot_said");
+  auto robot = std::make_unique<ChildProcess>(command, folder_ / "robot_said", Scheduling::like_hardware);
   const bool there = eventually(5s, [this] { return std::filesystem::is_symlink(device()); });
   if (!there) throw std::runtime_error("roomba-sim did not start: " + robot->err());
   return robot;

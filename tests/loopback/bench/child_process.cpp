@@ -1,6 +1,7 @@
 #include "tests/loopback/bench/child_process.hpp"
 
 #include <fcntl.h>
+#include <pthread.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -28,7 +29,15 @@ int created(const std::filesystem::path& path) {
 
 }  // namespace
 
-ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::filesystem::path& output)
+void schedule_calling_thread(Scheduling scheduling) {
+  if (scheduling == Scheduling::ordinary) return;
+  sched_param parameters{};
+  parameters.sched_priority = 60;  // above the daemon's loop
+  ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &parameters);
+}
+
+ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::filesystem::path& output,
+                           Scheduling scheduling)
     : out_(output.string() + ".out"), err_(output.string() + ".err") {
   std::vector<std::string> words = command;
   std::vector<char*> arguments;
@@ -39,6 +48,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::f
   pid_ = ::fork();
   if (pid_ == 0) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // nothing of a test outlives it
+    schedule_calling_thread(scheduling);
     ::dup2(out, STDOUT_FILENO);
     ::dup2(err, STDERR_FILENO);
     ::execvp(arguments[0], arguments.data());

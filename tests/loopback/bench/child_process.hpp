@@ -11,10 +11,15 @@
 
 namespace wheelwright::bench {
 
+// A robot does not wait for the host's processor: where the system lets it, its stand-in goes first.
+enum class Scheduling { ordinary, like_hardware };
+void schedule_calling_thread(Scheduling scheduling);
+
 class ChildProcess {
  public:
   // Starts `command` (a path and its arguments). What it prints goes to `output` with .out and .err appended.
-  ChildProcess(const std::vector<std::string>& command, const std::filesystem::path& output);
+  ChildProcess(const std::vector<std::string>& command, const std::filesystem::path& output,
+               Scheduling scheduling = Scheduling::ordinary);
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
   ~ChildProcess();

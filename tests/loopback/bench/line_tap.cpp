@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "drivers/serial/serial_port.hpp"
+#include "tests/loopback/bench/child_process.hpp"
 
 namespace wheelwright::bench {
 namespace {
@@ -58,6 +59,7 @@ LineTap::DriveOrders LineTap::drive_orders() const {
 }
 
 void LineTap::run() {
+  schedule_calling_thread(Scheduling::like_hardware);
   while (!ending_) {
     {
       const std::lock_guard lock(mutex_);
