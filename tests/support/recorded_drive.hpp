@@ -32,7 +32,8 @@ inline RobotModel calibrated_model(const std::string& robot_name, const std::str
   config.mission.response = ResponsePlan{};
   const auto result = daemon::run_virtually(config, robot);
   if (!result.finished) {
-    throw std::runtime_error("calibration refused: " + (result.refusal ? result.refusal->reason : std::string(name_of(result.stop))));
+    throw std::runtime_error("calibration refused: " +
+                             (result.refusal ? result.refusal->reason : std::string(name_of(result.stop))));
   }
   RobotModel model;
   model.core = result.response->model;
