@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "tests/support/catch.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 using namespace wheelwright;
 using config::load_daemon_config;
@@ -11,7 +12,7 @@ using config::load_daemon_config;
 namespace {
 
 std::filesystem::path written(const std::string& text) {
-  const auto path = std::filesystem::temp_directory_path() / "wheelwright_daemon_config_test.yaml";
+  const auto path = test::temporary_folder() / "wheelwright_daemon_config_test.yaml";
   std::ofstream(path) << text;
   return path;
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "tests/support/catch.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 using namespace wheelwright;
 using config::LogError;
@@ -75,7 +76,7 @@ TEST_CASE("What is saved is read back the same") {
                                       "0,0.1,-0.1,5,-7,0.25,\n0.018,0.1,0,,,,14.5\n",
                                   "run.csv")
                      .front();
-  const auto path = std::filesystem::temp_directory_path() / "wheelwright_saved_log.csv";
+  const auto path = test::temporary_folder() / "wheelwright_saved_log.csv";
   config::save_drive_log(log, path);
   const DriveLog back = config::load_drive_log(path);
   std::filesystem::remove(path);

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "tests/support/catch.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 using namespace wheelwright;
 using config::ConfigError;
@@ -63,7 +64,7 @@ std::string many_weights(std::size_t count) {
 TEST_CASE("A model comes back from its file exactly as it was saved") {
   for (const ModelType type : {ModelType::fir, ModelType::arma}) {
     const RobotModel model = example_model(type);
-    const auto path = std::filesystem::temp_directory_path() / "wheelwright_saved_model.yaml";
+    const auto path = test::temporary_folder() / "wheelwright_saved_model.yaml";
     config::save_model(model, path);
     const RobotModel back = config::load_model(path);
     std::filesystem::remove(path);
@@ -135,7 +136,7 @@ TEST_CASE("An unknown key of a model file is refused with the nearest right one"
 TEST_CASE("A model that could not be loaded again is not written") {
   RobotModel model = example_model(ModelType::fir);
   model.core.left.from_left[0] = std::numeric_limits<double>::quiet_NaN();
-  const auto path = std::filesystem::temp_directory_path() / "wheelwright_bad_model.yaml";
+  const auto path = test::temporary_folder() / "wheelwright_bad_model.yaml";
   CHECK_THROWS_AS(config::save_model(model, path), ConfigError);
   CHECK_FALSE(std::filesystem::exists(path));
 }

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "tests/support/catch.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 using namespace wheelwright;
 
@@ -16,7 +17,7 @@ std::filesystem::path shipped(const std::string& name) {
 
 // The error without the name of the temporary folder.
 std::string error_of(const std::string& text) {
-  const auto path = std::filesystem::temp_directory_path() / "wheelwright_route.yaml";
+  const auto path = test::temporary_folder() / "wheelwright_route.yaml";
   std::ofstream(path) << text;
   std::string what = "no error";
   try {

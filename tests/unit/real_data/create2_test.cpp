@@ -8,6 +8,7 @@
 #include "model/score.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/create2_logs.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tools/wheelwright/command_line.hpp"
 
 using namespace wheelwright;
@@ -37,7 +38,7 @@ TEST_CASE(
 TEST_CASE("The garbage in the first row of a real log is refused by fit, with its line") {
   const auto folder = test::create2_folder();
   if (!folder) return;
-  const auto model = std::filesystem::temp_directory_path() / "wheelwright_garbage.yaml";
+  const auto model = test::temporary_folder() / "wheelwright_garbage.yaml";
   std::ostringstream out;
   std::ostringstream err;
   const auto status = tools::run_command_line(

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "tests/support/catch.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 using namespace wheelwright::simulation;
 
@@ -85,7 +86,7 @@ TEST_CASE("The terminal knows the speed that its client has set") {
 }
 
 TEST_CASE("A link points to the terminal, replaces an old link, and goes away with it") {
-  const auto link = std::filesystem::temp_directory_path() / "wheelwright_link_test";
+  const auto link = wheelwright::test::temporary_folder() / "wheelwright_link_test";
   std::filesystem::remove(link);
   std::filesystem::create_symlink("/nowhere", link);
   {

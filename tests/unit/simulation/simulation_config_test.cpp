@@ -3,6 +3,7 @@
 
 #include "config/load/yaml_reader.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/unit/simulation/host.hpp"
 
 using namespace wheelwright::simulation;
@@ -15,7 +16,7 @@ namespace {
 const std::filesystem::path robots = std::filesystem::path(WHEELWRIGHT_SOURCE_DIR) / "config/robots";
 
 std::filesystem::path file_with(const std::string& text) {
-  const auto path = std::filesystem::temp_directory_path() / "wheelwright_robot_test.yaml";
+  const auto path = wheelwright::test::temporary_folder() / "wheelwright_robot_test.yaml";
   std::ofstream(path) << text;
   return path;
 }

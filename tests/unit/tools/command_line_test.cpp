@@ -11,6 +11,7 @@
 #include "config/load/model_file.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/published_plant.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 using namespace wheelwright;
 using tools::ExitStatus;
@@ -33,9 +34,7 @@ Outcome wheelwright_command(const std::vector<std::string>& arguments) {
 // A folder that is gone after the test.
 class Folder {
  public:
-  Folder()
-      : path_(std::filesystem::temp_directory_path() /
-              ("wheelwright_cli_" + std::to_string(std::random_device{}()))) {
+  Folder() : path_(test::temporary_folder() / ("wheelwright_cli_" + std::to_string(std::random_device{}()))) {
     std::filesystem::create_directory(path_);
   }
   ~Folder() { std::filesystem::remove_all(path_); }
