@@ -39,6 +39,7 @@ Action add_fit(CLI::App& app);
 Action add_simulate(CLI::App& app);
 Action add_score(CLI::App& app);
 Action add_replay(CLI::App& app);
+Action add_evaluate(CLI::App& app);
 Action add_doctor(CLI::App& app);
 
 }  // namespace wheelwright::tools

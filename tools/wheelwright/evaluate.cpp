@@ -1,0 +1,115 @@
+// wheelwright evaluate: the source paper's Table II on the simulated robot.
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <thread>
+
+#include "config/load/atomic_file.hpp"
+#include "config/load/route_file.hpp"
+#include "config/load/simulation_config.hpp"
+#include "tools/wheelwright/commands.hpp"
+#include "tools/wheelwright/evaluation/attempts.hpp"
+#include "tools/wheelwright/evaluation/end_point_plot.hpp"
+#include "tools/wheelwright/evaluation/offset_table.hpp"
+
+namespace wheelwright::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct EvaluateOptions {
+  std::size_t runs = 30;
+  std::uint64_t seed = 1;
+  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  std::string robot = WHEELWRIGHT_CONFIG_FOLDER "/robots/table2.yaml";
+  std::string route = WHEELWRIGHT_CONFIG_FOLDER "/routes/paper_loop.yaml";
+  std::string output;
+  bool json = false;
+  bool check = false;
+};
+
+Progress progress_bar(std::size_t runs) {
+  if (isatty(STDERR_FILENO) != 1) return {};
+  return [runs](std::size_t done) {
+    constexpr std::size_t width = 40;
+    const std::string bar(width * done / runs, '#');
+    std::fprintf(stderr, "\r\033[K[%-*s] %zu of %zu attempts", static_cast<int>(width), bar.c_str(), done,
+                 runs);
+    if (done == runs) std::fprintf(stderr, "\r\033[K");
+  };
+}
+
+void write(const fs::path& path, const std::string& text) {
+  if (const auto error = config::write_file_atomically(path, text)) throw UsageError(*error);
+}
+
+void write_end_points(const fs::path& folder, const std::vector<AttemptOutcome>& outcomes, Streams streams) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw UsageError(folder.string() + ": cannot be made a folder: " + error.message());
+  write(folder / "end_points.csv", end_points_csv(outcomes));
+  const fs::path script = folder / "end_points.gnuplot";
+  write(script, end_points_script(outcomes, "end_points.csv", "end_points.svg"));
+  const fs::path picture = folder / "end_points.svg";
+  if (const auto problem = run_gnuplot(script)) {
+    streams.err << "wheelwright: " << picture.string() << ": " << *problem << "\n";
+  }
+}
+
+ExitStatus run_evaluate(const EvaluateOptions& options, Streams streams) {
+  EvaluationPlan plan;
+  plan.robot = config::load_simulation_config(options.robot);
+  plan.route = config::load_route(options.route);
+  plan.seed = options.seed;
+  if (!is_closed(plan.route))
+    throw UsageError(options.route +
+                     ": the route is not closed; end it at [0, 0], so that start and end can be compared");
+  const auto outcomes = run_attempts(plan, options.runs, options.threads, progress_bar(options.runs));
+  const auto rows = offset_rows(outcomes, options.seed);
+  if (!options.output.empty()) write_end_points(options.output, outcomes, streams);
+  if (options.json) {
+    const nlohmann::ordered_json json{{"robot", plan.robot.name},
+                                      {"route", plan.route.name},
+                                      {"runs", options.runs},
+                                      {"seed", options.seed},
+                                      {"models", offset_json(rows)}};
+    streams.out << json.dump(2) << "\n";
+  } else {
+    streams.out << options.runs << " attempts per model on robot '" << plan.robot.name << "', route '"
+                << plan.route.name << "', seed " << options.seed << "\n\n";
+    print_offset_table(streams.out, rows);
+  }
+  return options.check && !all_met(rows) ? ExitStatus::answer_is_no : ExitStatus::done;
+}
+
+}  // namespace
+
+Action add_evaluate(CLI::App& app) {
+  const auto options = std::make_shared<EvaluateOptions>();
+  CLI::App* command = app.add_subcommand("evaluate", "The source paper's Table II on the simulated robot");
+  command->add_option("--runs", options->runs, "Attempts per model")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Of starting errors and noise")->capture_default_str();
+  command->add_option("--robot", options->robot, "Simulated robot")->capture_default_str();
+  command->add_option("--route", options->route, "Closed route")->capture_default_str();
+  command->add_option("--threads", options->threads, "Threads; the result does not depend on them")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->add_option("-o,--output", options->output, "Folder for end_points.csv and a picture of it");
+  command->add_flag("--json", options->json, "As JSON");
+  command->add_flag("--check", options->check, "Exit status 1 where a published row is not met");
+  command->footer(
+      "Each attempt calibrates the robot and drives the route once with each model; the offset is the true\n"
+      "distance from start to end. Brackets are 95 % intervals by bootstrap. A published row is met where "
+      "the\n"
+      "mean is within 30 % of it.\nExample: wheelwright evaluate --runs 30 -o out/evaluation");
+  return [options](Streams streams) { return run_evaluate(*options, streams); };
+}
+
+}  // namespace wheelwright::tools

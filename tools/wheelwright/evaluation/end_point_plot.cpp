@@ -1,0 +1,100 @@
+#include "tools/wheelwright/evaluation/end_point_plot.hpp"
+
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "config/load/text_format.hpp"
+
+namespace wheelwright::tools {
+namespace {
+
+using config::fixed_number;
+using config::plain_number;
+
+// Half the width of a panel: all end points and published circles fit, in steps of 0.1 m.
+double half_width_m(const std::vector<AttemptOutcome>& outcomes) {
+  double farthest_m = 0.0;
+  for (const ContenderInfo& info : contenders) {
+    if (info.published) farthest_m = std::max(farthest_m, info.published->mean_m);
+  }
+  for (const AttemptOutcome& outcome : outcomes) {
+    for (const DriveOutcome& drive : outcome) {
+      if (drive.end) farthest_m = std::max({farthest_m, std::abs(drive.end->x_m), std::abs(drive.end->y_m)});
+    }
+  }
+  return 0.1 * std::ceil(10.5 * farthest_m);
+}
+
+std::string panel(const ContenderInfo& info, const std::string& csv_name) {
+  const std::string key(info.key);
+  std::string text = "set title '" + std::string(info.title) + "'\nunset object 1\n";
+  if (info.published) {
+    text += "set object 1 circle at 0,0 size " + plain_number(info.published->mean_m) +
+            " fillstyle empty border lc rgb '#d1495b' dt 2\n";
+  }
+  return text + "plot '" + csv_name + "' using (strcol(1) eq '" + key +
+         "' ? $3 : NaN):4 with points pt 7 ps 0.4 lc rgb '#1f6fb4' notitle, "
+         "'+' using (0):(0) with points pt 2 ps 1 lw 2 lc rgb 'black' notitle\n";
+}
+
+}  // namespace
+
+std::string end_points_csv(const std::vector<AttemptOutcome>& outcomes) {
+  std::string text = "model,attempt,x,y,theta\n";
+  for (std::size_t i = 0; i < contenders.size(); ++i) {
+    for (std::size_t attempt = 0; attempt < outcomes.size(); ++attempt) {
+      const auto& end = outcomes[attempt].at(i).end;
+      if (!end) continue;
+      text += std::string(contenders.at(i).key) + "," + std::to_string(attempt) + "," +
+              fixed_number(end->x_m, 6) + "," + fixed_number(end->y_m, 6) + "," +
+              fixed_number(end->theta_rad, 6) + "\n";
+    }
+  }
+  return text;
+}
+
+std::string end_points_script(const std::vector<AttemptOutcome>& outcomes, const std::string& csv_name,
+                              const std::string& svg_name) {
+  const std::string half = plain_number(half_width_m(outcomes));
+  const std::string panels = std::to_string(contenders.size());
+  std::string text = "set terminal svg size " + std::to_string(320 * contenders.size()) +
+                     ",370 font 'sans,12' background rgb 'white'\n"
+                     "set output '" +
+                     svg_name +
+                     "'\n"
+                     "set datafile separator ','\n"
+                     "set size square\nset grid lc rgb '#dddddd'\nset samples 2\n"
+                     "set xrange [-" +
+                     half + ":" + half + "]\nset yrange [-" + half + ":" + half +
+                     "]\n"
+                     "set xlabel 'x [m]'\nset ylabel 'y [m]'\n"
+                     "set multiplot layout 1," +
+                     panels +
+                     " title 'End points of each attempt; cross: start; dashed: published mean offset'\n";
+  for (const ContenderInfo& info : contenders) text += panel(info, csv_name);
+  return text + "unset multiplot\n";
+}
+
+std::optional<std::string> run_gnuplot(const std::filesystem::path& script) {
+  const std::string name = script.filename().string();
+  std::string program = "gnuplot";
+  std::string argument = name;
+  std::array<char*, 3> arguments{program.data(), argument.data(), nullptr};
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addchdir_np(&actions, script.parent_path().c_str());
+  pid_t child = 0;
+  const int error = posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (error != 0) return "not drawn: needs gnuplot (package gnuplot-nox)";
+  int status = 0;
+  if (waitpid(child, &status, 0) != child || status != 0) return "not drawn: gnuplot failed on " + name;
+  return std::nullopt;
+}
+
+}  // namespace wheelwright::tools

@@ -1,0 +1,109 @@
+#include "tools/wheelwright/evaluation/offset_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "config/load/text_format.hpp"
+
+namespace wheelwright::tools {
+namespace {
+
+using config::fixed_number;
+using nlohmann::ordered_json;
+
+bool is_met(const OffsetRow& row) {
+  if (row.finished < row.attempts || !row.offset) return false;
+  const double published_m = row.info.published->mean_m;
+  return std::abs(row.offset->mean_m - published_m) <= mean_tolerance * published_m;
+}
+
+std::string metres(double value_m) {
+  return fixed_number(value_m, 3);
+}
+
+std::string with_interval(double value_m, const Interval& interval_m) {
+  return metres(value_m) + " [" + metres(interval_m.low) + ", " + metres(interval_m.high) + "]";
+}
+
+ordered_json to_json(double value, const Interval& interval) {
+  return {{"value", value}, {"unit", "m"}, {"ci95", {interval.low, interval.high}}};
+}
+
+std::string published_text(const OffsetRow& row) {
+  if (!row.info.published) return "-";
+  return metres(row.info.published->mean_m) + " +- " + metres(row.info.published->standard_deviation_m);
+}
+
+}  // namespace
+
+std::vector<OffsetRow> offset_rows(const std::vector<AttemptOutcome>& outcomes, std::uint64_t seed) {
+  std::vector<OffsetRow> rows;
+  for (std::size_t i = 0; i < contenders.size(); ++i) {
+    OffsetRow row{contenders.at(i), outcomes.size(), 0, std::nullopt, {}, std::nullopt};
+    std::vector<double> offsets_m;
+    for (const AttemptOutcome& outcome : outcomes) {
+      const DriveOutcome& drive = outcome.at(i);
+      if (drive.end) {
+        offsets_m.push_back(std::hypot(drive.end->x_m, drive.end->y_m));
+      } else if (row.first_failure.empty()) {
+        row.first_failure = drive.failure;
+      }
+    }
+    row.finished = offsets_m.size();
+    if (!offsets_m.empty()) row.offset = offset_statistics(offsets_m, seed);
+    if (row.info.published) row.met = is_met(row);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+bool all_met(const std::vector<OffsetRow>& rows) {
+  return std::all_of(rows.begin(), rows.end(), [](const OffsetRow& row) { return row.met.value_or(true); });
+}
+
+void print_offset_table(std::ostream& out, const std::vector<OffsetRow>& rows) {
+  const auto line = [&](const std::string& title, const std::string& mean, const std::string& deviation,
+                        const std::string& published, const std::string& met) {
+    out << std::left << std::setw(29) << title << std::setw(23) << mean << std::setw(23) << deviation
+        << std::setw(17) << published << met << "\n";
+  };
+  line("model", "mean offset [m]", "std. deviation [m]", "published [m]", "met");
+  for (const OffsetRow& row : rows) {
+    const std::string mean = row.offset ? with_interval(row.offset->mean_m, row.offset->mean_ci95_m) : "-";
+    const std::string deviation =
+        row.offset ? with_interval(row.offset->standard_deviation_m, row.offset->standard_deviation_ci95_m)
+                   : "-";
+    line(std::string(row.info.title), mean, deviation, published_text(row),
+         !row.met ? "-" : (*row.met ? "yes" : "no"));
+  }
+  for (const OffsetRow& row : rows) {
+    if (row.finished == row.attempts) continue;
+    out << row.info.title << ": only " << row.finished << " of " << row.attempts
+        << " attempts came to their end; the first that did not: " << row.first_failure << "\n";
+  }
+}
+
+ordered_json offset_json(const std::vector<OffsetRow>& rows) {
+  ordered_json models = ordered_json::object();
+  for (const OffsetRow& row : rows) {
+    ordered_json model{{"attempts", row.attempts}, {"finished", row.finished}};
+    if (row.offset) {
+      const OffsetStatistics& offset = *row.offset;
+      model["mean_offset"] = to_json(offset.mean_m, offset.mean_ci95_m);
+      model["standard_deviation"] = to_json(offset.standard_deviation_m, offset.standard_deviation_ci95_m);
+    }
+    if (!row.first_failure.empty()) model["first_failure"] = row.first_failure;
+    if (row.info.published) {
+      model["published"] = {{"mean_offset_m", row.info.published->mean_m},
+                            {"standard_deviation_m", row.info.published->standard_deviation_m}};
+      model["met"] = *row.met;
+    }
+    models[std::string(row.info.key)] = std::move(model);
+  }
+  return models;
+}
+
+}  // namespace wheelwright::tools
