@@ -71,6 +71,7 @@ void HybridFilter::advance_model(const SensorFrame& frame) {
   set_prediction(right_, predicted_m.right, static_cast<double>(ticks));
   left_.counts_backwards = counts_backwards(left_, command_.left);
   right_.counts_backwards = counts_backwards(right_, command_.right);
+  if (!started_) last_not_driven_tick_ = frame.tick;  // nobody knows what was before
   started_ = true;
   tick_ = frame.tick;
   command_ = frame.command.speed_m_s;

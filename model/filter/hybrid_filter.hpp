@@ -10,8 +10,10 @@
 //
 // Limits. The encoders do not see the floor: two wheels that slip alike, or a robot that is carried, look
 // like driving. Where the wheel-speed controller of the robot holds the speed, another floor shows in the
-// motor currents and hardly in the counts. While the robot is not armed nobody knows its commands; encoders
-// are then believed as they are.
+// motor currents and hardly in the counts; a floor with less grip that pulls no harder shows in neither. A
+// push sideways turns no wheel. The wheel-drop switches are one bit here: a wheel hangs, not which. A jump of
+// less than about half a centimetre passes for noise. While the robot is not armed nobody knows its commands;
+// encoders are then believed as they are.
 #pragma once
 
 #include <Eigen/Core>
