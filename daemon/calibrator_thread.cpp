@@ -35,7 +35,7 @@ void CalibratorThread::run() {
     while (wiring_.frames_to_calibrator.pop(frame)) {
       if (auto outcome = calibrator_.take(frame)) deliver(*outcome);
     }
-    MotionPredictor* old = nullptr;
+    DrivingModel* old = nullptr;
     while (wiring_.old_models.pop(old)) delete old;
     std::this_thread::sleep_for(look_every);
   }
@@ -62,7 +62,7 @@ void CalibratorThread::deliver(CalibrationOutcome& outcome) {
       break;
     }
     case CalibrationKind::response:
-      deliver_model(*outcome.response);
+      deliver_response(outcome);
       break;
   }
 }
@@ -73,8 +73,8 @@ void CalibratorThread::deliver_encoder_order(bool swapped) {
     const std::string reason =
         "the left wheel moved, but the counter configured as the right one did; set link.encoder_order to "
         "auto";
-    CalibrationOutcome refused{CalibrationKind::encoder_order, Refusal{reason}, true, std::nullopt,
-                               std::nullopt};
+    CalibrationOutcome refused;
+    refused.refusal = Refusal{reason};
     deliver(refused);
     return;
   }
@@ -87,23 +87,17 @@ void CalibratorThread::deliver_encoder_order(bool swapped) {
   wiring_.push(wiring_.deliveries, Delivery{CalibrationKind::encoder_order, {}, nullptr});
 }
 
-void CalibratorThread::deliver_model(const FirFit& fit) {
-  RobotModel model;
-  model.robot = config_.robot_name;
-  model.created = utc_now();
-  model.source = {"response calibration on the robot, " + std::to_string(calibrator_.response_runs().size()) +
-                  " actions"};
-  model.core = fit.model;
-  model.left_fit = fit.left;
-  model.right_fit = fit.right;
-  if (report_.encoder_scale) {
-    model.encoder_scale =
-        EncoderScale{report_.encoder_scale->metres_per_tick, report_.encoder_scale->ticks_per_turn,
-                     report_.encoder_scale->relative_standard_error};
-  }
+void CalibratorThread::deliver_response(CalibrationOutcome& outcome) {
+  const FirFit& fit = *outcome.response;
   spdlog::info("response: {} periods long, gain {:.3f} / {:.3f} (left / right), readings differ by {:.2f} mm",
                fit.model.left.from_left.size(), fit.left.gain.from_left, fit.right.gain.from_right,
                1e3 * fit.left.position_noise_m);
+  deliver_model(outcome.kind, std::move(*outcome.model));
+}
+
+void CalibratorThread::deliver_model(CalibrationKind kind, RobotModel model) {
+  model.robot = config_.robot_name;
+  model.created = utc_now();
   try {
     config::save_model(model, config_.model_file);
   } catch (const std::exception& error) {
@@ -111,8 +105,8 @@ void CalibratorThread::deliver_model(const FirFit& fit) {
     report_.file_error = error.what();
   }
   // Handed over with its ownership: Delivery has to be copied into the ring.
-  auto predictor = std::make_unique<MotionPredictor>(model.core);
-  wiring_.push(wiring_.deliveries, Delivery{CalibrationKind::response, {}, predictor.release()});
+  auto driving = std::make_unique<DrivingModel>(model);
+  wiring_.push(wiring_.deliveries, Delivery{kind, {}, driving.release()});
   report_.model = std::move(model);
 }
 

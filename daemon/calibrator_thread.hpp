@@ -31,7 +31,8 @@ class CalibratorThread {
  private:
   void deliver(CalibrationOutcome& outcome);
   void deliver_encoder_order(bool swapped);
-  void deliver_model(const FirFit& fit);
+  void deliver_response(CalibrationOutcome& outcome);
+  void deliver_model(CalibrationKind kind, RobotModel model);
 
   const config::DaemonConfig& config_;
   Calibrator calibrator_;

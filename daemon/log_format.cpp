@@ -1,6 +1,7 @@
 #include "daemon/log_format.hpp"
 
 #include "config/load/text_format.hpp"
+#include "daemon/fault_text.hpp"
 
 namespace wheelwright::daemon {
 namespace {
@@ -9,6 +10,10 @@ using config::fixed_number;
 using config::plain_number;
 
 }  // namespace
+
+bool is_logged(const LogEntry& entry) {
+  return entry.record.tick >= 0 && entry.frame.command.activity != Activity::idle;
+}
 
 std::string drive_log_head(const config::DaemonConfig& config, const WheelPair& metres_per_tick) {
   std::string text = "# wheelwright_drive_log: 1\n";
@@ -57,12 +62,37 @@ std::string pose_log_head(const config::DaemonConfig& config) {
   text += "# robot: " + config.robot_name + "\n";
   text += "# wheel_base_m: " + plain_number(config.limits.wheel_base_m) + "\n";
   text += "# period_s: " + plain_number(config.limits.period_s) + "\n";
-  text += "# pose_source: " + std::string(config.pose_source == PoseSource::fir ? "fir" : "odometry") + "\n";
+  text += "# pose_source: " + std::string(name_of(config.pose_source)) + "\n";
   text += "# frame: x forward and y left at the start of the route; zero again where the route starts\n";
   text += "t,speed_left,speed_right,v,w,x,y,theta,odometry_x,odometry_y,odometry_theta,";
-  text += "measured_speed_left,measured_speed_right,activity,checkpoints_visited\n";
+  text += "measured_speed_left,measured_speed_right,activity,checkpoints_visited,";
+  text += "hybrid_x,hybrid_y,hybrid_theta,hybrid_cov_xx,hybrid_cov_xy,hybrid_cov_yy,hybrid_cov_xtheta,";
+  text +=
+      "hybrid_cov_ytheta,hybrid_cov_thetatheta,discarded,fault_left,fault_right,recalibration_due,events\n";
   return text;
 }
+
+namespace {
+
+// By the hybrid filter; empty fields where it does not run. A covariance is small: twelve decimals.
+std::string hybrid_fields(const std::optional<HybridOutput>& hybrid) {
+  if (!hybrid) return ",,,,,,,,,,,,,";
+  std::string fields;
+  for (const double value : {hybrid->pose.x_m, hybrid->pose.y_m, hybrid->pose.theta_rad}) {
+    fields += fixed_number(value, 6) + ",";
+  }
+  const Eigen::Matrix3d& covariance = hybrid->covariance;
+  for (const double value : {covariance(0, 0), covariance(0, 1), covariance(1, 1), covariance(0, 2),
+                             covariance(1, 2), covariance(2, 2)}) {
+    fields += fixed_number(value, 12) + ",";
+  }
+  if (hybrid->left.discarded) fields += hybrid->right.discarded ? "both" : "left";
+  if (!hybrid->left.discarded && hybrid->right.discarded) fields += "right";
+  fields += "," + std::string(name_of(hybrid->left_fault)) + "," + std::string(name_of(hybrid->right_fault));
+  return fields + (hybrid->recalibration_due ? ",1," : ",0,") + field_of(hybrid->events);
+}
+
+}  // namespace
 
 std::string pose_log_line(const LogEntry& entry, double wheel_base_m) {
   const PoseRecord& record = entry.record;
@@ -81,7 +111,8 @@ std::string pose_log_line(const LogEntry& entry, double wheel_base_m) {
                              record.measured_speed_m_s.left, record.measured_speed_m_s.right}) {
     line += fixed_number(value, 6) + ",";
   }
-  return line + std::string(name_of(record.command.activity)) + "," + std::to_string(record.visited);
+  line += std::string(name_of(record.command.activity)) + "," + std::to_string(record.visited) + ",";
+  return line + hybrid_fields(record.hybrid);
 }
 
 }  // namespace wheelwright::daemon

@@ -8,6 +8,9 @@
 
 namespace wheelwright::daemon {
 
+// Before the run starts there is nothing that belongs to it.
+bool is_logged(const LogEntry& entry);
+
 // Everything above the first row: metadata lines and the header row, each with its line end.
 std::string drive_log_head(const config::DaemonConfig& config, const WheelPair& metres_per_tick);
 std::string drive_log_line(const LogEntry& entry);

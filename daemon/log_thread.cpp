@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "config/load/atomic_file.hpp"
+#include "daemon/fault_text.hpp"
 #include "daemon/log_format.hpp"
 
 namespace wheelwright::daemon {
@@ -77,12 +78,11 @@ void LogThread::take(const LogEntry& entry) {
   }
   recorder_next_ = (recorder_next_ + 1) % recorder_ticks;
   note_activity(entry);
-  // Before the run starts there is nothing that belongs to it.
-  const bool part_of_run = entry.record.tick >= 0 && entry.frame.command.activity != Activity::idle;
-  if (part_of_run) {
+  if (is_logged(entry)) {
     drive_log_.add(drive_log_line(entry));
     pose_log_.add(pose_log_line(entry, config_.limits.wheel_base_m));
     ++report_.logged_ticks;
+    note_faults(entry.record);
   }
   if (entry.frame.command.activity == Activity::route) report_.last_route_record = entry.record;
   if (entry.frame.stop != last_stop_) {
@@ -98,6 +98,24 @@ void LogThread::note_activity(const LogEntry& entry) {
   const bool repeats = activity == Activity::left_on && entry.frame.command.repetition > 0;
   if (const auto title = title_of(activity); !title.empty() && !repeats) spdlog::info("{}", title);
   last_activity_ = activity;
+}
+
+void LogThread::note_faults(const PoseRecord& record) {
+  if (!record.hybrid) return;
+  for (const FaultEvent& event : record.hybrid->events) {
+    const bool began = event.stage == FaultEvent::Stage::began;
+    report_.faults += began ? 1 : 0;
+    // What is known at once is named in the same tick.
+    if (began && event.kind != FaultKind::misfit) continue;
+    spdlog::warn("{:.2f} s: {}", record.t_s, sentence_of(event));
+  }
+  if (record.hybrid->raised_recalibration) {
+    spdlog::warn(
+        "{:.2f} s: both wheels need other currents or move otherwise than the model says, for good: "
+        "calibrate again",
+        record.t_s);
+  }
+  report_.recalibration_due = record.hybrid->recalibration_due;
 }
 
 void LogThread::tell(const roomba::Event& event) {

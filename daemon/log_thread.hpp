@@ -19,7 +19,9 @@ struct LogReport {
   std::uint64_t lost_lines = 0;
   std::optional<PoseRecord> last_route_record;
   std::int64_t logged_ticks = 0;
-  double route_length_m = 0.0;  // as predicted
+  std::uint64_t faults = 0;        // that the hybrid filter found
+  bool recalibration_due = false;  // as it said at last
+  double route_length_m = 0.0;     // as predicted
 };
 
 class LogThread {
@@ -41,6 +43,7 @@ class LogThread {
   void take(const LogEntry& entry);
   void tell(const roomba::Event& event);
   void note_activity(const LogEntry& entry);
+  void note_faults(const PoseRecord& record);
   void note_file_errors();
   void write_flight_recorder(StopReason reason);
   void finish();

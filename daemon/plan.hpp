@@ -16,7 +16,8 @@ struct Plan {
 };
 
 // `model` is what the model file holds, if there is one. Throws ConfigError where the mission needs one, or
-// another.
+// another: of the period of the link, of the type that the pose source is named after, and for the source
+// `hybrid` with an encoder scale.
 Plan make_plan(const config::DaemonConfig& config, std::optional<RobotModel> model);
 
 }  // namespace wheelwright::daemon

@@ -140,8 +140,7 @@ int run_process(const config::DaemonConfig& config, const std::filesystem::path&
   auto wiring = std::make_unique<Wiring>();
   RingClient client(*wiring);
   roomba::Session session({config.link, config.device, config.baud}, *port, client);
-  Brain brain(plan.mission, plan.limits,
-              plan.model ? std::make_unique<MotionPredictor>(plan.model->core) : nullptr);
+  Brain brain(plan.mission, plan.limits, plan.model ? std::make_unique<DrivingModel>(*plan.model) : nullptr);
   CalibratorThread calibrator(config, plan.mission, session, *wiring);
   LogThread log(config, folder, plan.limits.metres_per_tick, *wiring);
 

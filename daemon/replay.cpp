@@ -1,5 +1,6 @@
 #include "daemon/replay.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <deque>
@@ -33,6 +34,11 @@ class RecordedFrames {
         activity_(column_of(log, "activity")),
         stop_(column_of(log, "stop")),
         after_gap_(column_of(log, "after_gap")),
+        wheel_drop_(column_of(log, "wheel_drop")),
+        overcurrents_(column_of(log, "overcurrents")),
+        current_left_(column_of(log, "current_left_a")),
+        current_right_(column_of(log, "current_right_a")),
+        doubtful_sign_(column_of(log, "doubtful_sign")),
         travel_left_(column_of(log, "travel_ticks_left")),
         travel_right_(column_of(log, "travel_ticks_right")) {
     const std::array names{"light_left",         "light_front_left",  "light_center_left",
@@ -56,6 +62,10 @@ class RecordedFrames {
     if (!frame.valid) return frame;
     frame.ticks = travel(row);
     frame.after_gap = after_gap_.values[row] > 0.0;
+    frame.doubtful_sign = doubtful_sign_.values[row] > 0.0;
+    frame.wheel_drop = wheel_drop_.values[row] > 0.0;
+    frame.overcurrents = static_cast<std::uint8_t>(overcurrents_.values[row]);
+    frame.motor_current_a = {amperes(current_left_.values[row]), amperes(current_right_.values[row])};
     frame.battery_v = sample.battery_v.value_or(0.0);
     for (std::size_t s = 0; s < light_.size(); ++s) {
       frame.light_bumper.at(s) = static_cast<std::uint16_t>(light_.at(s)->values[row]);
@@ -79,6 +89,9 @@ class RecordedFrames {
     return {std::llround(travel_left_.values[row]), std::llround(travel_right_.values[row])};
   }
 
+  // Of the milliamperes that the robot reports, by the same product as then.
+  static double amperes(double logged) { return 1e-3 * std::round(1e3 * logged); }
+
   StopReason stop_reason(std::size_t row) const {
     for (int code = 0; code <= static_cast<int>(StopReason::requested); ++code) {
       const auto reason = static_cast<StopReason>(code);
@@ -93,6 +106,11 @@ class RecordedFrames {
   const ExtraColumn& activity_;
   const ExtraColumn& stop_;
   const ExtraColumn& after_gap_;
+  const ExtraColumn& wheel_drop_;
+  const ExtraColumn& overcurrents_;
+  const ExtraColumn& current_left_;
+  const ExtraColumn& current_right_;
+  const ExtraColumn& doubtful_sign_;
   const ExtraColumn& travel_left_;
   const ExtraColumn& travel_right_;
   std::array<const ExtraColumn*, 6> light_{};
@@ -105,7 +123,7 @@ class Replay {
         frames_(log),
         calibrator_(plan.mission, plan.limits),
         brain_(plan.mission, plan.limits,
-               plan.model ? std::make_unique<MotionPredictor>(plan.model->core) : nullptr) {}
+               plan.model ? std::make_unique<DrivingModel>(*plan.model) : nullptr) {}
 
   ReplayResult run() {
     result_.pose_log = pose_log_head(config_);
@@ -132,10 +150,11 @@ class Replay {
 
   Command command_of(std::size_t row, const SensorFrame& frame) {
     while (!commands_.empty() && commands_.front().tick < frame.tick) commands_.pop_front();
-    if (frame.stop != StopReason::none) return {frame.tick, frames_.command(row), Activity::stopped, 0};
     const bool given = !commands_.empty() && commands_.front().tick == frame.tick;
     if (given && was_recorded(commands_.front(), row)) {
       last_command_ = commands_.front();
+    } else if (frame.stop != StopReason::none && was_recorded({frame.tick, {}, Activity::stopped, 0}, row)) {
+      last_command_ = {frame.tick, {}, Activity::stopped, 0};  // the link's own
     } else if (!was_recorded(last_command_, row) && !result_.first_difference) {
       // Where the command came too late the loop held the last one; anything else is another brain.
       result_.first_difference = frames_.tick(row);
@@ -152,7 +171,13 @@ class Replay {
   }
 
   void collect_commands() {
-    while (const auto command = brain_.next_command()) commands_.push_back(*command);
+    const double limit = config_.link.largest_speed_m_s;
+    while (auto command = brain_.next_command()) {
+      // As the link does: rounding may have gone past it.
+      command->speed_m_s.left = std::clamp(command->speed_m_s.left, -limit, limit);
+      command->speed_m_s.right = std::clamp(command->speed_m_s.right, -limit, limit);
+      commands_.push_back(*command);
+    }
   }
 
   void deliver() {
@@ -165,7 +190,7 @@ class Replay {
     } else if (outcome.kind == CalibrationKind::encoder_scale) {
       brain_.accept_encoder_scale(outcome.encoder_scale->metres_per_tick);
     } else {
-      brain_.accept_model(std::make_unique<MotionPredictor>(outcome.response->model));
+      brain_.accept_model(std::make_unique<DrivingModel>(*outcome.model));
     }
   }
 

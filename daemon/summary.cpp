@@ -48,15 +48,28 @@ void add_calibration(Table& table, const CalibrationReport& calibration) {
   }
 }
 
+std::string steered_by(PoseSource source) {
+  if (is_sensorless(source)) return "the model alone (" + std::string(name_of(source)) + ")";
+  return source == PoseSource::hybrid ? "encoders filtered against the model" : "odometry";
+}
+
+void add_faults(Table& table, const LogReport& log) {
+  if (log.faults > 0) table.row("faults of wheels and encoders", "{}", log.faults);
+  if (log.recalibration_due) table.row("recalibration", "{}", "due: the model does not fit any more");
+}
+
 void add_route(Table& table, const config::DaemonConfig& config, const LogReport& log) {
   if (!config.route || !log.last_route_record) return;
   const PoseRecord& last = *log.last_route_record;
-  table.title("Route '" + config.route->name + "', steered by " +
-              (config.pose_source == PoseSource::fir ? "the model alone" : "odometry"));
+  table.title("Route '" + config.route->name + "', steered by " + steered_by(config.pose_source));
   table.row("checkpoints visited", "{} of {}", last.visited, config.route->checkpoints.size());
   if (!is_closed(*config.route)) return;
   if (last.has_prediction) {
     table.row("loop closure by the model", "{:.4f} m", std::hypot(last.predicted.x_m, last.predicted.y_m));
+  }
+  if (last.hybrid) {
+    table.row("loop closure by the filter", "{:.4f} m",
+              std::hypot(last.hybrid->pose.x_m, last.hybrid->pose.y_m));
   }
   table.row("loop closure by odometry", "{:.4f} m", std::hypot(last.odometry.x_m, last.odometry.y_m));
 }
@@ -106,6 +119,7 @@ std::string summary(const config::DaemonConfig& config, const RunOutcome& outcom
   if (calibration.refusal) table.row("calibration refused", "{}", *calibration.refusal);
   add_calibration(table, calibration);
   add_route(table, config, log);
+  add_faults(table, log);
   add_loop(table, config, session, real_time, dropped);
   add_files(table, config, calibration, log);
   return table.text();

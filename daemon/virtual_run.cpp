@@ -31,7 +31,7 @@ class VirtualRun {
         link_(config.link),
         calibrator_(config.mission, limits_of(config)),
         brain_(config.mission, limits_of(config),
-               config.model ? std::make_unique<MotionPredictor>(config.model->core) : nullptr) {
+               config.model ? std::make_unique<DrivingModel>(*config.model) : nullptr) {
     link_.port_opened();
   }
 
@@ -74,6 +74,7 @@ class VirtualRun {
   void finish_tick(const open_interface::Reading* reading) {
     const SensorFrame frame = link_.complete_tick(reading);
     send(link_.urgent_bytes());
+    result_.frames.push_back(frame);
     result_.records.push_back(brain_.take(frame));
     result_.true_poses.push_back(robot_.truth().pose);
     if (auto outcome = calibrator_.take(frame)) deliver(*outcome);
@@ -115,7 +116,8 @@ class VirtualRun {
         break;
       case CalibrationKind::response:
         result_.response = outcome.response;
-        brain_.accept_model(std::make_unique<MotionPredictor>(outcome.response->model));
+        result_.model = outcome.model;
+        brain_.accept_model(std::make_unique<DrivingModel>(*outcome.model));
         break;
     }
   }

@@ -30,9 +30,11 @@ struct VirtualRunResult {
   std::optional<Refusal> refusal;
   std::optional<EncoderScaleFit> encoder_scale;
   std::optional<FirFit> response;
+  std::optional<RobotModel> model;  // that the calibration made
   bool encoders_swapped = false;
-  std::vector<PoseRecord> records;
-  std::vector<Pose> true_poses;  // one per record, in the room's frame
+  std::vector<SensorFrame> frames;
+  std::vector<PoseRecord> records;  // one per frame
+  std::vector<Pose> true_poses;     // one per record, in the room's frame
   std::optional<Pose> true_pose_at_route_start;
   open_interface::ReplyCounts replies;
   double duration_s = 0.0;

@@ -33,7 +33,7 @@ struct LogEntry {
 struct Delivery {
   std::optional<CalibrationKind> kind;  // nothing: the calibration was refused
   WheelPair metres_per_tick;
-  MotionPredictor* model = nullptr;
+  DrivingModel* model = nullptr;
 };
 
 struct Wiring {
@@ -43,7 +43,7 @@ struct Wiring {
   Ring<LogEntry, 512> entries;
   Ring<roomba::Event, 128> events;
   Ring<Delivery, 8> deliveries;
-  Ring<MotionPredictor*, 8> old_models;
+  Ring<DrivingModel*, 8> old_models;
 
   std::counting_semaphore<> frame_arrived{0};
   std::atomic<bool> ending{false};

@@ -117,8 +117,12 @@ void read_run(YamlReader& file, DaemonConfig& config) {
   } else if (run->has("route")) {
     config.route = load_route(run->existing_file("route"));
   }
-  config.pose_source = run->choice<PoseSource>(
-      "pose_source", {{"fir", PoseSource::fir}, {"odometry", PoseSource::odometry}}, config.pose_source);
+  config.pose_source = run->choice<PoseSource>("pose_source",
+                                               {{"fir", PoseSource::fir},
+                                                {"arma", PoseSource::arma},
+                                                {"hybrid", PoseSource::hybrid},
+                                                {"odometry", PoseSource::odometry}},
+                                               config.pose_source);
   config.arm_at_start =
       run->choice<bool>("arm", {{"at_start", true}, {"by_signal", false}}, config.arm_at_start);
   config.at_end = run->choice<AtEnd>("at_end", {{"exit", AtEnd::exit}, {"stay", AtEnd::stay}}, config.at_end);

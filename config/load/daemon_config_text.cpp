@@ -101,7 +101,7 @@ void add_run(Yaml& yaml, const DaemonConfig& config) {
     }
     yaml.word("  checkpoints", "[" + points + "]");
   }
-  yaml.word("pose_source", config.pose_source == PoseSource::fir ? "fir" : "odometry");
+  yaml.word("pose_source", std::string(wheelwright::name_of(config.pose_source)));
   yaml.word("arm", config.arm_at_start ? "at_start" : "by_signal");
   yaml.word("at_end", config.at_end == AtEnd::exit ? "exit" : "stay");
   yaml.text("log_folder", config.log_folder.string());

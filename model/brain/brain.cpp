@@ -31,7 +31,7 @@ Pose seen_from(const Pose& origin, const Pose& offset) {
 
 }  // namespace
 
-Brain::Brain(const Mission& mission, const RobotLimits& limits, std::unique_ptr<MotionPredictor> model)
+Brain::Brain(const Mission& mission, const RobotLimits& limits, std::unique_ptr<DrivingModel> model)
     : mission_(mission),
       limits_(limits),
       model_(std::move(model)),
@@ -76,7 +76,7 @@ void Brain::begin_run(std::int64_t tick) {
   start_tick_ = tick + 1;
   next_tick_ = std::max(next_tick_, tick + 1);
   step_ = 0;
-  if (model_) model_->reset({});
+  if (model_) model_->restart();
   odometry_.set_pose({});
   enter_step();
 }
@@ -89,8 +89,10 @@ void Brain::enter_step() {
   if (step.manoeuvre) step.manoeuvre->restart();
   if (step.stage == Stage::route) {
     follower_.restart();
-    if (model_) model_->reset({});
     odometry_.set_pose({});
+    if (!model_) return;
+    model_->predictor.reset({});
+    if (model_->filter) model_->filter->set_pose({});
   }
 }
 
@@ -114,7 +116,7 @@ void Brain::accept_encoder_scale(const WheelPair& metres_per_tick) {
   outcome_arrived_ = true;
 }
 
-void Brain::accept_model(std::unique_ptr<MotionPredictor> model) {
+void Brain::accept_model(std::unique_ptr<DrivingModel> model) {
   accepted_model_ = std::move(model);
   outcome_arrived_ = true;
 }
@@ -125,6 +127,11 @@ void Brain::apply_accepted() {
   if (!accepted_model_) return;
   retired_model_ = std::move(model_);
   model_ = std::move(accepted_model_);
+}
+
+// What is recorded of a run, and so what a replay of it sees.
+bool Brain::in_run(const SensorFrame& frame) const {
+  return frame.tick >= start_tick_ && frame.command.activity != Activity::idle;
 }
 
 PoseRecord Brain::take(const SensorFrame& frame) {
@@ -151,6 +158,7 @@ PoseRecord Brain::take(const SensorFrame& frame) {
   record.odometry = odometry_.pose();
   record.measured_speed_m_s = measured_speed_;
   record.valid = frame.valid;
+  if (model_ && model_->filter && in_run(frame)) record.hybrid = model_->filter->step(frame);
   const auto slot = static_cast<std::size_t>(frame.tick) % predictions_.size();
   const Prediction& prediction = predictions_.at(slot);
   record.predicted = last_record_.predicted;
@@ -165,9 +173,9 @@ PoseRecord Brain::take(const SensorFrame& frame) {
 }
 
 int Brain::ticks_ahead() const {
-  const bool by_model = mission_.pose_source == PoseSource::fir;
+  const bool needs_sensors = stage() == Stage::manoeuvre || stage() == Stage::await;
   const bool sensorless =
-      running_ && step_ < steps_.size() && stage() != Stage::manoeuvre && stage() != Stage::await && by_model;
+      running_ && step_ < steps_.size() && !needs_sensors && is_sensorless(mission_.pose_source);
   return sensorless ? limits_.ticks_ahead : 1;
 }
 
@@ -177,7 +185,7 @@ std::optional<Command> Brain::next_command() {
   const WheelOrder wanted = order();
   Command command{next_tick_, rounded(wanted.speed_m_s), wanted.activity, wanted.repetition};
   remember_prediction(next_tick_);
-  if (model_) model_->step(command.speed_m_s);
+  if (model_) model_->predictor.step(command.speed_m_s);
   activity_ = command.activity;
   ++next_tick_;
   return command;
@@ -186,7 +194,8 @@ std::optional<Command> Brain::next_command() {
 void Brain::remember_prediction(std::int64_t tick) {
   if (!model_) return;
   Prediction& slot = predictions_.at(static_cast<std::size_t>(tick) % predictions_.size());
-  slot = {tick, model_->pose(), model_->speed_m_s(), static_cast<std::uint16_t>(follower_.visited())};
+  slot = {tick, model_->predictor.pose(), model_->predictor.speed_m_s(),
+          static_cast<std::uint16_t>(follower_.visited())};
 }
 
 WheelOrder Brain::order() {
@@ -228,10 +237,9 @@ std::optional<WheelOrder> Brain::await_order(Activity activity) {
 }
 
 std::optional<WheelOrder> Brain::route_order() {
-  const bool by_model = mission_.pose_source == PoseSource::fir && model_;
-  const WheelPair speed = follower_.steer(by_model ? model_->rest_pose() : rest_by_odometry());
+  const WheelPair speed = follower_.steer(steering_rest_pose());
   if (follower_.finished()) return std::nullopt;
-  const WheelPair command = model_ ? model_->command_for(speed) : speed;
+  const WheelPair command = model_ ? model_->predictor.command_for(speed) : speed;
   return WheelOrder{command, Activity::route, static_cast<std::uint16_t>(follower_.visited())};
 }
 
@@ -240,12 +248,20 @@ std::optional<WheelOrder> Brain::coast_order() {
   return WheelOrder{{}, Activity::route, static_cast<std::uint16_t>(follower_.visited())};
 }
 
-// Odometry says where the robot is, the model how far it still goes.
-Pose Brain::rest_by_odometry() const {
+// The pose at which the robot would come to rest, by the source that steers.
+Pose Brain::steering_rest_pose() {
+  if (!model_) return odometry_.pose();
+  if (is_sensorless(mission_.pose_source)) return model_->predictor.rest_pose();
+  const bool filtered = mission_.pose_source == PoseSource::hybrid && model_->filter;
+  return rest_by_sensors(filtered ? model_->filter->pose() : odometry_.pose());
+}
+
+// The sensors say where the robot was at the latest tick, the model how far it goes from there.
+Pose Brain::rest_by_sensors(const Pose& measured) {
   const auto slot = static_cast<std::size_t>(latest_.tick) % predictions_.size();
   const Prediction& then = predictions_.at(slot);
-  if (!model_ || then.tick != latest_.tick) return odometry_.pose();
-  return seen_from(odometry_.pose(), relative_to(then.pose, model_->rest_pose()));
+  if (then.tick != latest_.tick) return measured;
+  return seen_from(measured, relative_to(then.pose, model_->predictor.rest_pose()));
 }
 
 WheelPair Brain::rounded(const WheelPair& command) const {

@@ -4,6 +4,10 @@
 // given: one where the manoeuvre needs the sensors, several ticks ahead where the route is steered by the
 // model alone. No clock, no I/O; the same frames give the same commands. After start() nothing here
 // allocates.
+//
+// Where the model knows the encoder scale, the hybrid filter runs whatever the pose source is, so that faults
+// are found and logged in each run; it steers where the source is `hybrid`. The models of the sources `fir`
+// and `arma` are the caller's to match: the brain drives by the model that it is given.
 #pragma once
 
 #include <array>
@@ -13,9 +17,9 @@
 #include <string>
 #include <vector>
 
+#include "model/brain/driving_model.hpp"
 #include "model/brain/manoeuvre.hpp"
 #include "model/brain/mission.hpp"
-#include "model/motion_predictor.hpp"
 #include "model/odometry.hpp"
 #include "model/route/route_follower.hpp"
 #include "model/sensor_frame.hpp"
@@ -33,6 +37,8 @@ struct PoseRecord {
   WheelPair predicted_speed_m_s;
   Pose odometry;
   WheelPair measured_speed_m_s;
+  std::optional<HybridOutput>
+      hybrid;                 // where the model knows the encoder scale; at the instant of `odometry`
   std::uint16_t visited = 0;  // checkpoints
   bool valid = false;         // the sensors of this tick were heard
 };
@@ -40,7 +46,7 @@ struct PoseRecord {
 class Brain {
  public:
   // `model` may be empty where the mission calibrates first.
-  Brain(const Mission& mission, const RobotLimits& limits, std::unique_ptr<MotionPredictor> model);
+  Brain(const Mission& mission, const RobotLimits& limits, std::unique_ptr<DrivingModel> model);
 
   // Receives a frame and returns what to log of it. A run starts whenever the robot becomes armed; before
   // that it is told to stand.
@@ -53,9 +59,9 @@ class Brain {
   // it came, which is a matter of the machine, does not show.
   void accept_encoder_order() { outcome_arrived_ = true; }
   void accept_encoder_scale(const WheelPair& metres_per_tick);
-  void accept_model(std::unique_ptr<MotionPredictor> model);
+  void accept_model(std::unique_ptr<DrivingModel> model);
   // The model that the last one replaced, so that it is freed elsewhere; nothing most of the time.
-  std::unique_ptr<MotionPredictor> take_retired_model() { return std::move(retired_model_); }
+  std::unique_ptr<DrivingModel> take_retired_model() { return std::move(retired_model_); }
   // A calibration was refused: the run ends.
   void refuse();
 
@@ -94,7 +100,9 @@ class Brain {
   std::optional<WheelOrder> await_order(Activity activity);
   std::optional<WheelOrder> route_order();
   std::optional<WheelOrder> coast_order();
-  Pose rest_by_odometry() const;
+  Pose steering_rest_pose();
+  Pose rest_by_sensors(const Pose& measured);
+  bool in_run(const SensorFrame& frame) const;
   WheelPair rounded(const WheelPair& command) const;
   int ticks_ahead() const;
   void remember_prediction(std::int64_t tick);
@@ -102,9 +110,9 @@ class Brain {
 
   Mission mission_;
   RobotLimits limits_;
-  std::unique_ptr<MotionPredictor> model_;
-  std::unique_ptr<MotionPredictor> accepted_model_;
-  std::unique_ptr<MotionPredictor> retired_model_;
+  std::unique_ptr<DrivingModel> model_;
+  std::unique_ptr<DrivingModel> accepted_model_;
+  std::unique_ptr<DrivingModel> retired_model_;
   std::optional<WheelPair> accepted_scale_;
   Odometry odometry_;
   RouteFollower follower_;

@@ -1,6 +1,8 @@
 #include "model/brain/calibrator.hpp"
 
 #include <cstdlib>
+#include <string>
+#include <utility>
 
 namespace wheelwright {
 namespace {
@@ -43,7 +45,8 @@ std::optional<CalibrationOutcome> Calibrator::take(const SensorFrame& frame) {
 }
 
 CalibrationOutcome Calibrator::encoder_order() const {
-  CalibrationOutcome outcome{CalibrationKind::encoder_order, std::nullopt, false, std::nullopt, std::nullopt};
+  CalibrationOutcome outcome;
+  outcome.kind = CalibrationKind::encoder_order;
   if (!check_start_) {
     outcome.refusal = Refusal{"no sound sensor reading came while the left wheel was driven"};
     return outcome;
@@ -63,10 +66,12 @@ CalibrationOutcome Calibrator::encoder_order() const {
 }
 
 CalibrationOutcome Calibrator::encoder_scale() {
-  CalibrationOutcome outcome{CalibrationKind::encoder_scale, std::nullopt, false, std::nullopt, std::nullopt};
+  CalibrationOutcome outcome;
+  outcome.kind = CalibrationKind::encoder_scale;
   auto fit = fit_encoder_scale(turn_samples_, mission_.encoder_turn->options);
   if (fit) {
     metres_per_tick_ = fit->metres_per_tick;
+    encoder_scale_ = EncoderScale{fit->metres_per_tick, fit->ticks_per_turn, fit->relative_standard_error};
     outcome.encoder_scale = std::move(*fit);
   } else {
     outcome.refusal = fit.error();
@@ -102,7 +107,8 @@ void Calibrator::record_response(const SensorFrame& frame) {
 }
 
 CalibrationOutcome Calibrator::response() const {
-  CalibrationOutcome outcome{CalibrationKind::response, std::nullopt, false, std::nullopt, std::nullopt};
+  CalibrationOutcome outcome;
+  outcome.kind = CalibrationKind::response;
   std::vector<DriveLog> runs;
   for (const DriveLog& run : response_runs_) {
     if (!run.samples.empty()) runs.push_back(run);
@@ -110,11 +116,25 @@ CalibrationOutcome Calibrator::response() const {
   const FirFitOptions options{std::nullopt, 40, limits_.period_s};
   auto fit = fit_fir(runs, options);
   if (fit) {
+    outcome.model =
+        model_of(fit->model, fit->left, fit->right,
+                 "response calibration on the robot, " + std::to_string(response_runs_.size()) + " actions");
     outcome.response = std::move(*fit);
   } else {
     outcome.refusal = fit.error();
   }
   return outcome;
+}
+
+RobotModel Calibrator::model_of(const LinearModel& core, const WheelFit& left, const WheelFit& right,
+                                std::string source) const {
+  RobotModel model;
+  model.source = {std::move(source)};
+  model.encoder_scale = encoder_scale_;
+  model.core = core;
+  model.left_fit = left;
+  model.right_fit = right;
+  return model;
 }
 
 }  // namespace wheelwright

@@ -10,7 +10,6 @@
 #include "model/brain/mission.hpp"
 #include "model/drive_log.hpp"
 #include "model/identification/fir_fit.hpp"
-#include "model/motion_predictor.hpp"
 #include "model/robot_model.hpp"
 #include "model/sensor_frame.hpp"
 
@@ -25,6 +24,7 @@ struct CalibrationOutcome {
   bool encoders_swapped = false;                 // encoder_order
   std::optional<EncoderScaleFit> encoder_scale;  // encoder_scale
   std::optional<FirFit> response;                // response
+  std::optional<RobotModel> model;               // response: all that was found, to drive by
 };
 
 class Calibrator {
@@ -43,10 +43,13 @@ class Calibrator {
   CalibrationOutcome encoder_order() const;
   CalibrationOutcome encoder_scale();
   CalibrationOutcome response() const;
+  RobotModel model_of(const LinearModel& core, const WheelFit& left, const WheelFit& right,
+                      std::string source) const;
 
   Mission mission_;
   RobotLimits limits_;
   WheelPair metres_per_tick_;
+  std::optional<EncoderScale> encoder_scale_;
   Activity last_activity_ = Activity::idle;
   std::optional<WheelTicks> check_start_;
   WheelTicks check_end_;

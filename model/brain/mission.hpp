@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 #include "model/calibration/encoder_scale_fit.hpp"
 #include "model/pose.hpp"
@@ -28,7 +29,18 @@ struct ResponsePlan {
 };
 
 // Where the pose that the route is steered by comes from.
-enum class PoseSource : std::uint8_t { fir, odometry };
+enum class PoseSource : std::uint8_t {
+  fir,       // a model of type fir and the commands alone; no sensor is read
+  arma,      // the same by a model of type arma
+  hybrid,    // encoders filtered against the model, of either type (model/filter/hybrid_filter.hpp)
+  odometry,  // encoders as they are
+};
+std::string_view name_of(PoseSource source);
+
+// Commands do not depend on any sensor, and may be made in advance.
+constexpr bool is_sensorless(PoseSource source) {
+  return source == PoseSource::fir || source == PoseSource::arma;
+}
 
 struct Mission {
   std::optional<EncoderTurnPlan> encoder_turn;

@@ -5,6 +5,7 @@
 
 #include "model/brain/mission.hpp"
 #include "model/linear_model.hpp"
+#include "model/robot_model.hpp"
 
 namespace wheelwright::test {
 
@@ -27,6 +28,14 @@ inline LinearModel lagging_model() {
   model.left.from_right.assign(40, 0.0);
   model.right.from_left.assign(40, 0.0);
   return model;
+}
+
+// The same with an encoder scale, so that the hybrid filter runs.
+inline RobotModel lagging_robot() {
+  RobotModel robot;
+  robot.core = lagging_model();
+  robot.encoder_scale = EncoderScale{{0.000444565, 0.000444565}, 1660.0, 0.001};
+  return robot;
 }
 
 }  // namespace wheelwright::test

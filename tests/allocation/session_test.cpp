@@ -71,7 +71,7 @@ CallsWhileDriving drive_a_route(roomba::Transport transport) {
   link.blind_limit_s = 0.9;
   roomba::Session session({link, robot.path(), 115200}, *port, client);
   Brain brain(test::triangle_mission(PoseSource::fir), RobotLimits{},
-              std::make_unique<MotionPredictor>(test::lagging_model()));
+              std::make_unique<DrivingModel>(test::lagging_model()));
   test::HeapCalls loop_calls{0};
   test::HeapCalls predictor_calls{0};
   std::thread loop([&] {

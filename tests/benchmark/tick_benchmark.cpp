@@ -74,8 +74,11 @@ class Drive {
     mission.pose_source = source;
     return mission;
   }
-  static std::unique_ptr<MotionPredictor> model() {
-    return std::make_unique<MotionPredictor>(plant_model(30));
+  static std::unique_ptr<DrivingModel> model() {
+    RobotModel robot;
+    robot.core = plant_model(30);
+    robot.encoder_scale = EncoderScale{{metres_per_tick, metres_per_tick}, 1660.0, 0.001};
+    return std::make_unique<DrivingModel>(robot);
   }
 
   Brain brain_;
@@ -124,6 +127,11 @@ void tick_back_to_back_by_odometry(benchmark::State& state) {
   drive(state, PoseSource::odometry, 3000, false);
 }
 BENCHMARK(tick_back_to_back_by_odometry)->Unit(benchmark::kMillisecond);
+
+void tick_back_to_back_by_hybrid(benchmark::State& state) {
+  drive(state, PoseSource::hybrid, 3000, false);
+}
+BENCHMARK(tick_back_to_back_by_hybrid)->Unit(benchmark::kMillisecond);
 
 // After a sleep of 18 ms each, with real-time scheduling where it is to be had, as in the daemon: the caches
 // are cold and the processor is slow to wake.

@@ -15,8 +15,8 @@ int replay_status(const std::filesystem::path& run, std::string& out) {
 
 }  // namespace
 
-TEST_CASE("Replay of a route's drive log gives the pose log to the byte, by the model and by odometry") {
-  for (const std::string source : {"fir", "odometry"}) {
+TEST_CASE("Replay of a route's drive log gives the pose log to the byte, whatever steers") {
+  for (const std::string source : {"fir", "hybrid", "odometry"}) {
     INFO(source);
     Bench bench;
     const auto robot = bench.start_robot("default");

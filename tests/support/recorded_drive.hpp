@@ -35,13 +35,7 @@ inline RobotModel calibrated_model(const std::string& robot_name, const std::str
     throw std::runtime_error("calibration refused: " +
                              (result.refusal ? result.refusal->reason : std::string(name_of(result.stop))));
   }
-  RobotModel model;
-  model.core = result.response->model;
-  model.encoder_scale = EncoderScale{result.encoder_scale->metres_per_tick, 1660.0,
-                                     result.encoder_scale->relative_standard_error};
-  model.left_fit = result.response->left;
-  model.right_fit = result.response->right;
-  return model;
+  return *result.model;
 }
 
 // The robot on an endless floor with the grip of linoleum.

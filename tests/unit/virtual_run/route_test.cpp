@@ -1,5 +1,6 @@
 // Routes on the virtual clock.
 #include <cmath>
+#include <utility>
 
 #include "daemon/virtual_run.hpp"
 #include "tests/support/catch.hpp"
@@ -18,10 +19,7 @@ RobotModel calibrated_model(const std::string& robot_name) {
   config.mission.response = ResponsePlan{};
   const auto result = daemon::run_virtually(config, robot);
   REQUIRE(result.finished);
-  RobotModel model;
-  model.core = result.response->model;
-  model.encoder_scale = EncoderScale{result.encoder_scale->metres_per_tick, 1660.0, 0.001};
-  return model;
+  return *result.model;
 }
 
 daemon::VirtualRunResult drive(const RobotModel& model, PoseSource source, const std::string& robot_name,
@@ -42,6 +40,65 @@ TEST_CASE("A route from the model alone closes on a robot without imperfections"
   REQUIRE(result.finished);
   CHECK(*true_closure_m(result) < 0.01);
   CHECK(result.records.back().visited == 3);
+}
+
+// A lag of 60 ms after a dead time of two periods: exactly as a recursion, and as the start of its impulse
+// response.
+RobotModel lagging(ModelType type) {
+  const double keeps = std::exp(-0.018 / 0.06);
+  RobotModel model;
+  model.core.type = type;
+  const bool recursive = type == ModelType::arma;
+  const std::size_t length = recursive ? 3 : 100;
+  model.core.left.from_left.assign(length, 0.0);
+  model.core.left.from_right.assign(length, 0.0);
+  double weight = 1.0 - keeps;
+  for (std::size_t i = 2; i < length; ++i, weight *= keeps) model.core.left.from_left.at(i) = weight;
+  if (recursive) model.core.left.from_own_past = {keeps, 0.0};
+  model.core.right = model.core.left;
+  std::swap(model.core.right.from_left, model.core.right.from_right);
+  return model;
+}
+
+TEST_CASE("A model of type arma gives the commands that its impulse response gives") {
+  const auto recursive = drive(lagging(ModelType::arma), PoseSource::arma, "perfect", 3);
+  const auto moving_average = drive(lagging(ModelType::fir), PoseSource::fir, "perfect", 3);
+  REQUIRE(recursive.finished);
+  REQUIRE(recursive.records.size() == moving_average.records.size());
+  for (std::size_t k = 0; k < recursive.records.size(); ++k) {
+    REQUIRE_THAT(recursive.records[k].command.speed_m_s.left,
+                 WithinAbs(moving_average.records[k].command.speed_m_s.left, 0.0011));
+  }
+}
+
+TEST_CASE("An encoder that freezes for a while leads odometry astray, and the hybrid pose not") {
+  const RobotModel model = calibrated_model("default");
+  const daemon::TickHook freeze = [](simulation::SimulatedRobot& robot, std::int64_t tick) {
+    using Kind = simulation::Fault::Kind;
+    if (tick == 250) robot.inject({.kind = Kind::freeze_encoder, .side = simulation::Side::left});
+    if (tick == 310) robot.inject({.kind = Kind::thaw_encoder, .side = simulation::Side::left});
+  };
+  const auto sound = drive(model, PoseSource::hybrid, "default", 3);
+  const auto hybrid = drive(model, PoseSource::hybrid, "default", 3, freeze);
+  const auto odometry = drive(model, PoseSource::odometry, "default", 3, freeze);
+  REQUIRE(sound.finished);
+  REQUIRE(hybrid.finished);
+  REQUIRE(odometry.finished);
+  CHECK(*true_closure_m(sound) < 0.05);
+  CHECK(*true_closure_m(hybrid) < 0.05);
+  CHECK(*true_closure_m(odometry) > 0.1);
+
+  // Whatever steers, the fault is found.
+  for (const auto* result : {&hybrid, &odometry}) {
+    bool named = false;
+    for (const PoseRecord& record : result->records) {
+      if (!record.hybrid) continue;
+      for (const FaultEvent& event : record.hybrid->events) {
+        named = named || (event.kind == FaultKind::frozen && event.wheel == WheelSide::left);
+      }
+    }
+    CHECK(named);
+  }
 }
 
 TEST_CASE("A route by odometry closes too") {

@@ -1,0 +1,38 @@
+// What the brain knows of its robot: the model that predicts from commands alone, and the filter that holds
+// the sensors against it. One is exchanged with the other, since the filter judges by the model.
+#pragma once
+
+#include <optional>
+
+#include "model/filter/hybrid_filter.hpp"
+#include "model/motion_predictor.hpp"
+#include "model/robot_model.hpp"
+
+namespace wheelwright {
+
+// Allocates when it is made and never after.
+struct DrivingModel {
+  // A model of type fir or arma. Without an encoder scale there is no filter: readings in ticks say nothing
+  // then of travel in metres.
+  explicit DrivingModel(const RobotModel& model) : predictor(model.core) {
+    if (!model.encoder_scale) return;
+    filter.emplace(model);
+    fresh_filter_ = filter;
+  }
+  explicit DrivingModel(const LinearModel& core) : predictor(core) {}
+
+  // As it was made: at rest, and with nothing learnt of the robot since. A run begins so, whatever was before
+  // it, since a recording begins with it too.
+  void restart() {
+    predictor.reset({});
+    filter = fresh_filter_;
+  }
+
+  MotionPredictor predictor;
+  std::optional<HybridFilter> filter;
+
+ private:
+  std::optional<HybridFilter> fresh_filter_;
+};
+
+}  // namespace wheelwright

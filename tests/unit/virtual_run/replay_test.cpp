@@ -1,0 +1,125 @@
+// The brain over the log of a run writes the run's own pose log again, to the byte.
+#include <sstream>
+#include <string>
+
+#include "config/load/daemon_config.hpp"
+#include "config/load/drive_log_file.hpp"
+#include "daemon/log_format.hpp"
+#include "daemon/plan.hpp"
+#include "daemon/replay.hpp"
+#include "daemon/virtual_run.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/simulated_run.hpp"
+
+using namespace wheelwright;
+
+namespace {
+
+config::DaemonConfig configuration(PoseSource source, bool calibrate) {
+  auto config = config::load_daemon_config(std::string(WHEELWRIGHT_SOURCE_DIR) + "/config/wheelwright.yaml");
+  config.calibrate = calibrate ? config::CalibrateWhen::always : config::CalibrateWhen::never;
+  config.encoder_turn.turns = 1.8;
+  config.response.repetitions = 3;
+  config.pose_source = source;
+  config.route = Route{"triangle", 0.15, 0.02, {{0.4, 0.0}, {0.4, 0.3}, {0.0, 0.0}}};
+  return config;
+}
+
+daemon::VirtualRunResult drive(const config::DaemonConfig& config, const std::optional<RobotModel>& model,
+                               std::uint64_t seed, const daemon::TickHook& hook = {}) {
+  const auto plan = daemon::make_plan(config, model);
+  daemon::VirtualRunConfig run;
+  run.mission = plan.mission;
+  run.limits = config.limits;
+  run.link = config.link;
+  run.model = plan.model;
+  simulation::SimulatedRobot robot(test::robot_in_room("default", "box_without_slip", seed));
+  return daemon::run_virtually(run, robot, hook);
+}
+
+const RobotModel& model() {
+  static const RobotModel made = *drive(configuration(PoseSource::odometry, true), {}, 1).model;
+  return made;
+}
+
+// The logs of a run as the daemon's log thread writes them, the drive log read back and replayed.
+struct Replayed {
+  std::string pose_log;
+  daemon::ReplayResult again;
+};
+
+Replayed replayed(const daemon::VirtualRunResult& run, const config::DaemonConfig& config,
+                  const std::optional<RobotModel>& start) {
+  std::string drive_log = daemon::drive_log_head(config, config.limits.metres_per_tick);
+  std::string pose_log = daemon::pose_log_head(config);
+  for (std::size_t k = 0; k < run.records.size(); ++k) {
+    const daemon::LogEntry entry{run.frames[k], run.records[k]};
+    if (!daemon::is_logged(entry)) continue;
+    drive_log += daemon::drive_log_line(entry) + "\n";
+    pose_log += daemon::pose_log_line(entry, config.limits.wheel_base_m) + "\n";
+  }
+  return {pose_log, daemon::replay(config::parse_drive_logs(drive_log, "virtual").front(), config, start)};
+}
+
+// The line at which two texts part; empty where they do not.
+std::string first_difference(const std::string& one, const std::string& other) {
+  std::istringstream lines(one);
+  std::istringstream others(other);
+  std::string line;
+  std::string other_line;
+  while (true) {
+    const bool has_line = static_cast<bool>(std::getline(lines, line));
+    const bool has_other = static_cast<bool>(std::getline(others, other_line));
+    if (!has_line && !has_other) return "";
+    if (!has_line || !has_other || line != other_line) return line + "\n" + other_line;
+  }
+}
+
+void check_the_same(const Replayed& result) {
+  CHECK_FALSE(result.again.first_difference);
+  INFO(first_difference(result.pose_log, result.again.pose_log));
+  CHECK(first_difference(result.pose_log, result.again.pose_log).empty());
+}
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("Replay of a drive in which an encoder jumps finds the same fault at the same tick") {
+  const daemon::TickHook jump = [](simulation::SimulatedRobot& robot, std::int64_t tick) {
+    if (tick == 250) {
+      robot.inject(
+          {.kind = simulation::Fault::Kind::add_counts, .side = simulation::Side::right, .counts = 60});
+    }
+  };
+  for (const auto source : {PoseSource::fir, PoseSource::hybrid, PoseSource::odometry}) {
+    INFO(name_of(source));
+    const auto config = configuration(source, false);
+    const auto run = drive(config, model(), 4, jump);
+    REQUIRE(run.finished);
+    const auto result = replayed(run, config, model());
+    CHECK(holds(result.pose_log, "named spike right"));
+    check_the_same(result);
+  }
+}
+
+TEST_CASE("Replay of a run that calibrates and drives by the hybrid pose gives the same pose log") {
+  const auto config = configuration(PoseSource::hybrid, true);
+  const auto run = drive(config, {}, 2);
+  REQUIRE(run.finished);
+  check_the_same(replayed(run, config, {}));
+}
+
+TEST_CASE("Replay of a run that a wheel drop ended gives the same pose log") {
+  const auto config = configuration(PoseSource::hybrid, false);
+  const auto run = drive(config, model(), 5, [](simulation::SimulatedRobot& robot, std::int64_t tick) {
+    if (tick == 250)
+      robot.inject({.kind = simulation::Fault::Kind::lift_wheel, .side = simulation::Side::right});
+  });
+  REQUIRE(run.stop == StopReason::wheel_drop);
+  const auto result = replayed(run, config, model());
+  CHECK(holds(result.pose_log, "named lifted wheel both"));
+  check_the_same(result);
+}
