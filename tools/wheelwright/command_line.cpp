@@ -9,7 +9,8 @@
 namespace wheelwright::tools {
 namespace {
 
-constexpr std::array commands{add_fit, add_simulate, add_score, add_replay, add_evaluate, add_doctor};
+constexpr std::array commands{add_fit,      add_simulate, add_score, add_replay,
+                              add_evaluate, add_doctor,   add_import};
 
 std::string joined(const std::vector<std::string>& words) {
   std::string text;

@@ -41,5 +41,6 @@ Action add_score(CLI::App& app);
 Action add_replay(CLI::App& app);
 Action add_evaluate(CLI::App& app);
 Action add_doctor(CLI::App& app);
+Action add_import(CLI::App& app);
 
 }  // namespace wheelwright::tools
