@@ -1,11 +1,15 @@
-// Writes cases of the gap benchmark: CASE/run1.csv ... and CASE/answer.json.
+// Writes cases of the gap benchmark: CASE/run1.csv ... and CASE/answer.json; or a whole suite of them, in
+// folders that do not tell, with the answers sealed.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "config/load/atomic_file.hpp"
 #include "config/load/drive_log_file.hpp"
+#include "tests/benchmark/gap/gap_suite.hpp"
 #include "tests/support/gap_plant/gap_case.hpp"
 
 using namespace wheelwright;
@@ -21,6 +25,8 @@ struct Options {
   bool no_battery = false;
   std::string output = ".";
   bool list = false;
+  std::string suite;
+  std::string matching = ".*";
 };
 
 nlohmann::json answer_of(const test::GapCase& made) {
@@ -48,18 +54,47 @@ nlohmann::json answer_of(const test::GapCase& made) {
           {"hidden", hidden}};
 }
 
-void write_case(const test::GapCaseSpec& spec, const std::filesystem::path& output) {
+nlohmann::json write_runs(const test::GapCaseSpec& spec, const std::filesystem::path& folder) {
   const auto made = test::make_gap_case(spec);
-  const auto folder = output / spec.folder_name();
   std::filesystem::create_directories(folder);
   for (std::size_t i = 0; i < made.runs.size(); ++i) {
     config::save_drive_log(made.runs[i], folder / ("run" + std::to_string(i + 1) + ".csv"));
   }
-  if (const auto error =
-          config::write_file_atomically(folder / "answer.json", answer_of(made).dump(2) + "\n")) {
+  return answer_of(made);
+}
+
+void write_json(const nlohmann::json& json, const std::filesystem::path& path) {
+  if (const auto error = config::write_file_atomically(path, json.dump(2) + "\n"))
     throw std::runtime_error(*error);
-  }
+}
+
+void write_case(const test::GapCaseSpec& spec, const std::filesystem::path& output) {
+  const auto folder = output / spec.folder_name();
+  const auto answer = write_runs(spec, folder);
+  write_json(answer, folder / "answer.json");
   std::printf("%s\n", folder.c_str());
+}
+
+// Folders are numbered by place in the whole suite, so that a case keeps its number whatever is left out.
+void write_suite(const Options& options) {
+  const auto suite = test::gap_suite(options.suite == "quick", options.spec.seed);
+  const std::regex matching(options.matching);
+  nlohmann::json sealed = nlohmann::json::array();
+  for (std::size_t i = 0; i < suite.size(); ++i) {
+    if (!std::regex_search(suite[i].folder_name(), matching)) continue;
+    std::string number = std::to_string(i + 1);
+    number.insert(0, 3 - std::min<std::size_t>(3, number.size()), '0');
+    const std::string folder = "case_" + number;
+    auto answer = write_runs(suite[i], std::filesystem::path(options.output) / folder);
+    answer["folder"] = folder;
+    sealed.push_back(std::move(answer));
+    std::printf("%s\n", folder.c_str());
+  }
+  if (sealed.empty()) {
+    throw std::invalid_argument("--matching '" + options.matching + "' matches no case, as in '" +
+                                suite.front().folder_name() + "'");
+  }
+  write_json(sealed, std::filesystem::path(options.output) / "sealed_answers.json");
 }
 
 void list_cases() {
@@ -92,6 +127,10 @@ int run(Options& options) {
   spec.program = named(test::program_named(options.program), "--program", options.program,
                        "mixed, forward_only, straight_only or one_speed");
   spec.battery = !options.no_battery;
+  if (!options.suite.empty()) {
+    write_suite(options);
+    return 0;
+  }
   for (const auto& name : options.cases) {
     if (!test::effects_of_case(name))
       throw std::invalid_argument("--case '" + name + "' is not known; see --list");
@@ -127,10 +166,14 @@ int main(int argc, char** argv) {
   app.add_flag("--no-battery", options.no_battery, "Leave the battery voltage out");
   app.add_flag("--gyro", options.spec.gyro, "Log a gyro");
   app.add_option("-o,--output", options.output, "Folder for the folders of the cases")->capture_default_str();
+  app.add_option("--suite", options.suite, "Write a whole suite, blind, with OUTPUT/sealed_answers.json")
+      ->check(CLI::IsMember({"quick", "full"}));
+  app.add_option("--matching", options.matching, "Of a suite: cases whose name matches, as coulomb.*ticks");
   app.add_flag("--list", options.list, "Names and sizes, and out");
   try {
     app.parse(argc, argv);
-    if (!options.list && options.cases.empty()) throw std::invalid_argument("no --case given; see --list");
+    if (!options.list && options.suite.empty() && options.cases.empty())
+      throw std::invalid_argument("no --case or --suite given; see --list");
     return run(options);
   } catch (const CLI::Success& wanted) {
     return app.exit(wanted);
