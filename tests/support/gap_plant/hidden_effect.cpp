@@ -23,7 +23,7 @@ constexpr std::array effects{
                  {.speeds = true},
                  "acceleration_slip asymmetric_response"},
     HiddenEffect{"command_quantization", {0.006, 0.015, 0.035}, "m/s", "step", {.speeds = true}, ""},
-    HiddenEffect{"transport_delay", {0.06, 0.12, 0.25}, "s", "further delay", {.speeds = true}, ""},
+    HiddenEffect{"transport_delay", {0.12, 0.3, 0.6}, "s", "further delay", {.speeds = true}, ""},
     HiddenEffect{"coulomb_friction",
                  {0.005, 0.012, 0.03},
                  "m/s",

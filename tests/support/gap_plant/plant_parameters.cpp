@@ -226,8 +226,8 @@ PlantParameters random_robot(std::uint64_t seed) {
   robot.speed_noise_m_s = chance.between(0.0003, 0.001);
   robot.gyro_bias_rad_s = chance.between(-0.01, 0.01);
   if (chance.between(0.0, 1.0) < 0.3) {
-    robot.controller_gain = 1.0;
-    robot.controller_integral_hz = 1.0;
+    robot.controller_gain = 0.7;
+    robot.controller_integral_hz = 4.0;
     robot.response_s *= 2.0;
   }
   return robot;

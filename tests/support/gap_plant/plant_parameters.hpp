@@ -26,7 +26,7 @@ struct PlantParameters {
   WheelPair motor_gain{1.0, 1.0};
   double controller_gain = 0.0;         // of the wheel's speed controller; 0: none
   double controller_integral_hz = 0.0;  // and its leaky integral
-  double controller_leak_s = 1.0;
+  double controller_leak_s = 0.1;
 
   // Noise.
   double speed_noise_m_s = 0.0006;  // of the rim, from an unsteady load
