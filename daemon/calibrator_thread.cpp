@@ -27,7 +27,11 @@ std::string utc_now() {
 
 CalibratorThread::CalibratorThread(const config::DaemonConfig& config, const Mission& mission,
                                    roomba::Session& session, Wiring& wiring)
-    : config_(config), calibrator_(mission, config.limits), session_(session), wiring_(wiring) {}
+    : config_(config),
+      mission_(mission),
+      calibrator_(mission, config.limits),
+      session_(session),
+      wiring_(wiring) {}
 
 void CalibratorThread::run() {
   while (!wiring_.ending.load(std::memory_order_relaxed)) {
@@ -64,6 +68,9 @@ void CalibratorThread::deliver(CalibrationOutcome& outcome) {
     case CalibrationKind::response:
       deliver_response(outcome);
       break;
+    case CalibrationKind::arma:
+      deliver_arma(outcome);
+      break;
   }
 }
 
@@ -92,10 +99,21 @@ void CalibratorThread::deliver_response(CalibrationOutcome& outcome) {
   spdlog::info("response: {} periods long, gain {:.3f} / {:.3f} (left / right), readings differ by {:.2f} mm",
                fit.model.left.from_left.size(), fit.left.gain.from_left, fit.right.gain.from_right,
                1e3 * fit.left.position_noise_m);
-  deliver_model(outcome.kind, std::move(*outcome.model));
+  // Where a random drive follows, this model only steers it.
+  if (!mission_.random_drive) keep_model(*outcome.model);
+  hand_over(outcome.kind, *outcome.model);
 }
 
-void CalibratorThread::deliver_model(CalibrationKind kind, RobotModel model) {
+void CalibratorThread::deliver_arma(CalibrationOutcome& outcome) {
+  const ArxFit& fit = *outcome.arma;
+  spdlog::info("arma: order {}, gain {:.3f} / {:.3f} (left / right), free run {:.1f} mm off the encoders",
+               fit.model.left.from_own_past.size(), fit.left.quality.gain.from_left,
+               fit.right.quality.gain.from_right, 1e3 * fit.free_run_distance_rms_m);
+  keep_model(*outcome.model);
+  hand_over(outcome.kind, *outcome.model);
+}
+
+void CalibratorThread::keep_model(RobotModel model) {
   model.robot = config_.robot_name;
   model.created = utc_now();
   try {
@@ -104,10 +122,13 @@ void CalibratorThread::deliver_model(CalibrationKind kind, RobotModel model) {
     spdlog::error("the model could not be written: {}", error.what());
     report_.file_error = error.what();
   }
-  // Handed over with its ownership: Delivery has to be copied into the ring.
+  report_.model = std::move(model);
+}
+
+// With its ownership: Delivery has to be copied into the ring.
+void CalibratorThread::hand_over(CalibrationKind kind, const RobotModel& model) {
   auto driving = std::make_unique<DrivingModel>(model);
   wiring_.push(wiring_.deliveries, Delivery{kind, {}, driving.release()});
-  report_.model = std::move(model);
 }
 
 }  // namespace wheelwright::daemon

@@ -32,9 +32,12 @@ class CalibratorThread {
   void deliver(CalibrationOutcome& outcome);
   void deliver_encoder_order(bool swapped);
   void deliver_response(CalibrationOutcome& outcome);
-  void deliver_model(CalibrationKind kind, RobotModel model);
+  void deliver_arma(CalibrationOutcome& outcome);
+  void keep_model(RobotModel model);
+  void hand_over(CalibrationKind kind, const RobotModel& model);
 
   const config::DaemonConfig& config_;
+  Mission mission_;
   Calibrator calibrator_;
   roomba::Session& session_;
   Wiring& wiring_;

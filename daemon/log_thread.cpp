@@ -23,6 +23,8 @@ std::string_view title_of(Activity activity) {
       return "calibration A: turning in place past the surroundings";
     case Activity::left_on:
       return "calibration B: response of each wheel";
+    case Activity::random_drive:
+      return "calibration C: random drive";
     case Activity::route:
       return "route: driving";
     case Activity::finished:

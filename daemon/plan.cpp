@@ -21,7 +21,7 @@ void check_type(const config::DaemonConfig& config, ModelType type, const std::s
   throw ConfigError(what + " a model of type " + std::string(name_of(type)) + ", but run.pose_source is '" +
                     std::string(wheelwright::name_of(config.pose_source)) + "'; set it to '" +
                     std::string(name_of(type)) + "', or make a model of type " +
-                    std::string(name_of(wanted)) + " (wheelwright fit --type)");
+                    std::string(name_of(wanted)) + " (calibration.type, wheelwright fit --type)");
 }
 
 void check_model(const config::DaemonConfig& config, const RobotModel& model) {
@@ -46,9 +46,10 @@ Plan make_plan(const config::DaemonConfig& config, std::optional<RobotModel> mod
   const bool calibrate = config.calibrate == config::CalibrateWhen::always ||
                          (config.calibrate == config::CalibrateWhen::if_needed && !model);
   if (calibrate) {
-    check_type(config, ModelType::fir, config.file.string() + ": calibration makes");
+    check_type(config, config.calibration_type, config.file.string() + ": calibration.type makes");
     plan.mission.encoder_turn = config.encoder_turn;
-    plan.mission.response = config.response;
+    if (config.response.repetitions > 0) plan.mission.response = config.response;
+    if (config.calibration_type == ModelType::arma) plan.mission.random_drive = config.random_drive;
   } else if (model) {
     check_model(config, *model);
     plan.model = std::move(model);

@@ -20,6 +20,7 @@ void accept_deliveries(Brain& brain, Wiring& wiring) {
         brain.accept_encoder_scale(delivery.metres_per_tick);
         break;
       case CalibrationKind::response:
+      case CalibrationKind::arma:
         brain.accept_model(std::unique_ptr<DrivingModel>(delivery.model));
         break;
     }

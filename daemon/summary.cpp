@@ -2,6 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -38,8 +39,13 @@ void add_calibration(Table& table, const CalibrationReport& calibration) {
   }
   if (const auto& model = calibration.model) {
     const std::size_t length = model->core.left.from_left.size();
-    table.row("response", "{} periods, {:.0f} ms", length,
-              1e3 * static_cast<double>(length) * model->core.period_s);
+    if (model->core.type == ModelType::arma) {
+      table.row("order", "{}, largest pole {:.3f}", model->core.left.from_own_past.size(),
+                std::max(largest_pole(model->core.left), largest_pole(model->core.right)));
+    } else {
+      table.row("response", "{} periods, {:.0f} ms", length,
+                1e3 * static_cast<double>(length) * model->core.period_s);
+    }
     table.row("gain, left wheel", "{:.4f} +- {:.4f}", model->left_fit->gain.from_left,
               model->left_fit->gain_standard_error.from_left);
     table.row("gain, right wheel", "{:.4f} +- {:.4f}", model->right_fit->gain.from_right,

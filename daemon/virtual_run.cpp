@@ -115,7 +115,9 @@ class VirtualRun {
         brain_.accept_encoder_scale(outcome.encoder_scale->metres_per_tick);
         break;
       case CalibrationKind::response:
-        result_.response = outcome.response;
+      case CalibrationKind::arma:
+        if (outcome.response) result_.response = outcome.response;
+        result_.arma = outcome.arma;
         result_.model = outcome.model;
         brain_.accept_model(std::make_unique<DrivingModel>(*outcome.model));
         break;

@@ -30,6 +30,7 @@ struct VirtualRunResult {
   std::optional<Refusal> refusal;
   std::optional<EncoderScaleFit> encoder_scale;
   std::optional<FirFit> response;
+  std::optional<ArxFit> arma;
   std::optional<RobotModel> model;  // that the calibration made
   bool encoders_swapped = false;
   std::vector<SensorFrame> frames;

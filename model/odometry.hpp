@@ -26,7 +26,13 @@ class Odometry {
   // The next sample continues from the same pose, whatever its counts: for the first one after a gap.
   void rebase() { last_.reset(); }
 
-  void set_metres_per_tick(const WheelPair& metres_per_tick) { metres_per_tick_ = metres_per_tick; }
+  // From now on; and what was counted so far was counted with a wrong scale. Exact for turns in place.
+  void correct_metres_per_tick(const WheelPair& metres_per_tick) {
+    const double ratio =
+        (metres_per_tick.left + metres_per_tick.right) / (metres_per_tick_.left + metres_per_tick_.right);
+    pose_ = {ratio * pose_.x_m, ratio * pose_.y_m, ratio * pose_.theta_rad};
+    metres_per_tick_ = metres_per_tick;
+  }
   void set_pose(const Pose& pose) { pose_ = pose; }
   const Pose& pose() const { return pose_; }
 

@@ -26,6 +26,10 @@ std::string_view name_of(Activity activity) {
       return "right_off";
     case Activity::await_response:
       return "await_response";
+    case Activity::random_drive:
+      return "random_drive";
+    case Activity::await_arma:
+      return "await_arma";
     case Activity::route:
       return "route";
     case Activity::finished:

@@ -23,6 +23,8 @@ enum class Activity : std::uint8_t {
   right_on,
   right_off,
   await_response,
+  random_drive,  // of the ARMA calibration (PAPER.md, calibration C)
+  await_arma,
   route,
   finished,
   stopped,

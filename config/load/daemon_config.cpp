@@ -1,5 +1,8 @@
 #include "config/load/daemon_config.hpp"
 
+#include <charconv>
+#include <system_error>
+
 #include "config/load/route_file.hpp"
 
 namespace wheelwright::config {
@@ -89,9 +92,43 @@ void read_response(YamlReader& calibration, ResponsePlan& plan) {
   plan.speed_m_s = response->number("speed_m_s", {0.02, fastest_m_s, "m/s"}, plan.speed_m_s);
   plan.speed_spread = response->number("speed_spread", {0.0, 1.0}, plan.speed_spread);
   plan.on_s = response->number("on_s", {0.2, 10.0, "s"}, plan.on_s);
-  plan.repetitions = static_cast<int>(response->integer("repetitions", {1, 200}, plan.repetitions));
+  plan.repetitions = static_cast<int>(response->integer("repetitions", {0, 200}, plan.repetitions));
   plan.alternate_direction = response->boolean("alternate_direction", plan.alternate_direction);
   response->finish();
+}
+
+void read_order(YamlReader& drive, std::optional<std::size_t>& order) {
+  if (!drive.has("order")) return;
+  const std::string text = drive.text("order");
+  constexpr std::size_t largest_order = 15;
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_number = error == std::errc() && end == text.data() + text.size();
+  if (text != "auto" && (!is_number || number < 1 || number > largest_order)) {
+    drive.fail("order", "is '" + text + "', but must be auto or a whole number from 1 to " +
+                            std::to_string(largest_order));
+  }
+  order = is_number ? std::optional(number) : std::nullopt;
+}
+
+void read_random_drive(YamlReader& calibration, RandomDrivePlan& plan) {
+  auto drive = calibration.section("random_drive");
+  if (!drive) return;
+  plan.duration_s = drive->number("duration_s", {5.0, 3600.0, "s"}, plan.duration_s);
+  plan.spread_m_s = drive->number("spread_m_s", {0.01, fastest_m_s, "m/s"}, plan.spread_m_s);
+  plan.shortest_hold_s = drive->number("shortest_hold_s", {0.005, 10.0, "s"}, plan.shortest_hold_s);
+  plan.longest_hold_s = drive->number("longest_hold_s", {0.005, 10.0, "s"}, plan.longest_hold_s);
+  plan.largest_change_m_s =
+      drive->number("largest_change_m_s", {0.01, 2.0 * fastest_m_s, "m/s"}, plan.largest_change_m_s);
+  plan.radius_m = drive->number("radius_m", {0.1, 100.0, "m"}, plan.radius_m);
+  plan.ahead_m = drive->number("ahead_m", {-100.0, 100.0, "m"}, plan.ahead_m);
+  plan.seed =
+      static_cast<std::uint64_t>(drive->integer("seed", {0, 1e15}, static_cast<std::int64_t>(plan.seed)));
+  read_order(*drive, plan.order);
+  if (plan.longest_hold_s < plan.shortest_hold_s) {
+    drive->fail("longest_hold_s", "must not be shorter than shortest_hold_s");
+  }
+  drive->finish();
 }
 
 void read_calibration(YamlReader& file, DaemonConfig& config) {
@@ -102,9 +139,15 @@ void read_calibration(YamlReader& file, DaemonConfig& config) {
                                                          {"if_needed", CalibrateWhen::if_needed},
                                                          {"never", CalibrateWhen::never}},
                                                         config.calibrate);
+  config.calibration_type = calibration->choice<ModelType>(
+      "type", {{"fir", ModelType::fir}, {"arma", ModelType::arma}}, config.calibration_type);
   config.model_file = calibration->text("model_file", config.model_file.string());
   read_encoder_turn(*calibration, config.encoder_turn);
   read_response(*calibration, config.response);
+  read_random_drive(*calibration, config.random_drive);
+  if (config.response.repetitions == 0 && config.calibration_type == ModelType::fir) {
+    calibration->fail("response", "has no repetition, which only calibration.type 'arma' can do without");
+  }
   calibration->finish();
 }
 

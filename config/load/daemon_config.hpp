@@ -44,8 +44,10 @@ struct DaemonConfig {
   bool detect_encoder_order = true;
   RobotLimits limits;
   CalibrateWhen calibrate = CalibrateWhen::if_needed;
+  ModelType calibration_type = ModelType::fir;  // of the model that a calibration makes
   EncoderTurnPlan encoder_turn;
-  ResponsePlan response;
+  ResponsePlan response;  // without a repetition: left out
+  RandomDrivePlan random_drive;
   std::filesystem::path model_file = "model.yaml";  // read where calibration is not needed, written by it
   std::optional<Route> route;
   PoseSource pose_source = PoseSource::fir;

@@ -71,6 +71,7 @@ void add_robot_and_link(Yaml& yaml, const DaemonConfig& config) {
 void add_calibration(Yaml& yaml, const DaemonConfig& config) {
   yaml.section("calibration");
   yaml.word("when", name_of(config.calibrate));
+  yaml.word("type", config.calibration_type == ModelType::arma ? "arma" : "fir");
   yaml.text("model_file", config.model_file.string());
   const EncoderTurnPlan& turn = config.encoder_turn;
   yaml.subsection("encoder");
@@ -85,6 +86,17 @@ void add_calibration(Yaml& yaml, const DaemonConfig& config) {
   yaml.number("  on_s", response.on_s);
   yaml.number("  repetitions", response.repetitions);
   yaml.flag("  alternate_direction", response.alternate_direction);
+  const RandomDrivePlan& drive = config.random_drive;
+  yaml.subsection("random_drive");
+  yaml.number("  duration_s", drive.duration_s);
+  yaml.number("  spread_m_s", drive.spread_m_s);
+  yaml.number("  shortest_hold_s", drive.shortest_hold_s);
+  yaml.number("  longest_hold_s", drive.longest_hold_s);
+  yaml.number("  largest_change_m_s", drive.largest_change_m_s);
+  yaml.number("  radius_m", drive.radius_m);
+  yaml.number("  ahead_m", drive.ahead_m);
+  yaml.word("  seed", std::to_string(drive.seed));
+  yaml.word("  order", drive.order ? std::to_string(*drive.order) : "auto");
 }
 
 void add_run(Yaml& yaml, const DaemonConfig& config) {

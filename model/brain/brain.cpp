@@ -36,6 +36,7 @@ Brain::Brain(const Mission& mission, const RobotLimits& limits, std::unique_ptr<
       limits_(limits),
       model_(std::move(model)),
       odometry_(limits.wheel_base_m, limits.metres_per_tick),
+      random_drive_(mission.random_drive.value_or(RandomDrivePlan{}), limits),
       follower_(mission.route.value_or(Route{}), follower_limits(limits)) {
   plan_steps();
 }
@@ -58,6 +59,11 @@ void Brain::plan_steps() {
   if (mission_.response) {
     manoeuvre(make_response_actions(*mission_.response, period));
     await(Activity::await_response);
+  }
+  if (mission_.random_drive) {
+    manoeuvre(make_wait_until_still(period));
+    steps_.push_back({Stage::random_drive, nullptr, Activity::random_drive});
+    await(Activity::await_arma);
   }
   if (mission_.route) {
     manoeuvre(make_wait_until_still(period));
@@ -87,13 +93,21 @@ void Brain::enter_step() {
   if (step_ >= steps_.size()) return;
   Step& step = steps_[step_];
   if (step.manoeuvre) step.manoeuvre->restart();
-  if (step.stage == Stage::route) {
+  if (step.stage == Stage::random_drive) {
+    random_drive_.restart();
+    stand_at(odometry_.pose());
+  } else if (step.stage == Stage::route) {
     follower_.restart();
-    odometry_.set_pose({});
-    if (!model_) return;
-    model_->predictor.reset({});
-    if (model_->filter) model_->filter->set_pose({});
+    stand_at({});
   }
+}
+
+// The robot stands, and this is its pose from now on.
+void Brain::stand_at(const Pose& pose) {
+  odometry_.set_pose(pose);
+  if (!model_) return;
+  model_->predictor.reset(pose);
+  if (model_->filter) model_->filter->set_pose(pose);
 }
 
 void Brain::advance() {
@@ -122,7 +136,7 @@ void Brain::accept_model(std::unique_ptr<DrivingModel> model) {
 }
 
 void Brain::apply_accepted() {
-  if (accepted_scale_) odometry_.set_metres_per_tick(*accepted_scale_);
+  if (accepted_scale_) odometry_.correct_metres_per_tick(*accepted_scale_);
   accepted_scale_.reset();
   if (!accepted_model_) return;
   retired_model_ = std::move(model_);
@@ -173,10 +187,22 @@ PoseRecord Brain::take(const SensorFrame& frame) {
 }
 
 int Brain::ticks_ahead() const {
-  const bool needs_sensors = stage() == Stage::manoeuvre || stage() == Stage::await;
-  const bool sensorless =
-      running_ && step_ < steps_.size() && !needs_sensors && is_sensorless(mission_.pose_source);
+  const bool sensorless = running_ && step_ < steps_.size() && is_sensorless_stage();
   return sensorless ? limits_.ticks_ahead : 1;
+}
+
+bool Brain::is_sensorless_stage() const {
+  switch (stage()) {
+    case Stage::manoeuvre:
+    case Stage::await:
+      return false;
+    case Stage::random_drive:
+      return model_ != nullptr;
+    case Stage::route:
+    case Stage::coast:
+      return is_sensorless(mission_.pose_source);
+  }
+  return false;
 }
 
 std::optional<Command> Brain::next_command() {
@@ -219,6 +245,8 @@ std::optional<WheelOrder> Brain::stage_order() {
       return step.manoeuvre->next(latest_);
     case Stage::await:
       return await_order(step.activity);
+    case Stage::random_drive:
+      return random_order();
     case Stage::route:
       return route_order();
     case Stage::coast:
@@ -234,6 +262,12 @@ std::optional<WheelOrder> Brain::await_order(Activity activity) {
     return std::nullopt;
   }
   return WheelOrder{{}, activity, 0};
+}
+
+std::optional<WheelOrder> Brain::random_order() {
+  const auto speed = random_drive_.next(model_ ? model_->predictor.rest_pose() : odometry_.pose());
+  if (!speed) return std::nullopt;
+  return WheelOrder{model_ ? model_->predictor.command_for(*speed) : *speed, Activity::random_drive, 0};
 }
 
 std::optional<WheelOrder> Brain::route_order() {

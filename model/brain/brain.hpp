@@ -20,6 +20,7 @@
 #include "model/brain/driving_model.hpp"
 #include "model/brain/manoeuvre.hpp"
 #include "model/brain/mission.hpp"
+#include "model/brain/random_drive.hpp"
 #include "model/odometry.hpp"
 #include "model/route/route_follower.hpp"
 #include "model/sensor_frame.hpp"
@@ -74,7 +75,7 @@ class Brain {
 
  private:
   // What is done one after the other.
-  enum class Stage : std::uint8_t { manoeuvre, await, route, coast };
+  enum class Stage : std::uint8_t { manoeuvre, await, random_drive, route, coast };
   struct Prediction {
     std::int64_t tick = -1;
     Pose pose;
@@ -93,11 +94,14 @@ class Brain {
   void begin_run(std::int64_t tick);
   void advance();
   void enter_step();
+  void stand_at(const Pose& pose);
+  bool is_sensorless_stage() const;
   void apply_accepted();
   void end_by(StopReason reason);
   WheelOrder order();
   std::optional<WheelOrder> stage_order();
   std::optional<WheelOrder> await_order(Activity activity);
+  std::optional<WheelOrder> random_order();
   std::optional<WheelOrder> route_order();
   std::optional<WheelOrder> coast_order();
   Pose steering_rest_pose();
@@ -115,6 +119,7 @@ class Brain {
   std::unique_ptr<DrivingModel> retired_model_;
   std::optional<WheelPair> accepted_scale_;
   Odometry odometry_;
+  RandomDrive random_drive_;
   RouteFollower follower_;
   std::vector<Step> steps_;
   std::size_t step_ = 0;

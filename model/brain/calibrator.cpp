@@ -1,6 +1,7 @@
 #include "model/brain/calibrator.hpp"
 
 #include <cstdlib>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -36,10 +37,14 @@ std::optional<CalibrationOutcome> Calibrator::take(const SensorFrame& frame) {
   } else if (is_response(activity)) {
     if (entered && activity == Activity::left_on && frame.command.repetition == 0) response_runs_.clear();
     record_response(frame);
+  } else if (activity == Activity::random_drive) {
+    if (entered) begin_random(frame);
+    record_random(frame);
   } else if (entered) {
     if (activity == Activity::await_encoder_order) return encoder_order();
     if (activity == Activity::await_encoder_scale) return encoder_scale();
     if (activity == Activity::await_response) return response();
+    if (activity == Activity::await_arma) return arma();
   }
   return std::nullopt;
 }
@@ -79,21 +84,26 @@ CalibrationOutcome Calibrator::encoder_scale() {
   return outcome;
 }
 
+DriveLog Calibrator::new_run(std::string name) const {
+  DriveLog run;
+  run.name = std::move(name);
+  run.wheel_base_m = limits_.wheel_base_m;
+  run.period_s = limits_.period_s;
+  run.metres_per_tick = metres_per_tick_;
+  return run;
+}
+
 // One run per "on" with the "off" that follows it. Each starts from rest, so its past is known. Where the
 // fall is not to be used, the run ends with the "on".
 void Calibrator::record_response(const SensorFrame& frame) {
   const Activity activity = frame.command.activity;
   const bool on = activity == Activity::left_on || activity == Activity::right_on;
   const WheelPair& command = frame.command.speed_m_s;
-  const bool new_run = on && (response_runs_.empty() || response_runs_.back().samples.empty() ||
-                              response_runs_.back().samples.back().command_m_s.left != command.left ||
-                              response_runs_.back().samples.back().command_m_s.right != command.right);
-  if (new_run) {
-    DriveLog& run = response_runs_.emplace_back();
-    run.name = "response action " + std::to_string(response_runs_.size());
-    run.wheel_base_m = limits_.wheel_base_m;
-    run.period_s = limits_.period_s;
-    run.metres_per_tick = metres_per_tick_;
+  const bool begins = on && (response_runs_.empty() || response_runs_.back().samples.empty() ||
+                             response_runs_.back().samples.back().command_m_s.left != command.left ||
+                             response_runs_.back().samples.back().command_m_s.right != command.right);
+  if (begins) {
+    response_runs_.push_back(new_run("response action " + std::to_string(response_runs_.size() + 1)));
   }
   if (response_runs_.empty() || !frame.valid || (!on && !mission_.response->use_fall)) return;
   DriveSample sample;
@@ -123,6 +133,48 @@ CalibrationOutcome Calibrator::response() const {
   } else {
     outcome.refusal = fit.error();
   }
+  return outcome;
+}
+
+void Calibrator::begin_random(const SensorFrame& frame) {
+  random_run_ = new_run("random drive");
+  random_start_tick_ = frame.tick;
+  random_run_broke_ = false;
+}
+
+// Ticks whose sensors were not heard are kept for their commands; the run begins at rest, with a reading.
+void Calibrator::record_random(const SensorFrame& frame) {
+  if (random_run_.samples.empty() && !frame.valid) return;
+  random_run_broke_ = random_run_broke_ || (frame.valid && frame.after_gap && !random_run_.samples.empty());
+  DriveSample sample;
+  sample.t_s = static_cast<double>(frame.tick - random_start_tick_) * limits_.period_s;
+  sample.command_m_s = frame.command.speed_m_s;
+  if (frame.valid) {
+    sample.ticks = frame.ticks;
+    sample.battery_v = frame.battery_v;
+  }
+  random_run_.samples.push_back(sample);
+}
+
+CalibrationOutcome Calibrator::arma() const {
+  CalibrationOutcome outcome;
+  outcome.kind = CalibrationKind::arma;
+  if (random_run_broke_) {
+    outcome.refusal = Refusal{
+        "the encoder counts jumped during the random drive; look at cable and encoders, calibrate again"};
+    return outcome;
+  }
+  ArxFitOptions options;
+  options.order = mission_.random_drive->order;
+  options.period_s = limits_.period_s;
+  auto fit = fit_arx(std::span(&random_run_, 1), options);
+  if (!fit) {
+    outcome.refusal = fit.error();
+    return outcome;
+  }
+  outcome.model = model_of(fit->model, fit->left.quality, fit->right.quality,
+                           "random drive on the robot, seed " + std::to_string(mission_.random_drive->seed));
+  outcome.arma = std::move(*fit);
   return outcome;
 }
 

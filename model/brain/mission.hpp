@@ -1,6 +1,7 @@
 // What a run is to do, and with what figures.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -28,6 +29,22 @@ struct ResponsePlan {
   bool use_fall = true;             // false with the wheel PID off, where stopping is slower than starting
 };
 
+// The random drive (PAPER.md, calibration C); model/brain/random_drive.hpp.
+struct RandomDrivePlan {
+  double duration_s = 60.0;
+  double spread_m_s = 0.1;  // standard deviation of the wheel speeds
+  // Short holds show the dynamics, long ones, in which a wheel settles, the gain.
+  double shortest_hold_s = 0.1;
+  double longest_hold_s = 1.2;
+  double largest_change_m_s = 0.15;  // of one wheel at once; harder steps make a Roomba report overcurrent
+  // The circle in which the middle of the axle stays, and how far its middle is ahead of where the run began:
+  // turning in place needs an object near by, the circle needs free floor.
+  double radius_m = 0.5;
+  double ahead_m = 0.6;
+  std::uint64_t seed = 1;
+  std::optional<std::size_t> order = 9;  // of the model; found by a sweep where absent
+};
+
 // Where the pose that the route is steered by comes from.
 enum class PoseSource : std::uint8_t {
   fir,       // a model of type fir and the commands alone; no sensor is read
@@ -45,6 +62,7 @@ constexpr bool is_sensorless(PoseSource source) {
 struct Mission {
   std::optional<EncoderTurnPlan> encoder_turn;
   std::optional<ResponsePlan> response;
+  std::optional<RandomDrivePlan> random_drive;
   std::optional<Route> route;
   PoseSource pose_source = PoseSource::fir;
 };

@@ -44,6 +44,16 @@ TEST_CASE("The shipped configuration holds every key at its default") {
   CHECK(shipped.encoder_turn.options.largest_standard_error ==
         empty.encoder_turn.options.largest_standard_error);
   CHECK(shipped.real_time.priority == empty.real_time.priority);
+  CHECK(shipped.calibration_type == empty.calibration_type);
+  CHECK(shipped.random_drive.duration_s == empty.random_drive.duration_s);
+  CHECK(shipped.random_drive.spread_m_s == empty.random_drive.spread_m_s);
+  CHECK(shipped.random_drive.shortest_hold_s == empty.random_drive.shortest_hold_s);
+  CHECK(shipped.random_drive.longest_hold_s == empty.random_drive.longest_hold_s);
+  CHECK(shipped.random_drive.largest_change_m_s == empty.random_drive.largest_change_m_s);
+  CHECK(shipped.random_drive.radius_m == empty.random_drive.radius_m);
+  CHECK(shipped.random_drive.ahead_m == empty.random_drive.ahead_m);
+  CHECK(shipped.random_drive.seed == empty.random_drive.seed);
+  CHECK(shipped.random_drive.order == empty.random_drive.order);
   REQUIRE(shipped.route);
   CHECK(is_closed(*shipped.route));
 }
@@ -58,6 +68,14 @@ TEST_CASE("A key that is misspelt, of the wrong type, unit or range is refused w
   CHECK_THAT(error_of("limit:\n  largest_speed_m_s: 0.3\n"), ContainsSubstring("did you mean 'limits'?"));
 }
 
+TEST_CASE("An order of the model is a number or auto, and only type arma can do without response actions") {
+  CHECK_THAT(error_of("calibration: {random_drive: {order: 16}}\n"),
+             ContainsSubstring("auto or a whole number"));
+  CHECK_THAT(error_of("calibration: {response: {repetitions: 0}}\n"), ContainsSubstring("type 'arma'"));
+  CHECK_THAT(error_of("calibration: {random_drive: {shortest_hold_s: 2}}\n"),
+             ContainsSubstring("longest_hold_s"));
+}
+
 TEST_CASE("Values that contradict each other are refused") {
   CHECK_THAT(error_of("link:\n  blind_limit_s: 2\n  lost_after_s: 1\n"), ContainsSubstring("blind_limit_s"));
   CHECK_THAT(error_of("limits:\n  largest_speed_m_s: 0.05\n"), ContainsSubstring("calibration speed"));
@@ -69,7 +87,8 @@ TEST_CASE("What a run keeps of its configuration reads back the same, route incl
   auto config = load_daemon_config(written(
       "robot: {name: 'a \"quoted\" robot', wheel_base_m: 0.258}\n"
       "link: {transport: stream, drive: pwm, period_s: 0.015625, encoder_order: right_is_43, mode: full}\n"
-      "calibration: {when: never, response: {repetitions: 3, alternate_direction: false}}\n"
+      "calibration: {when: never, type: arma, response: {repetitions: 0, alternate_direction: false},\n"
+      "  random_drive: {duration_s: 40, radius_m: 0.4, ahead_m: -0.2, seed: 77, order: auto}}\n"
       "run:\n  pose_source: odometry\n  at_end: stay\n"
       "  route: {name: there, speed: 0.1, checkpoints: [[0.5, 0.25], [0, 0]]}\n"
       "real_time: {policy: off}\n"));
@@ -79,6 +98,9 @@ TEST_CASE("What a run keeps of its configuration reads back the same, route incl
   CHECK(back.robot_name == "a \"quoted\" robot");
   CHECK(back.link.encoder_order == roomba::EncoderOrder::right_is_43);
   CHECK(back.limits.command_step_m_s == config.limits.command_step_m_s);
+  CHECK(back.random_drive.seed == 77);
+  CHECK(back.random_drive.ahead_m == -0.2);
+  CHECK_FALSE(back.random_drive.order);
   REQUIRE(back.route);
   CHECK(back.route->checkpoints[0].y_m == 0.25);
 }

@@ -44,7 +44,7 @@ TEST_CASE("A model of another type than the pose source is refused with both nam
 
 TEST_CASE("A source that no calibration of this configuration can serve is refused before it begins") {
   CHECK_THAT(refusal(PoseSource::arma, std::nullopt),
-             ContainsSubstring("calibration makes a model of type fir"));
+             ContainsSubstring("calibration.type makes a model of type fir"));
 }
 
 TEST_CASE("The hybrid source is refused where the model has no encoder scale") {

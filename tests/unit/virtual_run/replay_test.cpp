@@ -112,6 +112,18 @@ TEST_CASE("Replay of a run that calibrates and drives by the hybrid pose gives t
   check_the_same(replayed(run, config, {}));
 }
 
+TEST_CASE(
+    "Replay of a run that calibrates by a random drive and drives by its model gives the same pose log") {
+  auto config = configuration(PoseSource::arma, true);
+  config.calibration_type = ModelType::arma;
+  config.random_drive.duration_s = 20.0;
+  config.random_drive.order = 3;
+  const auto run = drive(config, {}, 2);
+  INFO(name_of(run.stop) << (run.refusal ? run.refusal->reason : ""));
+  REQUIRE(run.arma);
+  check_the_same(replayed(run, config, {}));
+}
+
 TEST_CASE("Replay of a run that a wheel drop ended gives the same pose log") {
   const auto config = configuration(PoseSource::hybrid, false);
   const auto run = drive(config, model(), 5, [](simulation::SimulatedRobot& robot, std::int64_t tick) {

@@ -1,0 +1,59 @@
+// The random drive of the ARMA calibration (PAPER.md, calibration C): normally distributed speeds, each held
+// for a random time, that stay inside a circle.
+//
+// A draw that would leave the circle is replaced by its negative, which goes back the way it came. A normal
+// deviate and its negative are equally likely, so the circle takes nothing from the distribution of speeds;
+// only where both would leave it is another pair drawn.
+//
+// By what pose? By the one that a model predicts from the commands, where there is a model. The commands are
+// then a function of seed, model and first pose: the same drive can be driven again, an encoder that fails on
+// the way cannot lead the robot out of its circle, and no noise of the sensors gets into the commands, where
+// it would be taken for their cause (identification in closed loop is biased by just that). Without a model
+// nobody knows what a command does, and staying in the circle comes first: then by odometry. What feeds back
+// is little, as only the choice between a draw and its negative depends on it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <random>
+
+#include "model/brain/mission.hpp"
+#include "model/pose.hpp"
+
+namespace wheelwright {
+
+// Does not allocate. The same seed and the same poses give the same speeds, on every platform.
+class RandomDrive {
+ public:
+  RandomDrive(const RandomDrivePlan& plan, const RobotLimits& limits);
+
+  // Back to the start, with the same draws to come.
+  void restart();
+
+  // Wheel speeds wanted for the coming period, in m/s on the floor; nothing once the drive is over and the
+  // robot has had time to come to rest. `rest` is the pose at which the robot would come to rest if it were
+  // stopped now, as seen from where the run began. Once inside the circle it stays there, as far as wheels do
+  // what is wanted of them; from outside it never leads further out.
+  std::optional<WheelPair> next(const Pose& rest);
+
+ private:
+  void draw(const Pose& rest);
+  double normal();
+  double uniform();
+  WheelPair within_limits(const WheelPair& wanted) const;
+  double from_middle_m(const Pose& pose) const;
+  bool stays_inside(const Pose& rest, const WheelPair& speed) const;
+
+  RandomDrivePlan plan_;
+  double period_s_;
+  double wheel_base_m_;
+  double largest_speed_m_s_;
+  int drive_ticks_;
+  int rest_ticks_;
+  std::mt19937_64 random_;
+  int tick_ = 0;
+  int hold_ = 0;  // ticks for which the present speeds are still to be held
+  WheelPair speed_m_s_;
+};
+
+}  // namespace wheelwright
