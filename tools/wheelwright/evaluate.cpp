@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -29,6 +30,7 @@ struct EvaluateOptions {
   std::string robot = WHEELWRIGHT_CONFIG_FOLDER "/robots/table2.yaml";
   std::string route = WHEELWRIGHT_CONFIG_FOLDER "/routes/paper_loop.yaml";
   std::string output;
+  Calibrate calibrate = Calibrate::each;
   bool json = false;
   bool check = false;
 };
@@ -66,6 +68,7 @@ ExitStatus run_evaluate(const EvaluateOptions& options, Streams streams) {
   plan.robot = config::load_simulation_config(options.robot);
   plan.route = config::load_route(options.route);
   plan.seed = options.seed;
+  plan.calibrate = options.calibrate;
   if (!is_closed(plan.route))
     throw UsageError(options.route +
                      ": the route is not closed; end it at [0, 0], so that start and end can be compared");
@@ -98,6 +101,10 @@ Action add_evaluate(CLI::App& app) {
   command->add_option("--seed", options->seed, "Of starting errors and noise")->capture_default_str();
   command->add_option("--robot", options->robot, "Simulated robot")->capture_default_str();
   command->add_option("--route", options->route, "Closed route")->capture_default_str();
+  command->add_option("--calibrate", options->calibrate, "Before each attempt or once before all")
+      ->transform(CLI::Transformer(
+          std::map<std::string, Calibrate>{{"each", Calibrate::each}, {"once", Calibrate::once}}))
+      ->default_str("each");
   command->add_option("--threads", options->threads, "Threads; the result does not depend on them")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();

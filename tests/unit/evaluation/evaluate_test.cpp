@@ -70,6 +70,14 @@ TEST_CASE("Attempts of an evaluation are independent, and another seed gives oth
   CHECK_FALSE(same_ends({first}, {tools::run_attempt(plan, 0)}));
 }
 
+TEST_CASE("Calibrated once, attempts differ only by their drives, and still do not depend on threads") {
+  auto plan = plan_of("table2");
+  plan.calibrate = tools::Calibrate::once;
+  const auto outcomes = tools::run_attempts(plan, 2, 2);
+  CHECK(same_ends({outcomes[1]}, {tools::run_attempt(plan, 1)}));
+  CHECK_FALSE(same_ends({outcomes[0]}, {outcomes[1]}));
+}
+
 TEST_CASE("On a robot without imperfections every contender ends where it began") {
   auto plan = plan_of("perfect");
   plan.robot.room = config::load_room(config_folder + "/robots/rooms/box_without_slip.yaml");
@@ -115,6 +123,7 @@ TEST_CASE("Bad usage of evaluate is refused in one line") {
   };
   check(evaluate({"--runs", "0"}), "--runs");
   check(evaluate({"--run", "3"}), "did you mean '--runs'");
+  check(evaluate({"--calibrate", "twice"}), "--calibrate");
   check(evaluate({"--robot", "absent.yaml"}), "absent.yaml");
   const auto open_route = test::temporary_folder() / "open_route.yaml";
   std::ofstream(open_route) << "name: open\ncheckpoints: [[1, 0], [1, 1]]\n";

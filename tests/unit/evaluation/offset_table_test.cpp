@@ -33,7 +33,7 @@ TEST_CASE("A published row is met within 30 % of its mean offset and not beyond"
   CHECK(all_met(tools::offset_rows(attempts_that_end(0.71, 4), 1)));
   for (const double factor : {0.69, 1.31}) {
     for (const auto& row : tools::offset_rows(attempts_that_end(factor, 4), 1)) {
-      if (row.info.published) CHECK(row.met == false);
+      if (row.contender.published) CHECK(row.met == false);
     }
   }
 }

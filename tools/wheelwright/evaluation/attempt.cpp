@@ -7,8 +7,6 @@
 
 #include "daemon/virtual_run.hpp"
 #include "drivers/simulation/noise.hpp"
-#include "model/identification/arx_fit.hpp"
-#include "tools/wheelwright/evaluation/random_drive.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -17,9 +15,8 @@ using simulation::Noise;
 using simulation::SimulatedRobot;
 using simulation::SimulationConfig;
 
-// PAPER.md, calibration C: no gain beyond.
-constexpr std::size_t arma_order = 9;
-constexpr double random_drive_s = 60.0;
+// A random drive whose fit is refused is driven again, with other commands, up to this number of drives.
+constexpr int most_random_drives = 3;
 constexpr double charge_spread = 0.05;  // batteries are swapped and charged between attempts
 
 // PAPER.md, calibration B, twice: one pass has too few samples for the responses of both wheels.
@@ -34,28 +31,34 @@ ResponsePlan four_actions() {
 
 using MaybeModel = tl::expected<RobotModel, std::string>;
 
+// What it is done for, since calibrating and driving do not share their luck.
+enum class Purpose : std::uint8_t { calibrate, drive };
+
 // Puts robots down: each with the same charge and everything else by chance.
 class Attempt {
  public:
-  Attempt(const EvaluationPlan& plan, std::uint64_t number)
+  Attempt(const EvaluationPlan& plan, std::uint64_t number, Purpose purpose)
       : plan_(plan), chance_(Noise(plan.seed).bits() + number), config_(plan.robot) {
     config_.battery.charge = std::clamp(config_.battery.charge + charge_spread * chance_.normal(), 0.05, 1.0);
+    chance_ = Noise(chance_.bits() + static_cast<std::uint64_t>(purpose));
   }
 
   MaybeModel calibrate_response();
-  MaybeModel calibrate_arma(const EncoderScale& scale);
+  MaybeModel calibrate_arma(const RobotModel& response);
   DriveOutcome drive(PoseSource source, const MaybeModel& model);
 
  private:
-  SimulatedRobot put_down();
+  SimulatedRobot put_down(const simulation::RoomConfig& room);
+  daemon::VirtualRunConfig run_of(const Mission& mission) const;
 
   const EvaluationPlan& plan_;
   Noise chance_;
   SimulationConfig config_;
 };
 
-SimulatedRobot Attempt::put_down() {
+SimulatedRobot Attempt::put_down(const simulation::RoomConfig& room) {
   SimulationConfig config = config_;
+  config.room = room;
   config.seed = chance_.bits();
   const auto any_angle = [&] { return 2.0 * std::numbers::pi * chance_.uniform(); };
   config.left.eccentricity_phase_rad = any_angle();
@@ -69,6 +72,14 @@ SimulatedRobot Attempt::put_down() {
   return robot;
 }
 
+daemon::VirtualRunConfig Attempt::run_of(const Mission& mission) const {
+  daemon::VirtualRunConfig run;
+  run.mission = mission;
+  run.limits = plan_.limits;
+  run.link = plan_.link;
+  return run;
+}
+
 std::string reason_of(const daemon::VirtualRunResult& result) {
   if (result.refusal) return "calibration refused: " + result.refusal->reason;
   if (result.stop != StopReason::none) return "stopped: " + std::string(name_of(result.stop));
@@ -76,45 +87,48 @@ std::string reason_of(const daemon::VirtualRunResult& result) {
 }
 
 MaybeModel Attempt::calibrate_response() {
-  SimulatedRobot robot = put_down();
-  daemon::VirtualRunConfig run;
-  run.limits = plan_.limits;
-  run.link = plan_.link;
-  run.mission.encoder_turn = EncoderTurnPlan{};
-  run.mission.response = four_actions();
-  const auto result = daemon::run_virtually(run, robot);
+  Mission mission;
+  mission.encoder_turn = EncoderTurnPlan{};
+  mission.response = four_actions();
+  SimulatedRobot robot = put_down(config_.room);
+  const auto result = daemon::run_virtually(run_of(mission), robot);
   if (!result.finished) return tl::make_unexpected(reason_of(result));
-  RobotModel model;
-  model.encoder_scale =
-      EncoderScale{result.encoder_scale->metres_per_tick, result.encoder_scale->ticks_per_turn,
-                   result.encoder_scale->relative_standard_error};
-  model.core = result.response->model;
-  return model;
+  return *result.model;
 }
 
-MaybeModel Attempt::calibrate_arma(const EncoderScale& scale) {
-  SimulatedRobot robot = put_down();
-  const DriveLog log =
-      drive_randomly(robot, plan_.link, plan_.limits, scale.metres_per_tick, random_drive_s, chance_.bits());
-  ArxFitOptions options;
-  options.order = arma_order;
-  const auto fit = fit_arx(std::span(&log, 1), options);
-  if (!fit) return tl::make_unexpected("calibration refused: " + fit.error().reason);
-  RobotModel model;
-  model.encoder_scale = scale;
-  model.core = fit->model;
-  return model;
+// By the response model and its encoder scale the robot knows where it is, and so stays on its spot.
+MaybeModel Attempt::calibrate_arma(const RobotModel& response) {
+  // The same floor, but out in the open, where there is room for a random drive.
+  simulation::RoomConfig open = config_.room;
+  open.walls.clear();
+  open.obstacles.clear();
+  std::string refusal;
+  for (int drives = 0; drives < most_random_drives; ++drives) {
+    Mission mission;
+    mission.random_drive = RandomDrivePlan{};
+    mission.random_drive->seed = chance_.bits();
+    daemon::VirtualRunConfig run = run_of(mission);
+    run.model = response;
+    SimulatedRobot robot = put_down(open);
+    const auto result = daemon::run_virtually(run, robot);
+    if (result.finished) {
+      RobotModel model = *result.model;
+      model.encoder_scale = response.encoder_scale;
+      return model;
+    }
+    refusal = reason_of(result);
+  }
+  return tl::make_unexpected(refusal);
 }
 
 DriveOutcome Attempt::drive(PoseSource source, const MaybeModel& model) {
   if (!model) return {std::nullopt, model.error()};
-  SimulatedRobot robot = put_down();
-  daemon::VirtualRunConfig run;
-  run.limits = plan_.limits;
-  run.link = plan_.link;
-  run.mission.route = plan_.route;
-  run.mission.pose_source = source;
+  Mission mission;
+  mission.route = plan_.route;
+  mission.pose_source = source;
+  daemon::VirtualRunConfig run = run_of(mission);
   run.model = *model;
+  SimulatedRobot robot = put_down(config_.room);
   const auto result = daemon::run_virtually(run, robot);
   if (!result.finished || !result.true_pose_at_route_start) return {std::nullopt, reason_of(result)};
   return {relative_to(*result.true_pose_at_route_start, result.true_poses.back()), {}};
@@ -123,14 +137,14 @@ DriveOutcome Attempt::drive(PoseSource source, const MaybeModel& model) {
 }  // namespace
 
 AttemptOutcome run_attempt(const EvaluationPlan& plan, std::uint64_t number) {
-  Attempt attempt(plan, number);
-  const MaybeModel fir = attempt.calibrate_response();
-  const MaybeModel arma = fir ? attempt.calibrate_arma(*fir->encoder_scale) : fir;
+  Attempt calibration(plan, plan.calibrate == Calibrate::once ? 0 : number, Purpose::calibrate);
+  const MaybeModel fir = calibration.calibrate_response();
+  const MaybeModel arma = fir ? calibration.calibrate_arma(*fir) : fir;
+  Attempt attempt(plan, number, Purpose::drive);
   AttemptOutcome outcome;
   for (std::size_t i = 0; i < contenders.size(); ++i) {
-    const Contender contender = contenders.at(i).contender;
-    const PoseSource source = contender == Contender::odometry ? PoseSource::odometry : PoseSource::fir;
-    outcome.at(i) = attempt.drive(source, contender == Contender::arma ? arma : fir);
+    const Contender& contender = contenders.at(i);
+    outcome.at(i) = attempt.drive(contender.source, contender.model == ModelType::arma ? arma : fir);
   }
   return outcome;
 }

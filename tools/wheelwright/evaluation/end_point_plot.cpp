@@ -19,8 +19,8 @@ using config::plain_number;
 // Half the width of a panel: all end points and published circles fit, in steps of 0.1 m.
 double half_width_m(const std::vector<AttemptOutcome>& outcomes) {
   double farthest_m = 0.0;
-  for (const ContenderInfo& info : contenders) {
-    if (info.published) farthest_m = std::max(farthest_m, info.published->mean_m);
+  for (const Contender& contender : contenders) {
+    if (contender.published) farthest_m = std::max(farthest_m, contender.published->mean_m);
   }
   for (const AttemptOutcome& outcome : outcomes) {
     for (const DriveOutcome& drive : outcome) {
@@ -30,11 +30,11 @@ double half_width_m(const std::vector<AttemptOutcome>& outcomes) {
   return 0.1 * std::ceil(10.5 * farthest_m);
 }
 
-std::string panel(const ContenderInfo& info, const std::string& csv_name) {
-  const std::string key(info.key);
-  std::string text = "set title '" + std::string(info.title) + "'\nunset object 1\n";
-  if (info.published) {
-    text += "set object 1 circle at 0,0 size " + plain_number(info.published->mean_m) +
+std::string panel(const Contender& contender, const std::string& csv_name) {
+  const std::string key(contender.key);
+  std::string text = "set title '" + std::string(contender.title) + "'\nunset object 1\n";
+  if (contender.published) {
+    text += "set object 1 circle at 0,0 size " + plain_number(contender.published->mean_m) +
             " fillstyle empty border lc rgb '#d1495b' dt 2\n";
   }
   return text + "plot '" + csv_name + "' using (strcol(1) eq '" + key +
@@ -62,8 +62,8 @@ std::string end_points_script(const std::vector<AttemptOutcome>& outcomes, const
                               const std::string& svg_name) {
   const std::string half = plain_number(half_width_m(outcomes));
   const std::string panels = std::to_string(contenders.size());
-  std::string text = "set terminal svg size " + std::to_string(320 * contenders.size()) +
-                     ",370 font 'sans,12' background rgb 'white'\n"
+  std::string text = "set terminal svg size " + std::to_string(360 * contenders.size()) +
+                     ",400 font 'sans,12' background rgb 'white'\n"
                      "set output '" +
                      svg_name +
                      "'\n"
@@ -76,7 +76,7 @@ std::string end_points_script(const std::vector<AttemptOutcome>& outcomes, const
                      "set multiplot layout 1," +
                      panels +
                      " title 'End points of each attempt; cross: start; dashed: published mean offset'\n";
-  for (const ContenderInfo& info : contenders) text += panel(info, csv_name);
+  for (const Contender& contender : contenders) text += panel(contender, csv_name);
   return text + "unset multiplot\n";
 }
 

@@ -16,7 +16,7 @@ using nlohmann::ordered_json;
 
 bool is_met(const OffsetRow& row) {
   if (row.finished < row.attempts || !row.offset) return false;
-  const double published_m = row.info.published->mean_m;
+  const double published_m = row.contender.published->mean_m;
   return std::abs(row.offset->mean_m - published_m) <= mean_tolerance * published_m;
 }
 
@@ -33,8 +33,9 @@ ordered_json to_json(double value, const Interval& interval) {
 }
 
 std::string published_text(const OffsetRow& row) {
-  if (!row.info.published) return "-";
-  return metres(row.info.published->mean_m) + " +- " + metres(row.info.published->standard_deviation_m);
+  if (!row.contender.published) return "-";
+  return metres(row.contender.published->mean_m) + " +- " +
+         metres(row.contender.published->standard_deviation_m);
 }
 
 }  // namespace
@@ -54,7 +55,7 @@ std::vector<OffsetRow> offset_rows(const std::vector<AttemptOutcome>& outcomes, 
     }
     row.finished = offsets_m.size();
     if (!offsets_m.empty()) row.offset = offset_statistics(offsets_m, seed);
-    if (row.info.published) row.met = is_met(row);
+    if (row.contender.published) row.met = is_met(row);
     rows.push_back(row);
   }
   return rows;
@@ -76,12 +77,12 @@ void print_offset_table(std::ostream& out, const std::vector<OffsetRow>& rows) {
     const std::string deviation =
         row.offset ? with_interval(row.offset->standard_deviation_m, row.offset->standard_deviation_ci95_m)
                    : "-";
-    line(std::string(row.info.title), mean, deviation, published_text(row),
+    line(std::string(row.contender.title), mean, deviation, published_text(row),
          !row.met ? "-" : (*row.met ? "yes" : "no"));
   }
   for (const OffsetRow& row : rows) {
     if (row.finished == row.attempts) continue;
-    out << row.info.title << ": only " << row.finished << " of " << row.attempts
+    out << row.contender.title << ": only " << row.finished << " of " << row.attempts
         << " attempts came to their end; the first that did not: " << row.first_failure << "\n";
   }
 }
@@ -96,12 +97,12 @@ ordered_json offset_json(const std::vector<OffsetRow>& rows) {
       model["standard_deviation"] = to_json(offset.standard_deviation_m, offset.standard_deviation_ci95_m);
     }
     if (!row.first_failure.empty()) model["first_failure"] = row.first_failure;
-    if (row.info.published) {
-      model["published"] = {{"mean_offset_m", row.info.published->mean_m},
-                            {"standard_deviation_m", row.info.published->standard_deviation_m}};
+    if (row.contender.published) {
+      model["published"] = {{"mean_offset_m", row.contender.published->mean_m},
+                            {"standard_deviation_m", row.contender.published->standard_deviation_m}};
       model["met"] = *row.met;
     }
-    models[std::string(row.info.key)] = std::move(model);
+    models[std::string(row.contender.key)] = std::move(model);
   }
   return models;
 }

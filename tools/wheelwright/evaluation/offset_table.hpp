@@ -20,7 +20,7 @@ namespace wheelwright::tools {
 inline constexpr double mean_tolerance = 0.3;
 
 struct OffsetRow {
-  ContenderInfo info;
+  Contender contender;
   std::size_t attempts = 0;
   std::size_t finished = 0;
   std::optional<OffsetStatistics> offset;  // over those that finished, if any did
