@@ -128,7 +128,11 @@ void CalibratorThread::keep_model(RobotModel model) {
 // With its ownership: Delivery has to be copied into the ring.
 void CalibratorThread::hand_over(CalibrationKind kind, const RobotModel& model) {
   auto driving = std::make_unique<DrivingModel>(model);
-  wiring_.push(wiring_.deliveries, Delivery{kind, {}, driving.release()});
+  if (wiring_.deliveries.push(Delivery{kind, {}, driving.get()})) {
+    static_cast<void>(driving.release());
+  } else {
+    wiring_.dropped.fetch_add(1, std::memory_order_relaxed);
+  }
 }
 
 }  // namespace wheelwright::daemon
