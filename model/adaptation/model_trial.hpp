@@ -1,0 +1,59 @@
+// Is one model better than another on driving that neither has seen? Both run free, from commands alone;
+// judged is the travel of each wheel since the start of a block against the encoders.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "model/linear_model.hpp"
+#include "model/pose.hpp"
+#include "model/sensor_frame.hpp"
+
+namespace wheelwright {
+
+class ModelTrial {
+ public:
+  ModelTrial(const LinearModel& present, const LinearModel& candidate, const WheelPair& metres_per_tick);
+
+  // Each frame in order. A block with a frame that is not `sound` does not count.
+  void take(const SensorFrame& frame, bool sound);
+
+  // Blocks of 2 s so far in which the robot drove.
+  int blocks() const { return blocks_; }
+  // The candidate is better by more than one standard error of the difference over the blocks.
+  bool is_better() const;
+  // Root mean square of the travel error within a block, in metres; nothing before the first block.
+  std::optional<double> present_error_m() const { return rms(present_.square_sum); }
+  std::optional<double> candidate_error_m() const { return rms(candidate_.square_sum); }
+
+ private:
+  struct Runner {
+    explicit Runner(const LinearModel& model) : predictor(model) {}
+    LinearPredictor predictor;
+    WheelPair travel_m;  // since the start of the block
+    double block_squares = 0.0;
+    double square_sum = 0.0;  // of the mean squares of all blocks
+  };
+
+  std::optional<double> rms(double square_sum) const;
+  void begin_block(const SensorFrame& frame);
+  void end_block();
+  void compare(Runner& runner, const WheelPair& counted_m);
+
+  double period_s_;
+  WheelPair metres_per_tick_;
+  Runner present_;
+  Runner candidate_;
+  WheelPair command_;
+  std::int64_t tick_ = 0;
+  bool started_ = false;
+  int settle_ticks_;  // until both models have forgotten that they began at rest
+  int block_ticks_ = 0;
+  double commanded_m_ = 0.0;  // within the block
+  WheelTicks start_;
+  int blocks_ = 0;
+  double difference_sum_ = 0.0;
+  double difference_squares_ = 0.0;
+};
+
+}  // namespace wheelwright

@@ -1,0 +1,145 @@
+// The calibration that never ends, on drives of the simulated robot.
+#include "model/adaptation/continuous_calibration.hpp"
+
+#include <cmath>
+#include <random>
+
+#include "tests/support/catch.hpp"
+#include "tests/support/recorded_drive.hpp"
+
+using namespace wheelwright;
+
+namespace {
+
+const RobotModel& calibrated() {
+  static const RobotModel made = test::calibrated_model("default", "box", 61);
+  return made;
+}
+
+// A robot whose wheels have come to roll another distance for the same command than its model says.
+RobotModel outdated(double factor) {
+  RobotModel model = calibrated();
+  for (auto* response : {&model.core.left, &model.core.right}) {
+    for (double& weight : response->from_left) weight *= factor;
+    for (double& weight : response->from_right) weight *= factor;
+  }
+  return model;
+}
+
+const std::vector<SensorFrame>& drive() {
+  static const auto made = test::record_drive(test::robot_on_endless_floor("default", 71), 71, 150.0).frames;
+  return made;
+}
+
+constexpr std::size_t carpet_from = 2500;
+
+// From linoleum onto a carpet.
+const std::vector<SensorFrame>& drive_onto_carpet() {
+  static const auto change = [](simulation::SimulatedRobot& robot, int tick) {
+    if (tick != static_cast<int>(carpet_from)) return;
+    robot.inject(
+        {.kind = simulation::Fault::Kind::change_floor,
+         .surface = {.grip = 0.55, .creep_per_n = 0.006, .rolling_drag = 0.03, .scrub_factor = 8.0}});
+  };
+  static const auto made =
+      test::record_drive(test::robot_on_endless_floor("default", 63), 63, 150.0, change).frames;
+  return made;
+}
+
+}  // namespace
+
+TEST_CASE("Forgetting by direction follows a change, and keeps what is not excited") {
+  DirectionalFit fit({1.0, 0.0, 0.0}, 0.1, 200.0);
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  // Along one direction for very long: the others keep their covariance.
+  const double before = fit.covariance()(1, 1);
+  for (int k = 0; k < 200000; ++k) fit.take({20.0, 0.0, 0.0}, 20.0 * 1.1 + normal(random));
+  CHECK_THAT(fit.weights()[0], WithinAbs(1.1, 0.02));
+  CHECK(fit.covariance()(1, 1) <= before * (1.0 + 1e-9));
+  for (int k = 0; k < 2000; ++k) fit.take({20.0, 0.0, 0.0}, 20.0 * 0.8 + normal(random));
+  CHECK_THAT(fit.weights()[0], WithinAbs(0.8, 0.02));
+}
+
+TEST_CASE("Standing for an hour, or driving straight, does not wind up the covariance") {
+  for (const double speed_m_s : {0.0, 0.2}) {
+    ModelAdaptation adaptation(calibrated());
+    for (const SensorFrame& frame : drive()) adaptation.take(frame, true);
+    const double before = adaptation.left().covariance().trace();
+    const auto weights = adaptation.left().weights();
+    SensorFrame frame = drive().back();
+    frame.command.speed_m_s = {speed_m_s, speed_m_s};
+    double travelled_m = 0.0;
+    const WheelTicks start = frame.ticks;
+    for (int k = 0; k < 200000; ++k) {
+      ++frame.tick;
+      travelled_m += 0.018 * speed_m_s;
+      const auto counts = std::llround(travelled_m / calibrated().encoder_scale->metres_per_tick.left);
+      frame.ticks = {start.left + counts, start.right + counts};
+      adaptation.take(frame, true);
+    }
+    INFO(speed_m_s << " m/s");
+    CHECK(adaptation.left().covariance().trace() < 2.0 * before);
+    if (speed_m_s == 0.0) CHECK((adaptation.left().weights() - weights).norm() < 0.01);
+  }
+}
+
+TEST_CASE(
+    "Once due, a model that is wrong by 7 per cent is replaced by one whose free run is better on driving "
+    "not seen") {
+  const RobotModel wrong = outdated(0.93);
+  ContinuousCalibration calibration(wrong);
+  std::optional<RobotModel> better;
+  for (const SensorFrame& frame : drive_onto_carpet()) {
+    if (auto found = calibration.take(frame); found && !better) better = found;
+  }
+  REQUIRE(better);
+  CHECK(better->core.type == wrong.core.type);
+
+  // On another drive altogether.
+  const auto other = test::record_drive(test::robot_on_endless_floor("default", 72), 72, 40.0).frames;
+  ModelTrial trial(wrong.core, better->core, wrong.encoder_scale->metres_per_tick);
+  for (const SensorFrame& frame : other) trial.take(frame, true);
+  CHECK(trial.is_better());
+  CHECK(*trial.candidate_error_m() < 0.5 * *trial.present_error_m());
+}
+
+TEST_CASE("A candidate that was made from corrupted data is not accepted") {
+  // What it learns from is wrong by a fifth, what it is judged on is right.
+  ModelAdaptation adaptation(calibrated());
+  for (SensorFrame frame : drive()) {
+    frame.ticks.left = frame.ticks.left * 6 / 5;
+    adaptation.take(frame, true);
+  }
+  ModelTrial trial(calibrated().core, adaptation.adapted(), calibrated().encoder_scale->metres_per_tick);
+  for (const SensorFrame& frame : drive()) trial.take(frame, true);
+  CHECK(trial.blocks() > 10);
+  CHECK_FALSE(trial.is_better());
+}
+
+TEST_CASE("While a fault is there nothing is learnt") {
+  ModelAdaptation adaptation(calibrated());
+  const auto before = adaptation.left().weights();
+  for (const SensorFrame& frame : drive()) adaptation.take(frame, false);
+  CHECK(adaptation.left().weights() == before);
+}
+
+// The robot's own speed controller hides the floor from the counts: the model is due by the motor currents,
+// and is still as good as any candidate.
+TEST_CASE("On a carpet the model is due within 5 s, and only a better one replaces it") {
+  ContinuousCalibration calibration(calibrated());
+  std::optional<std::size_t> due;
+  int trials = 0;
+  for (std::size_t k = 0; k < drive_onto_carpet().size(); ++k) {
+    const auto before = calibration.phase();
+    const bool swapped = calibration.take(drive_onto_carpet()[k]).has_value();
+    const auto phase = calibration.phase();
+    if (phase == ContinuousCalibration::Phase::adapt && !due) due = k;
+    if (before == ContinuousCalibration::Phase::judge && phase != before) ++trials;
+    if (swapped) CHECK(*calibration.trial()->candidate_error_m() < *calibration.trial()->present_error_m());
+  }
+  REQUIRE(due);
+  CHECK(*due >= carpet_from);
+  CHECK(0.018 * static_cast<double>(*due - carpet_from) < 5.0);
+  CHECK(trials > 0);
+}
