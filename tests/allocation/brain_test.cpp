@@ -16,10 +16,8 @@ namespace {
 // Brain and link on the simulated robot; only what belongs to the robot's computer is counted.
 class CountedDrive {
  public:
-  CountedDrive(PoseSource source, roomba::LinkConfig config)
-      : link_(config),
-        brain_(test::triangle_mission(source), RobotLimits{},
-               std::make_unique<DrivingModel>(test::lagging_robot())) {
+  CountedDrive(const Mission& mission, roomba::LinkConfig config)
+      : link_(config), brain_(mission, RobotLimits{}, std::make_unique<DrivingModel>(test::lagging_robot())) {
     link_.port_opened();
   }
 
@@ -34,6 +32,8 @@ class CountedDrive {
     }
     return brain_.activity() == Activity::finished;
   }
+
+  Activity activity() const { return brain_.activity(); }
 
   test::HeapCalls calls{0};
   bool fault_found = false;
@@ -97,10 +97,20 @@ TEST_CASE("Brain and link drive a whole route without the heap") {
   for (const auto source : {PoseSource::fir, PoseSource::arma, PoseSource::hybrid, PoseSource::odometry}) {
     for (const auto transport : {roomba::Transport::query, roomba::Transport::stream}) {
       INFO("pose source " << static_cast<int>(source) << ", transport " << static_cast<int>(transport));
-      const auto drive = std::make_unique<CountedDrive>(source, with(transport));
+      const auto drive = std::make_unique<CountedDrive>(test::triangle_mission(source), with(transport));
       CHECK(drive->drive_to_the_end());
       CHECK(drive->calls == 0);
       CHECK(drive->fault_found);
     }
   }
+}
+
+TEST_CASE("Brain and link drive at random without the heap") {
+  Mission mission;
+  mission.random_drive = RandomDrivePlan{};
+  mission.random_drive->duration_s = 20.0;
+  const auto drive = std::make_unique<CountedDrive>(mission, with(roomba::Transport::query));
+  drive->drive_to_the_end();  // as far as it goes without a calibrator
+  CHECK(drive->activity() == Activity::await_arma);
+  CHECK(drive->calls == 0);
 }
