@@ -30,6 +30,13 @@ Pose relative_to(const Pose& origin, const Pose& pose) {
   return {c * dx + s * dy, -s * dx + c * dy, pose.theta_rad - origin.theta_rad};
 }
 
+Pose placed_at(const Pose& origin, const Pose& offset) {
+  const double c = std::cos(origin.theta_rad);
+  const double s = std::sin(origin.theta_rad);
+  return {origin.x_m + c * offset.x_m - s * offset.y_m, origin.y_m + s * offset.x_m + c * offset.y_m,
+          origin.theta_rad + offset.theta_rad};
+}
+
 double distance_between_m(const Pose& a, const Pose& b) {
   return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
 }

@@ -32,6 +32,9 @@ Pose move_along_arc(const Pose& pose, const Twist& twist, double duration_s);
 // `pose` as seen from `origin`: the pose of the same point in the frame whose origin and x axis are `origin`.
 Pose relative_to(const Pose& origin, const Pose& pose);
 
+// The inverse: the pose that is at `offset` as seen from `origin`.
+Pose placed_at(const Pose& origin, const Pose& offset);
+
 double distance_between_m(const Pose& a, const Pose& b);
 
 // Body motion from wheel speeds in m/s, and back.

@@ -21,14 +21,6 @@ FollowerLimits follower_limits(const RobotLimits& limits) {
   return result;
 }
 
-// The pose that is at `offset` as seen from `origin`.
-Pose seen_from(const Pose& origin, const Pose& offset) {
-  const double c = std::cos(origin.theta_rad);
-  const double s = std::sin(origin.theta_rad);
-  return {origin.x_m + c * offset.x_m - s * offset.y_m, origin.y_m + s * offset.x_m + c * offset.y_m,
-          origin.theta_rad + offset.theta_rad};
-}
-
 }  // namespace
 
 Brain::Brain(const Mission& mission, const RobotLimits& limits, std::unique_ptr<DrivingModel> model)
@@ -192,17 +184,9 @@ int Brain::ticks_ahead() const {
 }
 
 bool Brain::is_sensorless_stage() const {
-  switch (stage()) {
-    case Stage::manoeuvre:
-    case Stage::await:
-      return false;
-    case Stage::random_drive:
-      return model_ != nullptr;
-    case Stage::route:
-    case Stage::coast:
-      return is_sensorless(mission_.pose_source);
-  }
-  return false;
+  if (stage() == Stage::random_drive) return model_ != nullptr;
+  const bool on_route = stage() == Stage::route || stage() == Stage::coast;
+  return on_route && is_sensorless(mission_.pose_source);
 }
 
 std::optional<Command> Brain::next_command() {
@@ -295,7 +279,7 @@ Pose Brain::rest_by_sensors(const Pose& measured) {
   const auto slot = static_cast<std::size_t>(latest_.tick) % predictions_.size();
   const Prediction& then = predictions_.at(slot);
   if (then.tick != latest_.tick) return measured;
-  return seen_from(measured, relative_to(then.pose, model_->predictor.rest_pose()));
+  return placed_at(measured, relative_to(then.pose, model_->predictor.rest_pose()));
 }
 
 WheelPair Brain::rounded(const WheelPair& command) const {
