@@ -1,8 +1,9 @@
 #include "model/free_run.hpp"
 
-#include <cmath>
+#include <limits>
 
 #include "model/command_timeline.hpp"
+#include "model/model_simulation.hpp"
 
 namespace wheelwright {
 namespace {
@@ -15,42 +16,55 @@ Pose start_pose(const DriveLog& log) {
   return {0.0, 0.0, log.samples.empty() ? 0.0 : log.samples.front().reference_theta_rad.value_or(0.0)};
 }
 
+// The newest voltage that was measured by row `row`.
+double battery_at(const DriveLog& log, std::size_t row, double last_v) {
+  return log.samples[row].battery_v.value_or(last_v);
+}
+
 }  // namespace
 
-std::vector<PredictedMotion> free_run(const LinearModel& model, const DriveLog& log) {
+std::vector<PredictedMotion> free_run(const LinearModel& core, std::span<const EffectSetting> effects,
+                                      const DriveLog& log) {
   std::vector<PredictedMotion> motion;
   if (log.samples.empty()) return motion;
   motion.reserve(log.samples.size());
   const CommandTimeline timeline(log);
   const double t0 = log.samples.front().t_s;
-  const double period = model.period_s;
-  LinearPredictor predictor(model);
+  const double period = core.period_s;
+  ModelSimulation simulation(core, effects);
+  simulation.reset(simulation.axle_of(start_pose(log)));
+  double battery_v = battery_at(log, 0, std::numeric_limits<double>::quiet_NaN());
 
-  PredictedMotion at_cell_start{t0, {}, {}, {}, start_pose(log)};
-  motion.push_back(at_cell_start);
+  motion.push_back({t0, {}, {}, {}, simulation.observed_pose()});
   std::size_t row = 1;
   for (std::size_t cell = 0; row < log.samples.size(); ++cell) {
     const double from = t0 + period * static_cast<double>(cell);
     const double to = t0 + period * static_cast<double>(cell + 1);
-    const WheelPair speed = predictor.step(timeline.mean_m_s(from, to));
-    const Twist twist = twist_of_wheels(speed, model.wheel_base_m);
-    const auto moved = [&](double t) {
-      const double duration = t - from;
-      const WheelPair& before = at_cell_start.distance_m;
-      return PredictedMotion{t,
-                             speed,
-                             twist,
-                             {before.left + speed.left * duration, before.right + speed.right * duration},
-                             move_along_arc(at_cell_start.pose, twist, duration)};
-    };
+    const Pose start = simulation.pose();
+    const WheelPair before = simulation.distance_m();
+    const auto& now = simulation.step(timeline.mean_m_s(from, to), battery_v);
     // Times are printed with microseconds, so a row on the grid may lie that much behind it.
     const double end_of_cell = to + 1e-4 * period;
     for (; row < log.samples.size() && log.samples[row].t_s <= end_of_cell; ++row) {
-      motion.push_back(moved(log.samples[row].t_s));
+      const double t = log.samples[row].t_s;
+      motion.push_back(
+          {t,
+           now.floor_m_s,
+           now.twist,
+           {before.left + now.wheel_m_s.left * (t - from), before.right + now.wheel_m_s.right * (t - from)},
+           simulation.observed(move_along_arc(start, now.twist, t - from))});
+      battery_v = battery_at(log, row, battery_v);
     }
-    at_cell_start = moved(to);
   }
   return motion;
+}
+
+std::vector<PredictedMotion> free_run(const LinearModel& model, const DriveLog& log) {
+  return free_run(model, {}, log);
+}
+
+std::vector<PredictedMotion> free_run(const RobotModel& model, const DriveLog& log) {
+  return free_run(model.core, effect_settings(model), log);
 }
 
 }  // namespace wheelwright

@@ -1,24 +1,31 @@
 // The model on its own: commands of a log in, predicted motion out, at the log's own times.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "model/drive_log.hpp"
 #include "model/linear_model.hpp"
+#include "model/robot_model.hpp"
 
 namespace wheelwright {
 
 // Predicted motion at one row of a log.
 struct PredictedMotion {
   double t_s = 0.0;
-  WheelPair speed_m_s;   // mean over the period that ends at this row
-  Twist twist;           // the same as body motion
-  WheelPair distance_m;  // travelled by each wheel since the first row
-  Pose pose;             // starts at the first reference pose of the log, else at zero
+  WheelPair speed_m_s;   // of the wheels on the floor, mean over the period that ends at this row
+  Twist twist;           // of the body
+  WheelPair distance_m;  // since the first row, as the encoders count it
+  Pose pose;             // as a reference measures it; starts at the log's first one, else at zero
 };
 
 // Free run from rest over the whole log; one entry per row. The log may have any period and gaps: the last
 // command holds through a gap, as it does on the robot.
+std::vector<PredictedMotion> free_run(const RobotModel& model, const DriveLog& log);
+
+// The same for a model without effects, and for a core with effects.
 std::vector<PredictedMotion> free_run(const LinearModel& model, const DriveLog& log);
+std::vector<PredictedMotion> free_run(const LinearModel& core, std::span<const EffectSetting> effects,
+                                      const DriveLog& log);
 
 }  // namespace wheelwright

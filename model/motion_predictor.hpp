@@ -2,8 +2,13 @@
 // rest.
 #pragma once
 
+#include <optional>
+
 #include "model/linear_model.hpp"
+#include "model/model_simulation.hpp"
 #include "model/pose.hpp"
+#include "model/robot_model.hpp"
+#include "model/settled_speeds.hpp"
 
 namespace wheelwright {
 
@@ -11,13 +16,15 @@ namespace wheelwright {
 class MotionPredictor {
  public:
   explicit MotionPredictor(const LinearModel& model);
+  // With the effects of the model: the predictor plans through them.
+  explicit MotionPredictor(const RobotModel& model);
 
   // Moves on by one period with this command in force. Returns the mean wheel speeds over the period.
   WheelPair step(const WheelPair& command);
 
   // Motion since the last reset, from commands alone.
-  const Pose& pose() const { return pose_; }
-  const WheelPair& speed_m_s() const { return speed_; }
+  const Pose& pose() const { return simulation_.pose(); }
+  const WheelPair& speed_m_s() const { return simulation_.motion().wheel_m_s; }
 
   // The pose at which the robot comes to rest if it is told to stop now.
   Pose rest_pose();
@@ -26,7 +33,7 @@ class MotionPredictor {
   WheelPair command_for(const WheelPair& speed_m_s) const;
 
   // Sets the pose, not the motion.
-  void set_pose(const Pose& pose) { pose_ = pose; }
+  void set_pose(const Pose& pose) { simulation_.set_pose(pose); }
   // To rest at a pose.
   void reset(const Pose& pose);
 
@@ -34,14 +41,15 @@ class MotionPredictor {
   double wheel_base_m() const { return wheel_base_m_; }
 
  private:
+  MotionPredictor(const LinearModel& core, std::span<const EffectSetting> effects);
+
   double period_s_;
   double wheel_base_m_;
   DcGain left_gain_;
   DcGain right_gain_;
-  LinearPredictor predictor_;
-  LinearPredictor scratch_;
-  WheelPair speed_;
-  Pose pose_;
+  std::optional<SettledSpeeds> settled_;  // where there are effects
+  ModelSimulation simulation_;
+  ModelSimulation scratch_;
 };
 
 }  // namespace wheelwright

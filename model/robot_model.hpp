@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/effects/effect.hpp"
 #include "model/identification/fir_fit.hpp"
 #include "model/linear_model.hpp"
 #include "model/pose.hpp"
@@ -18,6 +19,22 @@ struct EncoderScale {
   double relative_standard_error = 0.0;  // of metres per tick
 };
 
+// How well a parameter of an effect is known: 95 % interval.
+struct ParameterInterval {
+  double lower = 0.0;
+  double upper = 0.0;
+};
+
+// An effect that was found missing and added, and why it is believed.
+struct AddedEffect {
+  EffectSetting setting;
+  std::vector<ParameterInterval> intervals;  // one per parameter, or none where it was not estimated
+  std::vector<std::string> source;           // logs that it was found in
+  std::string created;                       // date and time, ISO 8601
+  std::optional<double> heldout_gain_nats;   // of log likelihood, on runs that were not used to fit it
+  std::optional<double> p_value;
+};
+
 struct RobotModel {
   std::string robot;                // as the configuration names it
   std::string created;              // date and time, ISO 8601, as the caller read it from the clock
@@ -26,6 +43,10 @@ struct RobotModel {
   LinearModel core;                  // holds the wheel base and the period
   std::optional<WheelFit> left_fit;  // how well the core is known
   std::optional<WheelFit> right_fit;
+  std::vector<AddedEffect> effects;  // in the order in which they act
 };
+
+// The effects alone, as a simulation takes them.
+std::vector<EffectSetting> effect_settings(const RobotModel& model);
 
 }  // namespace wheelwright

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "config/load/atomic_file.hpp"
+#include "config/load/model_effects.hpp"
 #include "config/load/text_format.hpp"
 
 namespace wheelwright::config {
@@ -100,25 +101,9 @@ RobotModel read_model(YamlReader file) {
   model.core.period_s = file.number("period_s", {0.0001, 10.0, "s"});
   if (auto scale = file.section("encoder_scale")) model.encoder_scale = read_encoder_scale(std::move(*scale));
   read_core(required_section(file, "core"), model);
+  model.effects = read_effects(file);
   file.finish();
   return model;
-}
-
-// In double quotes, where YAML takes every text once these characters are escaped.
-std::string quoted(const std::string& text) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string result = "\"";
-  for (const char character : text) {
-    const auto code = static_cast<unsigned char>(character);
-    if (character == '"' || character == '\\') {
-      result += {'\\', character};
-    } else if (code < 0x20 || code == 0x7f) {
-      result += {'\\', 'x', digits[code >> 4], digits[code & 15]};
-    } else {
-      result += character;
-    }
-  }
-  return result + "\"";
 }
 
 std::string line(int indent, const std::string& key, const std::string& value,
@@ -202,7 +187,7 @@ std::string model_to_yaml(const RobotModel& model) {
                  "of one wheel, full turn of the robot");
     text += line(2, "relative_standard_error", plain_number(scale->relative_standard_error));
   }
-  return text + core_to_yaml(model);
+  return text + core_to_yaml(model) + effects_to_yaml(model.effects);
 }
 
 void save_model(const RobotModel& model, const std::filesystem::path& path) {

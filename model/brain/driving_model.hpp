@@ -14,7 +14,7 @@ namespace wheelwright {
 struct DrivingModel {
   // A model of type fir or arma. Without an encoder scale there is no filter: readings in ticks say nothing
   // then of travel in metres.
-  explicit DrivingModel(const RobotModel& model) : predictor(model.core) {
+  explicit DrivingModel(const RobotModel& model) : predictor(model) {
     if (!model.encoder_scale) return;
     filter.emplace(model);
     fresh_filter_ = filter;

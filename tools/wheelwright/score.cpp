@@ -89,7 +89,7 @@ ExitStatus run_score(const ScoreOptions& options, Streams streams) {
     const auto logs = load_all_runs({path});
     for (const auto& log : logs) {
       warn_of_doubtful_log(log, model.core, streams.err);
-      const auto motion = free_run(model.core, log);
+      const auto motion = free_run(model, log);
       sums.add(motion, log);
       runs.push_back({run_name(log, logs.size() == 1), log.samples.size(), score_run(motion, log),
                       end_distance_error_m(motion, log)});

@@ -38,7 +38,7 @@ ExitStatus run_simulate(const SimulateOptions& options, Streams streams) {
   const RobotModel model = config::load_model(options.model);
   const DriveLog log = config::load_drive_log(options.log);
   warn_of_doubtful_log(log, model.core, streams.err);
-  const auto motion = free_run(model.core, log);
+  const auto motion = free_run(model, log);
   if (const auto error = config::write_file_atomically(options.output, to_csv(motion)))
     throw UsageError(*error);
   const PredictedMotion& last = motion.back();

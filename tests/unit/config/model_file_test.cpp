@@ -130,7 +130,7 @@ TEST_CASE("An unknown key of a model file is refused with the nearest right one"
   CHECK_THAT(error_of(small_model("fir", wheel + ", from_lft: [1]", wheel)),
              ContainsSubstring("did you mean 'from_left'?"));
   CHECK_THAT(error_of(small_model("fir", wheel, wheel) + "effects: {dead_zone: {}}\n"),
-             ContainsSubstring("unknown key 'effects'"));
+             ContainsSubstring("'effects' is a mapping, but must be a list"));
 }
 
 TEST_CASE("A model that could not be loaded again is not written") {

@@ -1,0 +1,70 @@
+#include "model/effect_library.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace wheelwright {
+
+namespace effects {
+std::vector<EffectInfo> all();  // made by the build
+}
+
+namespace {
+
+std::string number(double value) {
+  std::string text = std::to_string(value);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+void check_parameters(const EffectInfo& info, const std::vector<double>& parameters) {
+  if (parameters.size() != info.parameters.size()) {
+    throw std::invalid_argument("effect '" + info.name + "' has " + std::to_string(parameters.size()) +
+                                " parameters, but must have " + std::to_string(info.parameters.size()));
+  }
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const ParameterInfo& expected = info.parameters[i];
+    if (!(parameters[i] >= expected.lower && parameters[i] <= expected.upper)) {
+      throw std::invalid_argument("effect '" + info.name + "': " + expected.name + " is " +
+                                  number(parameters[i]) + " " + expected.unit + ", but must be from " +
+                                  number(expected.lower) + " to " + number(expected.upper));
+    }
+  }
+}
+
+}  // namespace
+
+std::span<const EffectInfo> effect_library() {
+  static const std::vector<EffectInfo> library = effects::all();
+  return library;
+}
+
+const EffectInfo* find_effect(std::string_view name) {
+  const auto library = effect_library();
+  const auto found = std::ranges::find(library, name, &EffectInfo::name);
+  return found == library.end() ? nullptr : &*found;
+}
+
+std::size_t variant_index(const EffectInfo& info, std::string_view variant) {
+  if (variant.empty()) return 0;
+  std::string known;
+  for (std::size_t i = 0; i < info.variants.size(); ++i) {
+    if (info.variants[i].name == variant) return i;
+    known += (i > 0 ? ", " : "") + info.variants[i].name;
+  }
+  throw std::invalid_argument("effect '" + info.name + "' has no variant '" + std::string(variant) + "'" +
+                              (known.empty() ? "" : "; there is " + known));
+}
+
+std::unique_ptr<Effect> make_effect(const EffectSetting& setting) {
+  const EffectInfo* info = find_effect(setting.name);
+  if (info == nullptr) {
+    throw std::invalid_argument("there is no effect '" + setting.name + "'; see 'wheelwright effects'");
+  }
+  check_parameters(*info, setting.parameters);
+  return info->make({setting.parameters, variant_index(*info, setting.variant)});
+}
+
+}  // namespace wheelwright

@@ -1,0 +1,48 @@
+// asymmetric_response: speeding up and slowing down have different dynamics.
+#include <cmath>
+
+#include "model/effects/effect.hpp"
+
+namespace wheelwright::effects {
+namespace {
+
+class AsymmetricResponse final : public EffectOf<AsymmetricResponse> {
+ public:
+  explicit AsymmetricResponse(const EffectArguments& arguments) : extra_lag_s_(arguments.parameters[0]) {}
+
+  void command(WheelPair& command_m_s, const Surroundings& around) override {
+    follow(now_.left, command_m_s.left, around.period_s);
+    follow(now_.right, command_m_s.right, around.period_s);
+    command_m_s = now_;
+  }
+  void reset() override { now_ = {}; }
+
+ private:
+  void follow(double& now, double wanted, double period_s) const {
+    const bool slowing = std::abs(wanted) < std::abs(now) || wanted * now < 0.0;
+    const bool lags = slowing == (extra_lag_s_ > 0.0);
+    now += (wanted - now) * (lags ? period_s / (period_s + std::abs(extra_lag_s_)) : 1.0);
+  }
+
+  double extra_lag_s_;
+  WheelPair now_;
+};
+
+}  // namespace
+
+EffectInfo asymmetric_response() {
+  return {"asymmetric_response",
+          "speeding up and slowing down have different dynamics",
+          "Drivers that coast instead of braking, PID loops that cannot brake: one of the two takes longer.",
+          {{"", EffectStage::command}},
+          {{"extra_lag",
+            "s",
+            "time constant added when slowing down; negative: when speeding up",
+            -0.6,
+            0.6,
+            {-0.2, -0.1, -0.05, -0.025, 0.025, 0.05, 0.1, 0.2}}},
+          {.variety = true},
+          [](const EffectArguments& arguments) { return std::make_unique<AsymmetricResponse>(arguments); }};
+}
+
+}  // namespace wheelwright::effects

@@ -1,0 +1,132 @@
+// What a linear model of a robot lacks: physical effects that stand before, behind and around its core.
+//
+//   command -> [command effects] -> linear core -> [wheel effects] -> what the encoders count
+//           -> [floor effects] -> rolling on the floor -> [body effects] -> motion -> [observation] ->
+//           reference
+//
+// An effect is a small block with a name, a cause, and parameters with units and bounds. It is one file in
+// this folder: a class that overrides the hook of its stage, and a function of the file's own name that
+// returns its EffectInfo. The build finds the file (model/CMakeLists.txt); nothing else has to be told of it.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/pose.hpp"
+
+namespace wheelwright {
+
+// Where an effect acts. `counts` are effects of the encoders alone: they move nothing.
+enum class EffectStage { command, wheel, floor, body, observation, counts };
+
+// What an effect may know at the beginning of a period.
+struct Surroundings {
+  double period_s = 0.018;
+  double wheel_base_m = 0.235;
+  double time_s = 0.0;       // since the start of the run
+  WheelPair command_m_s;     // as sent
+  WheelPair speed_m_s;       // of the wheels, as the encoders saw it, in the period before
+  WheelPair distance_m;      // rolled by the wheels since the start, as the encoders saw it
+  WheelPair next_speed_m_s;  // of the wheels in this period; from the floor stage on
+  Pose pose;                 // of the middle of the axle
+  double battery_v = std::numeric_limits<double>::quiet_NaN();  // where it was measured
+};
+
+// One effect at work. Holds its own state; never allocates after it was made.
+class Effect {
+ public:
+  Effect() = default;
+  Effect(const Effect&) = default;
+  Effect& operator=(const Effect&) = default;
+  virtual ~Effect() = default;
+
+  // Each hook changes what it is given, for one period. An effect overrides the one of its stage.
+  virtual void command(WheelPair& /*command_m_s*/, const Surroundings&) {}
+  virtual void wheel(WheelPair& /*speed_m_s*/, const Surroundings&) {}
+  virtual void floor(WheelPair& /*speed_m_s*/, const Surroundings&) {}
+  virtual void body(Twist& /*twist*/, const Surroundings&) {}
+  // The pose of the point that an outside reference measures.
+  virtual Pose observed(const Pose& axle) const { return axle; }
+
+  // To rest, at the start of a run.
+  virtual void reset() {}
+
+  virtual std::unique_ptr<Effect> clone() const = 0;
+  // Takes over the state of an effect of the same class, without allocating.
+  virtual void assign(const Effect& other) = 0;
+};
+
+// Gives an effect its copies.
+template <typename Derived>
+class EffectOf : public Effect {
+ public:
+  std::unique_ptr<Effect> clone() const override {
+    return std::make_unique<Derived>(static_cast<const Derived&>(*this));
+  }
+  void assign(const Effect& other) override {
+    static_cast<Derived&>(*this) = static_cast<const Derived&>(other);
+  }
+};
+
+struct ParameterInfo {
+  std::string name;
+  std::string unit;
+  std::string meaning;
+  double lower = 0.0;  // what is physically possible
+  double upper = 0.0;
+  std::vector<double> sizes;  // where a search begins, from weak to strong
+  bool scales_effect = true;  // false for a shape (a time constant, a place) that says nothing of the size
+};
+
+// Two ways in which the same effect may show, e.g. before or behind the encoder.
+struct EffectVariant {
+  std::string name;
+  EffectStage stage;
+};
+
+// What the data must hold for the effect to be seen at all.
+struct EffectNeeds {
+  bool reference = false;  // poses from outside
+  bool heading = false;    // with a heading in them
+  bool place = false;      // with x and y in them
+  bool reversal = false;   // both directions of wheel motion
+  bool turning = false;
+  bool battery = false;
+  bool encoders = false;
+  bool variety = false;  // several sizes of command: with one or two, a bend looks like a gain
+};
+
+struct EffectArguments {
+  std::span<const double> parameters;  // in the order of EffectInfo::parameters
+  std::size_t variant = 0;             // index in EffectInfo::variants
+};
+
+struct EffectInfo {
+  std::string name;
+  std::string summary;                  // one line: what is seen
+  std::string cause;                    // physical origin, and what separates it from its likes
+  std::vector<EffectVariant> variants;  // at least one; the first is the usual one
+  std::vector<ParameterInfo> parameters;
+  EffectNeeds needs;
+  std::function<std::unique_ptr<Effect>(const EffectArguments&)> make;
+};
+
+// An effect as a model holds it.
+struct EffectSetting {
+  std::string name;
+  std::string variant;
+  std::vector<double> parameters;
+};
+
+// Applies a map to both wheels.
+template <typename Map>
+void both(WheelPair& pair, Map map) {
+  pair.left = map(pair.left);
+  pair.right = map(pair.right);
+}
+
+}  // namespace wheelwright

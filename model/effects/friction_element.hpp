@@ -1,0 +1,56 @@
+// Dry friction on a wheel whose drive is known only through a lag: what a motor without friction would do
+// goes in, what friction leaves of it comes out.
+//
+// Of a first-order lag v' = (u - f - v) / lag with friction f, the linear core gives the part without
+// friction, y' = (u - y) / lag. The rest obeys the same lag, driven by -f alone, and the drive itself is u =
+// y + lag y'. So friction acts where it does in the robot, behind all dead time, and a standing wheel stands
+// exactly.
+#pragma once
+
+#include <cmath>
+
+namespace wheelwright::effects {
+
+struct FrictionLevels {
+  double breakaway_m_s = 0.0;  // drive that a standing wheel needs
+  double sliding_m_s = 0.0;    // speed that friction costs a moving one
+  double lag_s = 0.1;
+};
+
+class FrictionElement {
+ public:
+  // The wheel's speed over the period; `frictionless_m_s` is what the core says.
+  double step(double frictionless_m_s, const FrictionLevels& levels, double period_s) {
+    const double drive =
+        frictionless_m_s + levels.lag_s / period_s * (frictionless_m_s - frictionless_before_);
+    const double before = frictionless_before_;
+    frictionless_before_ = frictionless_m_s;
+    const double share = period_s / (period_s + levels.lag_s);
+    if (rests_) {
+      if (std::abs(drive) <= levels.breakaway_m_s) return 0.0;
+      rests_ = false;
+      direction_ = std::copysign(1.0, drive);
+      taken_ = before;  // all of it, while the wheel stood
+    }
+    taken_ += share * (levels.sliding_m_s * direction_ - taken_);
+    const double speed = frictionless_m_s - taken_;
+    const bool stopped = speed * direction_ <= 0.0 || std::abs(speed) < standing_m_s;
+    if (stopped && std::abs(drive) <= levels.breakaway_m_s) {
+      rests_ = true;
+      return 0.0;
+    }
+    if (speed * direction_ < 0.0) direction_ = -direction_;
+    return speed;
+  }
+  void reset() { *this = {}; }
+
+ private:
+  static constexpr double standing_m_s = 0.002;
+
+  double frictionless_before_ = 0.0;
+  double taken_ = 0.0;  // from the frictionless speed, by now
+  double direction_ = 1.0;
+  bool rests_ = true;
+};
+
+}  // namespace wheelwright::effects

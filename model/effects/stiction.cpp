@@ -1,0 +1,52 @@
+// stiction: a wheel at rest needs more to break away than to keep moving.
+#include <algorithm>
+
+#include "model/effects/effect.hpp"
+#include "model/effects/friction_element.hpp"
+
+namespace wheelwright::effects {
+namespace {
+
+class Stiction final : public EffectOf<Stiction> {
+ public:
+  explicit Stiction(const EffectArguments& arguments)
+      : levels_{arguments.parameters[0], std::min(arguments.parameters[0], arguments.parameters[1]),
+                arguments.parameters[2]} {}
+
+  void wheel(WheelPair& speed_m_s, const Surroundings& around) override {
+    speed_m_s = {left_.step(speed_m_s.left, levels_, around.period_s),
+                 right_.step(speed_m_s.right, levels_, around.period_s)};
+  }
+  void reset() override {
+    left_.reset();
+    right_.reset();
+  }
+
+ private:
+  FrictionLevels levels_;
+  FrictionElement left_;
+  FrictionElement right_;
+};
+
+}  // namespace
+
+EffectInfo stiction() {
+  return {
+      "stiction",
+      "a wheel at rest needs more to break away than to keep moving",
+      "Static friction above the sliding one. A slow ramp up starts late, a slow ramp down stops later: the "
+      "threshold of starting lies above that of stopping, which a dead zone's does not.",
+      {{"", EffectStage::wheel}},
+      {{"breakaway",
+        "m/s",
+        "drive that a standing wheel needs to move",
+        0.0,
+        0.3,
+        {0.01, 0.018, 0.028, 0.042, 0.06, 0.085}},
+       {"sliding", "m/s", "speed that friction costs a moving wheel", 0.0, 0.2, {0.001, 0.008}, false},
+       {"lag", "s", "with which the wheel answers to a change of friction", 0.005, 0.6, {0.1}, false}},
+      {.variety = true},
+      [](const EffectArguments& arguments) { return std::make_unique<Stiction>(arguments); }};
+}
+
+}  // namespace wheelwright::effects

@@ -1,0 +1,45 @@
+// turn_speed_loss: forward speed is lost while turning, in proportion to the size of the turn rate.
+#include <algorithm>
+#include <cmath>
+
+#include "model/effects/effect.hpp"
+
+namespace wheelwright::effects {
+namespace {
+
+class TurnSpeedLoss final : public EffectOf<TurnSpeedLoss> {
+ public:
+  explicit TurnSpeedLoss(const EffectArguments& arguments)
+      : loss_(arguments.parameters[0]), absolute_(arguments.variant == 1) {}
+
+  void body(Twist& twist, const Surroundings&) override {
+    const double lost = loss_ * std::abs(twist.w_rad_s);
+    if (absolute_) {
+      twist.v_m_s = std::copysign(std::max(0.0, std::abs(twist.v_m_s) - usual_speed_m_s * lost), twist.v_m_s);
+    } else {
+      twist.v_m_s *= 1.0 - std::min(lost, 1.0);
+    }
+  }
+
+ private:
+  static constexpr double usual_speed_m_s = 0.2;  // gives both variants the same unit
+
+  double loss_;
+  bool absolute_;
+};
+
+}  // namespace
+
+EffectInfo turn_speed_loss() {
+  return {"turn_speed_loss",
+          "forward speed is lost while turning, in proportion to the size of the turn rate",
+          "Casters and tyres drag sideways in a curve. 'relative': a share of the speed; 'absolute': the "
+          "same at any "
+          "speed (unit: share of 0.2 m/s).",
+          {{"relative", EffectStage::body}, {"absolute", EffectStage::body}},
+          {{"loss", "s/rad", "share of the speed lost per rad/s", -0.5, 1.0, {0.02, 0.05, 0.1, 0.2, 0.4}}},
+          {.reference = true, .place = true, .turning = true},
+          [](const EffectArguments& arguments) { return std::make_unique<TurnSpeedLoss>(arguments); }};
+}
+
+}  // namespace wheelwright::effects

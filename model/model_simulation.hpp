@@ -1,0 +1,64 @@
+// A whole model in motion: linear core and effects, one period at a time, from rest.
+//
+// Allocates when it is made and never after; assigning one simulation to another of the same model does not
+// allocate either.
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "model/effects/effect.hpp"
+#include "model/linear_model.hpp"
+#include "model/pose.hpp"
+
+namespace wheelwright {
+
+class ModelSimulation {
+ public:
+  // Throws std::invalid_argument for an effect that make_effect refuses.
+  ModelSimulation(const LinearModel& core, std::span<const EffectSetting> effects);
+  // With effects that need not be of the library.
+  ModelSimulation(const LinearModel& core, std::vector<std::unique_ptr<Effect>> effects);
+  ModelSimulation(const ModelSimulation& other);
+  ModelSimulation& operator=(const ModelSimulation& other);
+  ModelSimulation(ModelSimulation&&) = default;
+  ModelSimulation& operator=(ModelSimulation&&) = default;
+  ~ModelSimulation() = default;
+
+  // What one period brought.
+  struct Motion {
+    WheelPair wheel_m_s;  // as the encoders see it
+    WheelPair floor_m_s;  // as the wheels roll on the floor
+    Twist twist;          // of the middle of the axle
+  };
+
+  // Moves on by one period with this command in force. The battery's voltage matters to some effects.
+  const Motion& step(const WheelPair& command_m_s,
+                     double battery_v = std::numeric_limits<double>::quiet_NaN());
+
+  const Motion& motion() const { return motion_; }
+  // Of the middle of the axle.
+  const Pose& pose() const { return around_.pose; }
+  // Of the point that an outside reference measures.
+  Pose observed_pose() const { return observed(around_.pose); }
+  Pose observed(const Pose& axle) const;
+  // The pose of the axle at which the reference measures `point`.
+  Pose axle_of(const Pose& point) const;
+  // Rolled by the wheels since the start, as the encoders see it.
+  const WheelPair& distance_m() const { return around_.distance_m; }
+
+  // Sets the pose, not the motion.
+  void set_pose(const Pose& pose) { around_.pose = pose; }
+  // To rest at a pose, at the start of a run.
+  void reset(const Pose& pose);
+
+ private:
+  LinearPredictor core_;
+  std::vector<std::unique_ptr<Effect>> effects_;  // in the order in which they act
+  Surroundings around_;
+  Motion motion_;
+};
+
+}  // namespace wheelwright

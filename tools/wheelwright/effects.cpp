@@ -1,0 +1,106 @@
+// wheelwright effects: the library of effects, or one in full.
+#include "model/effects/effect.hpp"
+
+#include <algorithm>
+#include <iomanip>
+#include <memory>
+#include <ostream>
+
+#include "config/load/text_format.hpp"
+#include "config/load/yaml_reader.hpp"
+#include "model/effect_library.hpp"
+#include "tools/wheelwright/commands.hpp"
+
+namespace wheelwright::tools {
+namespace {
+
+std::string_view stage_name(EffectStage stage) {
+  switch (stage) {
+    case EffectStage::command:
+      return "command";
+    case EffectStage::wheel:
+      return "wheel";
+    case EffectStage::floor:
+      return "floor";
+    case EffectStage::body:
+      return "body";
+    case EffectStage::observation:
+      return "reference";
+    case EffectStage::counts:
+      return "counts";
+  }
+  return "";
+}
+
+void print_list(std::ostream& out) {
+  out << "  effect                 acts on    what is seen\n";
+  for (const auto& info : effect_library()) {
+    out << "  " << std::left << std::setw(23) << info.name << std::setw(11)
+        << stage_name(info.variants.front().stage) << info.summary << "\n";
+  }
+  out << "\n'wheelwright effects NAME' says what causes it, what it takes to see it, and its parameters.\n";
+}
+
+std::vector<std::string> needs_of(const EffectNeeds& needs) {
+  std::vector<std::string> list;
+  if (needs.encoders) list.emplace_back("encoder counts");
+  if (needs.place) {
+    list.emplace_back("reference positions");
+  } else if (needs.reference) {
+    list.emplace_back(needs.heading ? "reference headings" : "reference poses");
+  }
+  if (needs.battery) list.emplace_back("the battery's voltage");
+  if (needs.reversal) list.emplace_back("drives forward and backward");
+  if (needs.turning) list.emplace_back("turns");
+  if (needs.variety) list.emplace_back("commands of several sizes");
+  return list;
+}
+
+void print_effect(std::ostream& out, const EffectInfo& info) {
+  out << info.name << ": " << info.summary << "\n\n" << info.cause << "\n\n";
+  out << "acts on:";
+  for (const auto& variant : info.variants) {
+    out << " " << stage_name(variant.stage) << (variant.name.empty() ? "" : " (" + variant.name + ")");
+  }
+  out << "\nparameters:\n";
+  for (const auto& parameter : info.parameters) {
+    out << "  " << std::left << std::setw(16) << parameter.name << std::setw(10)
+        << (parameter.unit == "1" ? "-" : parameter.unit) << parameter.meaning << "; from "
+        << config::plain_number(parameter.lower) << " to " << config::plain_number(parameter.upper) << "\n";
+  }
+  const auto needs = needs_of(info.needs);
+  out << "to be seen it takes:";
+  for (std::size_t i = 0; i < needs.size(); ++i) out << (i > 0 ? ", " : " ") << needs[i];
+  out << (needs.empty() ? " encoder counts or reference poses" : "") << "\n";
+}
+
+ExitStatus run_effects(const std::string& name, Streams streams) {
+  if (name.empty()) {
+    print_list(streams.out);
+    return ExitStatus::done;
+  }
+  const EffectInfo* info = find_effect(name);
+  if (info == nullptr) {
+    std::vector<std::string> names;
+    for (const auto& known : effect_library()) names.push_back(known.name);
+    const std::string nearest = config::nearest_word(name, names);
+    throw UsageError(
+        "there is no effect '" + name + "'; " +
+        (nearest.empty() ? "'wheelwright effects' lists them" : "did you mean '" + nearest + "'?"));
+  }
+  print_effect(streams.out, *info);
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+Action add_effects(CLI::App& app) {
+  const auto name = std::make_shared<std::string>();
+  CLI::App* command =
+      app.add_subcommand("effects", "The effects that a model can hold beside its linear core");
+  command->add_option("NAME", *name, "Only this one, in full");
+  command->footer("Example: wheelwright effects backlash");
+  return [name](Streams streams) { return run_effects(*name, streams); };
+}
+
+}  // namespace wheelwright::tools
