@@ -38,6 +38,8 @@ using Action = std::function<ExitStatus(Streams)>;
 Action add_fit(CLI::App& app);
 Action add_simulate(CLI::App& app);
 Action add_score(CLI::App& app);
+Action add_effects(CLI::App& app);
+Action add_gap(CLI::App& app);
 Action add_replay(CLI::App& app);
 Action add_evaluate(CLI::App& app);
 Action add_doctor(CLI::App& app);

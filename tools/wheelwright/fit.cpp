@@ -1,7 +1,4 @@
 // wheelwright fit: drive logs in, model file out.
-#include <array>
-#include <chrono>
-#include <ctime>
 #include <iomanip>
 #include <memory>
 #include <optional>
@@ -15,6 +12,7 @@
 #include "tools/wheelwright/commands.hpp"
 #include "tools/wheelwright/fit_arma.hpp"
 #include "tools/wheelwright/log_checks.hpp"
+#include "tools/wheelwright/now.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -79,15 +77,6 @@ std::vector<DriveLog> load_training_runs(const FitOptions& options) {
     }
   }
   return runs;
-}
-
-std::string now_as_text() {
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  std::array<char, 32> buffer{};
-  std::strftime(buffer.data(), buffer.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return buffer.data();
 }
 
 RobotModel to_robot_model(const LinearModel& core, const WheelFit& left, const WheelFit& right,

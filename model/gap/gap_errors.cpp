@@ -1,0 +1,223 @@
+#include "model/gap/gap_errors.hpp"
+
+#include <cmath>
+
+namespace wheelwright::gap {
+namespace {
+
+struct Path {
+  std::vector<WheelPair> distance_m;   // of the wheels at each grid point
+  std::vector<Pose> axle;              // at each grid point
+  std::vector<OdometryStep> odometry;  // what the model's own counts would say, per period
+  std::vector<OdometryStep> body;      // what the model's body does, per period
+};
+
+Pose first_pose(const GapRun& run, const ModelSimulation& simulation) {
+  return run.references.empty() ? Pose{} : simulation.axle_of(run.references.front().pose);
+}
+
+Path simulate(ModelSimulation& simulation, const GapRun& run) {
+  const std::size_t periods = run.commands_m_s.size();
+  Path path;
+  path.distance_m.reserve(periods + 1);
+  path.axle.reserve(periods + 1);
+  path.odometry.reserve(periods);
+  path.body.reserve(periods);
+  simulation.reset(first_pose(run, simulation));
+  path.distance_m.push_back({});
+  path.axle.push_back(simulation.pose());
+  const double t = run.period_s;
+  for (std::size_t k = 0; k < periods; ++k) {
+    const auto& now = simulation.step(run.commands_m_s[k], run.battery_v[k]);
+    path.distance_m.push_back(simulation.distance_m());
+    path.axle.push_back(simulation.pose());
+    const Twist counted = twist_of_wheels(now.wheel_m_s, run.wheel_base_m);
+    path.odometry.push_back({counted.v_m_s * t, counted.w_rad_s * t});
+    path.body.push_back({now.twist.v_m_s * t, now.twist.w_rad_s * t});
+  }
+  return path;
+}
+
+double between(double a, double b, double share) {
+  return a + share * (b - a);
+}
+
+Pose pose_at(const std::vector<Pose>& poses, const GridTime& at) {
+  const Pose& a = poses[at.period];
+  if (at.share == 0.0 || at.period + 1 >= poses.size()) return a;
+  const Pose& b = poses[at.period + 1];
+  return {between(a.x_m, b.x_m, at.share), between(a.y_m, b.y_m, at.share),
+          between(a.theta_rad, b.theta_rad, at.share)};
+}
+
+struct Increment {
+  double forward = 0.0;
+  double aside = 0.0;
+  double turn = 0.0;
+};
+
+// Motion from one pose to another, seen in the direction halfway through the turn.
+Increment increment(const Pose& from, const Pose& to) {
+  const double middle = 0.5 * (from.theta_rad + to.theta_rad);
+  const double dx = to.x_m - from.x_m;
+  const double dy = to.y_m - from.y_m;
+  const double c = std::cos(middle);
+  const double s = std::sin(middle);
+  return {c * dx + s * dy, -s * dx + c * dy, to.theta_rad - from.theta_rad};
+}
+
+// The same for the sum of odometry steps between two grid times.
+Increment increment(const std::vector<OdometryStep>& steps, const GridTime& from, const GridTime& to) {
+  Pose pose;
+  const auto add = [&](std::size_t k, double share) {
+    if (k >= steps.size() || share <= 0.0) return;
+    const double half = 0.5 * share * steps[k].turn_rad;
+    pose = {pose.x_m + share * steps[k].forward_m * std::cos(pose.theta_rad + half),
+            pose.y_m + share * steps[k].forward_m * std::sin(pose.theta_rad + half),
+            pose.theta_rad + 2.0 * half};
+  };
+  if (from.period == to.period) {
+    add(from.period, to.share - from.share);
+  } else {
+    add(from.period, 1.0 - from.share);
+    for (std::size_t k = from.period + 1; k < to.period; ++k) add(k, 1.0);
+    add(to.period, to.share);
+  }
+  return increment({}, pose);
+}
+
+void wheel_errors(const GapRun& run, const Path& path, Channel channel, std::vector<double>& errors) {
+  const Series& series = run[channel];
+  const auto travel = [&](const GridTime& at) {
+    const auto side = [&](const WheelPair& pair) {
+      return channel == Channel::left ? pair.left : pair.right;
+    };
+    const double a = side(path.distance_m[at.period]);
+    if (at.share == 0.0) return a;
+    return between(a, side(path.distance_m[at.period + 1]), at.share);
+  };
+  errors.reserve(series.at.size());
+  for (std::size_t i = 0; i < series.at.size(); ++i) errors.push_back(series.value[i] - travel(series.at[i]));
+}
+
+void motion_errors(const GapRun& run, const ModelSimulation& simulation, const Path& path,
+                   RunErrors& errors) {
+  const auto& at = run[Channel::forward].at;
+  Increment sum;
+  Pose before;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const Pose now = simulation.observed(pose_at(path.axle, at[i]));
+    if (i > 0) {
+      Increment step = increment(before, now);
+      if (run.has_counts) {
+        const Increment counted = increment(path.odometry, at[i - 1], at[i]);
+        step = {step.forward - counted.forward, step.aside - counted.aside, step.turn - counted.turn};
+      }
+      sum = {sum.forward + step.forward, sum.aside + step.aside, sum.turn + step.turn};
+    }
+    before = now;
+    const auto add = [&](Channel channel, double predicted) {
+      errors.series[static_cast<std::size_t>(channel)].push_back(run[channel].value[i] - predicted);
+    };
+    add(Channel::forward, sum.forward);
+    add(Channel::aside, sum.aside);
+    add(Channel::turn, sum.turn);
+  }
+}
+
+// Odometry, with what the model adds to it, from one reference to the next.
+StretchError stretch_error(const GapRun& run, const ModelSimulation& simulation, const Path& path,
+                           const Reference& from, const Reference& to) {
+  Pose pose = simulation.axle_of(from.pose);
+  for (std::size_t k = from.at.period; k < to.at.period && k < path.body.size(); ++k) {
+    OdometryStep step = path.body[k];
+    if (run.has_counts) {
+      step.forward_m += run.odometry[k].forward_m - path.odometry[k].forward_m;
+      step.turn_rad += run.odometry[k].turn_rad - path.odometry[k].turn_rad;
+    }
+    pose = move_along_arc(pose, {step.forward_m, step.turn_rad}, 1.0);
+  }
+  const Pose measured = relative_to(from.pose, to.pose);
+  const Pose predicted = relative_to(from.pose, simulation.observed(pose));
+  return {measured.x_m - predicted.x_m, measured.y_m - predicted.y_m,
+          wrap_angle(measured.theta_rad - predicted.theta_rad)};
+}
+
+}  // namespace
+
+void measure_motion(GapRun& run) {
+  if (run.sparse) return;
+  Increment sum;
+  for (std::size_t i = 0; i < run.references.size(); ++i) {
+    if (i > 0) {
+      Increment step = increment(run.references[i - 1].pose, run.references[i].pose);
+      if (run.has_counts) {
+        const Increment counted = increment(run.odometry, run.references[i - 1].at, run.references[i].at);
+        step = {step.forward - counted.forward, step.aside - counted.aside, step.turn - counted.turn};
+      }
+      sum = {sum.forward + step.forward, sum.aside + step.aside, sum.turn + step.turn};
+    }
+    run[Channel::forward].value.push_back(sum.forward);
+    run[Channel::aside].value.push_back(sum.aside);
+    run[Channel::turn].value.push_back(sum.turn);
+  }
+}
+
+RunErrors free_run_errors(const TrialModel& model, const GapRun& run, Part part) {
+  ModelSimulation simulation = model.simulation();
+  const Path path = simulate(simulation, run);
+  RunErrors errors;
+  for (const Channel channel : {Channel::left, Channel::right}) {
+    if (!run[channel].empty() && part != Part::motion) {
+      wheel_errors(run, path, channel, errors.series[static_cast<std::size_t>(channel)]);
+    }
+  }
+  if (part == Part::wheels) return errors;
+  if (run.sparse) {
+    for (std::size_t i = 1; i < run.references.size(); ++i) {
+      errors.stretches.push_back(
+          stretch_error(run, simulation, path, run.references[i - 1], run.references[i]));
+    }
+  } else if (!run[Channel::forward].empty()) {
+    motion_errors(run, simulation, path, errors);
+  }
+  return errors;
+}
+
+double travel_gain(const TrialModel& model, const GapRun& run) {
+  constexpr double window_s = 1.0;
+  const RunErrors errors = free_run_errors(model, run);
+  double power = 0.0;
+  double product = 0.0;
+  for (const Channel channel : run.has_counts ? std::array{Channel::left, Channel::right}
+                                              : std::array{Channel::forward, Channel::forward}) {
+    const Series& series = run[channel];
+    const auto& error = errors.series[static_cast<std::size_t>(channel)];
+    std::size_t from = 0;
+    for (std::size_t i = 1; i < series.at.size(); ++i) {
+      if (series.restarts[i]) from = i;
+      if (static_cast<double>(series.at[i].period - series.at[from].period) * run.period_s < window_s)
+        continue;
+      const double measured = series.value[i] - series.value[from];
+      const double predicted = measured - (error[i] - error[from]);
+      power += predicted * predicted;
+      product += predicted * measured;
+      from = i;
+    }
+  }
+  return power > 0.0 ? product / power : 1.0;
+}
+
+std::vector<ModelState> model_states(const TrialModel& model, const GapRun& run) {
+  ModelSimulation simulation = model.simulation();
+  simulation.reset(first_pose(run, simulation));
+  std::vector<ModelState> states;
+  states.reserve(run.commands_m_s.size());
+  for (std::size_t k = 0; k < run.commands_m_s.size(); ++k) {
+    const auto& now = simulation.step(run.commands_m_s[k], run.battery_v[k]);
+    states.push_back({now.wheel_m_s, now.twist, simulation.pose(), simulation.distance_m()});
+  }
+  return states;
+}
+
+}  // namespace wheelwright::gap

@@ -1,0 +1,49 @@
+// Measured minus predicted, in every channel that a run has.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "model/gap/gap_run.hpp"
+#include "model/gap/trial_model.hpp"
+
+namespace wheelwright::gap {
+
+// A stretch between two references that lie far apart: errors of the second pose seen from the first.
+struct StretchError {
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double theta_rad = 0.0;
+};
+
+struct RunErrors {
+  std::array<std::vector<double>, channel_count> series;  // one per reading
+  std::vector<StretchError> stretches;                    // of a sparse run
+};
+
+// Fills the measured values of the channels forward, aside and turn. They are what the references have beyond
+// odometry where there are counts, and the whole motion where there are none.
+void measure_motion(GapRun& run);
+
+// With counts, a run falls into two parts that hardly touch: what the wheels do of their commands, and what
+// the floor makes of the wheels' travel. A parameter of one leaves the other as it is.
+enum class Part { all, wheels, motion };
+
+// Free run of the model over the run's commands. Channels of the other part stay empty.
+RunErrors free_run_errors(const TrialModel& model, const GapRun& run, Part part = Part::all);
+
+// Travel that was measured for each metre that the model predicts, of both wheels (without counts: of the
+// body), over windows of a second. 1 where the model's gain is right.
+double travel_gain(const TrialModel& model, const GapRun& run);
+
+// What a model's free run shows period by period, for tables and plots.
+struct ModelState {
+  WheelPair wheel_m_s;
+  Twist twist;
+  Pose pose;
+  WheelPair distance_m;
+};
+std::vector<ModelState> model_states(const TrialModel& model, const GapRun& run);
+
+}  // namespace wheelwright::gap

@@ -1,0 +1,165 @@
+#include "model/gap/gap_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "model/command_timeline.hpp"
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr double sparse_from_s = 0.35;  // median distance of references
+
+GridTime grid_time(const GapRun& run, double t_s) {
+  const double periods = std::max(0.0, (t_s - run.start_s) / run.period_s);
+  const double nearest = std::round(periods);
+  // Times are printed with microseconds: what lies that near to the grid lies on it.
+  const double exact = std::abs(periods - nearest) < 1e-3 ? nearest : periods;
+  const double last = static_cast<double>(run.commands_m_s.size());
+  const double clipped = std::min(exact, last);
+  const double whole = std::floor(clipped);
+  return {static_cast<std::size_t>(whole), clipped - whole};
+}
+
+void lay_commands(const DriveLog& log, GapRun& run) {
+  const CommandTimeline timeline(log);
+  const double span = log.samples.back().t_s - run.start_s;
+  const auto periods = static_cast<std::size_t>(std::ceil(span / run.period_s - 1e-3));
+  std::size_t row = 0;
+  double battery_v = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t k = 0; k < periods; ++k) {
+    const double from = run.start_s + run.period_s * static_cast<double>(k);
+    run.commands_m_s.push_back(timeline.mean_m_s(from, from + run.period_s));
+    for (; row < log.samples.size() && log.samples[row].t_s <= from + 1e-3 * run.period_s; ++row) {
+      battery_v = log.samples[row].battery_v.value_or(battery_v);
+    }
+    run.battery_v.push_back(battery_v);
+  }
+}
+
+void lay_counts(const DriveLog& log, const RowFlags& flags, GapRun& run) {
+  if (!log.metres_per_tick) return;
+  char restart = 0;
+  for (std::size_t i = 0; i < log.samples.size(); ++i) {
+    const auto& ticks = log.samples[i].ticks;
+    if (!flags.restart.empty() && flags.restart[i]) restart = 1;
+    if (!ticks || (!flags.counts.empty() && flags.counts[i])) {
+      restart = 1;
+      continue;
+    }
+    const GridTime at = grid_time(run, log.samples[i].t_s);
+    const auto add = [&](Channel channel, double value) {
+      run[channel].at.push_back(at);
+      run[channel].value.push_back(value);
+      run[channel].restarts.push_back(run[channel].at.size() == 1 ? 0 : restart);
+    };
+    add(Channel::left, static_cast<double>(ticks->left) * log.metres_per_tick->left);
+    add(Channel::right, static_cast<double>(ticks->right) * log.metres_per_tick->right);
+    restart = 0;
+  }
+  run.has_counts = !run[Channel::left].empty();
+}
+
+void collect_references(const DriveLog& log, GapRun& run) {
+  double heading = 0.0;
+  bool any = false;
+  for (const auto& sample : log.samples) {
+    if (!sample.reference_x_m || !sample.reference_y_m || !sample.reference_theta_rad) continue;
+    // Angles may wrap: full turns are counted here.
+    heading = any ? heading + wrap_angle(*sample.reference_theta_rad - heading) : *sample.reference_theta_rad;
+    any = true;
+    run.references.push_back(
+        {grid_time(run, sample.t_s), {*sample.reference_x_m, *sample.reference_y_m, heading}});
+  }
+}
+
+double grid_s(const GapRun& run, const GridTime& at) {
+  return run.period_s * (static_cast<double>(at.period) + at.share);
+}
+
+// Travel of a counted wheel at any grid time, linear between readings.
+class Travel {
+ public:
+  explicit Travel(const GapRun& run, const Series& series) : run_(run), series_(series) {}
+  double at(double time_s) {
+    while (next_ + 1 < series_.at.size() && grid_s(run_, series_.at[next_]) < time_s) ++next_;
+    if (next_ == 0) return series_.value.front();
+    const double t0 = grid_s(run_, series_.at[next_ - 1]);
+    const double t1 = grid_s(run_, series_.at[next_]);
+    const double share = std::clamp((time_s - t0) / (t1 - t0), 0.0, 1.0);
+    return series_.value[next_ - 1] + share * (series_.value[next_] - series_.value[next_ - 1]);
+  }
+
+ private:
+  const GapRun& run_;
+  const Series& series_;
+  std::size_t next_ = 0;
+};
+
+void lay_odometry(GapRun& run) {
+  Travel left(run, run[Channel::left]);
+  Travel right(run, run[Channel::right]);
+  WheelPair before{left.at(0.0), right.at(0.0)};
+  for (std::size_t k = 1; k <= run.commands_m_s.size(); ++k) {
+    const double t = run.period_s * static_cast<double>(k);
+    const WheelPair now{left.at(t), right.at(t)};
+    const double dl = now.left - before.left;
+    const double dr = now.right - before.right;
+    run.odometry.push_back({0.5 * (dl + dr), (dr - dl) / run.wheel_base_m});
+    before = now;
+  }
+}
+
+bool far_apart(const GapRun& run) {
+  if (run.references.size() < 2) return true;
+  std::vector<double> between;
+  for (std::size_t i = 1; i < run.references.size(); ++i) {
+    between.push_back(grid_s(run, run.references[i].at) - grid_s(run, run.references[i - 1].at));
+  }
+  std::ranges::nth_element(between, between.begin() + static_cast<std::ptrdiff_t>(between.size() / 2));
+  return between[between.size() / 2] > sparse_from_s;
+}
+
+}  // namespace
+
+GapRun make_gap_run(const DriveLog& log, const RowFlags& flags, double period_s) {
+  GapRun run;
+  run.name = log.name;
+  run.period_s = period_s;
+  run.wheel_base_m = log.wheel_base_m;
+  run.start_s = log.samples.front().t_s;
+  lay_commands(log, run);
+  lay_counts(log, flags, run);
+  collect_references(log, run);
+  if (run.has_counts) lay_odometry(run);
+  run.sparse = far_apart(run);
+  if (!run.sparse) {
+    for (const Channel channel : {Channel::forward, Channel::aside, Channel::turn}) {
+      for (const auto& reference : run.references) {
+        run[channel].at.push_back(reference.at);
+        run[channel].restarts.push_back(0);
+      }
+    }
+  }
+  return run;
+}
+
+GapRun part_of(const GapRun& run, std::size_t from, std::size_t to) {
+  GapRun part = run;
+  const auto inside = [&](const GridTime& at) { return at.period >= from && at.period < to; };
+  for (Series& series : part.series) {
+    Series kept;
+    for (std::size_t i = 0; i < series.at.size(); ++i) {
+      if (!inside(series.at[i])) continue;
+      kept.at.push_back(series.at[i]);
+      if (!series.value.empty()) kept.value.push_back(series.value[i]);
+      kept.restarts.push_back(series.restarts[i]);
+    }
+    series = std::move(kept);
+  }
+  std::erase_if(part.references, [&](const Reference& reference) { return !inside(reference.at); });
+  return part;
+}
+
+}  // namespace wheelwright::gap

@@ -1,0 +1,100 @@
+#include "model/gap/gap_size.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "model/free_run.hpp"
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr int draws = 3;
+
+// Noise of one channel, reading by reading.
+class Wander {
+ public:
+  Wander(const TravelNoise& noise, std::mt19937_64& random) : noise_(noise), random_(random) {}
+  double walk(double duration_s) {
+    return at_ += noise_.walk_per_sqrt_s * std::sqrt(duration_s) * normal_(random_);
+  }
+  // What a reading errs beyond being rounded to whole steps.
+  double reading(double step = 0.0) {
+    const double beyond = noise_.reading * noise_.reading - step * step / 12.0;
+    return std::sqrt(std::max(0.0, beyond)) * normal_(random_);
+  }
+  double at() const { return at_; }
+
+ private:
+  TravelNoise noise_;
+  std::mt19937_64& random_;
+  std::normal_distribution<double> normal_;
+  double at_ = 0.0;
+};
+
+const TravelNoise& of(const NoiseModel& noise, Channel channel) {
+  return noise.channel[static_cast<std::size_t>(channel)];
+}
+
+// A log in which the model's own motion, with noise, stands in the place of what was measured.
+DriveLog with_noise(const std::vector<PredictedMotion>& motion, const DriveLog& log, const NoiseModel& noise,
+                    std::mt19937_64& random) {
+  DriveLog noisy = log;
+  const bool counted = log.has_ticks();
+  Wander left(counted ? of(noise, Channel::left) : TravelNoise{0.0, 0.0}, random);
+  Wander right(counted ? of(noise, Channel::right) : TravelNoise{0.0, 0.0}, random);
+  Wander forward(of(noise, Channel::forward), random);
+  Wander turn(of(noise, Channel::turn), random);
+  Pose pose = motion.front().pose;
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    if (i > 0) {
+      const double duration = motion[i].t_s - motion[i - 1].t_s;
+      const Pose step = relative_to(motion[i - 1].pose, motion[i].pose);
+      const WheelPair wheels_before{left.at(), right.at()};
+      const double forward_before = forward.at();
+      const double turn_before = turn.at();
+      const double slipped_left = left.walk(duration) - wheels_before.left;
+      const double slipped_right = right.walk(duration) - wheels_before.right;
+      const double along =
+          step.x_m + 0.5 * (slipped_left + slipped_right) + forward.walk(duration) - forward_before;
+      const double turned = step.theta_rad + (slipped_right - slipped_left) / log.wheel_base_m +
+                            turn.walk(duration) - turn_before;
+      const double middle = pose.theta_rad + 0.5 * turned;
+      pose = {pose.x_m + along * std::cos(middle) - step.y_m * std::sin(middle),
+              pose.y_m + along * std::sin(middle) + step.y_m * std::cos(middle), pose.theta_rad + turned};
+    }
+    DriveSample& sample = noisy.samples[i];
+    if (sample.ticks) {
+      const WheelPair& tick = *log.metres_per_tick;
+      sample.ticks->left =
+          std::llround((motion[i].distance_m.left + left.at() + left.reading(tick.left)) / tick.left);
+      sample.ticks->right =
+          std::llround((motion[i].distance_m.right + right.at() + right.reading(tick.right)) / tick.right);
+    }
+    if (sample.reference_x_m) sample.reference_x_m = pose.x_m + forward.reading();
+    if (sample.reference_y_m) sample.reference_y_m = pose.y_m + forward.reading();
+    if (sample.reference_theta_rad) sample.reference_theta_rad = pose.theta_rad + turn.reading();
+  }
+  return noisy;
+}
+
+}  // namespace
+
+Score gap_size(const RobotModel& model, std::span<const DriveLog> logs) {
+  ScoreSums sums;
+  for (const auto& log : logs) sums.add(free_run(model, log), log);
+  return sums.score();
+}
+
+Score noise_floor(const RobotModel& model, std::span<const DriveLog> logs, const NoiseModel& noise,
+                  std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  ScoreSums sums;
+  for (const auto& log : logs) {
+    const auto motion = free_run(model, log);
+    for (int draw = 0; draw < draws; ++draw) sums.add(motion, with_noise(motion, log, noise, random));
+  }
+  return sums.score();
+}
+
+}  // namespace wheelwright::gap

@@ -1,0 +1,21 @@
+// How large the gap is in figures that a person knows, and how large it would be if only noise were left.
+#pragma once
+
+#include <span>
+
+#include "model/drive_log.hpp"
+#include "model/gap/gap_problem.hpp"
+#include "model/robot_model.hpp"
+#include "model/score.hpp"
+
+namespace wheelwright::gap {
+
+// The score of a model's free run over all logs.
+Score gap_size(const RobotModel& model, std::span<const DriveLog> logs);
+
+// The score that the same runs would have if the model were right: its free run with the noise that was
+// found, drawn from `seed`, against itself without.
+Score noise_floor(const RobotModel& model, std::span<const DriveLog> logs, const NoiseModel& noise,
+                  std::uint64_t seed);
+
+}  // namespace wheelwright::gap

@@ -1,0 +1,121 @@
+#include "model/gap/trial_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr double largest_pole_allowed = 0.995;
+
+WheelResponse response(const CoreShape& shape, const double* values, bool left) {
+  WheelResponse wheel;
+  wheel.from_own_past.assign(values, values + shape.poles);
+  std::vector<double>& own = left ? wheel.from_left : wheel.from_right;
+  own.assign(values + shape.poles, values + shape.per_wheel());
+  (left ? wheel.from_right : wheel.from_left).assign(shape.weights, 0.0);
+  return wheel;
+}
+
+}  // namespace
+
+LinearModel TrialModel::linear() const {
+  LinearModel model;
+  model.type = ModelType::arma;
+  model.period_s = period_s;
+  model.wheel_base_m = wheel_base_m;
+  model.left = response(shape, core.data(), true);
+  model.right = response(shape, core.data() + (shape.shared ? 0 : shape.per_wheel()), false);
+  return model;
+}
+
+ModelSimulation TrialModel::simulation() const {
+  std::vector<std::unique_ptr<Effect>> made;
+  for (const auto& effect : effects) made.push_back(effect.info->make({effect.parameters, effect.variant}));
+  return {linear(), std::move(made)};
+}
+
+std::size_t TrialModel::parameter_count() const {
+  std::size_t count = core.size();
+  for (const auto& effect : effects) count += effect.parameters.size();
+  return count;
+}
+
+double TrialModel::parameter(std::size_t index) const {
+  if (index < core.size()) return core[index];
+  index -= core.size();
+  for (const auto& effect : effects) {
+    if (index < effect.parameters.size()) return effect.parameters[index];
+    index -= effect.parameters.size();
+  }
+  return 0.0;
+}
+
+void TrialModel::set_parameter(std::size_t index, double value) {
+  if (index < core.size()) {
+    core[index] = value;
+    return;
+  }
+  index -= core.size();
+  for (auto& effect : effects) {
+    if (index < effect.parameters.size()) {
+      const ParameterInfo& info = effect.info->parameters[index];
+      effect.parameters[index] = std::clamp(value, info.lower, info.upper);
+      return;
+    }
+    index -= effect.parameters.size();
+  }
+}
+
+const ParameterInfo* TrialModel::parameter_info(std::size_t index) const {
+  if (index < core.size()) return nullptr;
+  index -= core.size();
+  for (const auto& effect : effects) {
+    if (index < effect.parameters.size()) return &effect.info->parameters[index];
+    index -= effect.parameters.size();
+  }
+  return nullptr;
+}
+
+bool TrialModel::stable() const {
+  const LinearModel model = linear();
+  return std::max(largest_pole(model.left), largest_pole(model.right)) < largest_pole_allowed;
+}
+
+TrialModel TrialModel::with_larger_core() const {
+  TrialModel larger = *this;
+  larger.shape.poles += 1;
+  larger.shape.weights += 1;
+  larger.core.clear();
+  for (std::size_t wheel = 0; wheel < core.size(); wheel += shape.per_wheel()) {
+    const auto begin = core.begin() + static_cast<std::ptrdiff_t>(wheel);
+    const auto middle = begin + static_cast<std::ptrdiff_t>(shape.poles);
+    larger.core.insert(larger.core.end(), begin, middle);
+    larger.core.push_back(0.0);
+    larger.core.insert(larger.core.end(), middle, middle + static_cast<std::ptrdiff_t>(shape.weights));
+    larger.core.push_back(0.0);
+  }
+  return larger;
+}
+
+std::vector<EffectSetting> TrialModel::settings() const {
+  std::vector<EffectSetting> settings;
+  for (const auto& effect : effects) {
+    settings.push_back({effect.info->name, effect.info->variants[effect.variant].name, effect.parameters});
+  }
+  return settings;
+}
+
+TrialModel first_guess(const CoreShape& shape, double period_s, double wheel_base_m, double lag_s,
+                       double delay_s) {
+  TrialModel model{shape, period_s, wheel_base_m, std::vector<double>(shape.size(), 0.0), {}};
+  const double pole = std::exp(-period_s / lag_s);
+  const auto delay = std::min(static_cast<std::size_t>(std::lround(delay_s / period_s)), shape.weights - 1);
+  for (std::size_t wheel = 0; wheel < model.core.size(); wheel += shape.per_wheel()) {
+    if (shape.poles > 0) model.core[wheel] = pole;
+    model.core[wheel + shape.poles + delay] = shape.poles > 0 ? 1.0 - pole : 1.0;
+  }
+  return model;
+}
+
+}  // namespace wheelwright::gap

@@ -1,0 +1,61 @@
+// A model while it is being searched for: a small linear core as a vector of numbers, and effects.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "model/effects/effect.hpp"
+#include "model/linear_model.hpp"
+#include "model/model_simulation.hpp"
+
+namespace wheelwright::gap {
+
+// An effect under trial; `info` may be one of the library or a decoy.
+struct TrialEffect {
+  const EffectInfo* info = nullptr;
+  std::size_t variant = 0;
+  std::vector<double> parameters;
+};
+
+// The linear core: y(k) = sum a_i y(k-i) + sum b_j u(k-j) for each wheel from its own command.
+//
+// Short on purpose: what a long core could imitate (delay, lag, ringing), it would take from the effect that
+// is there (GAP.md, point 6). `shared` gives both wheels one response: without counts, a difference of the
+// wheels and a difference of their motors are one and the same, and it is called the wheels'.
+struct CoreShape {
+  std::size_t poles = 2;
+  std::size_t weights = 6;  // from_own lags 0..weights-1
+  bool shared = false;
+
+  std::size_t per_wheel() const { return poles + weights; }
+  std::size_t size() const { return shared ? per_wheel() : 2 * per_wheel(); }
+};
+
+struct TrialModel {
+  CoreShape shape;
+  double period_s = 0.018;
+  double wheel_base_m = 0.235;
+  std::vector<double> core;  // a then b; left, then right where not shared
+  std::vector<TrialEffect> effects;
+
+  LinearModel linear() const;
+  ModelSimulation simulation() const;
+  // Core and effect parameters, one after the other.
+  std::size_t parameter_count() const;
+  double parameter(std::size_t index) const;
+  void set_parameter(std::size_t index, double value);
+  // The effect to which a parameter belongs, or nothing for the core's.
+  const ParameterInfo* parameter_info(std::size_t index) const;
+  bool stable() const;
+  // The same model with a core of one more pole and one more weight.
+  TrialModel with_larger_core() const;
+  std::vector<EffectSetting> settings() const;
+};
+
+// A first-order lag behind a delay, with a gain of 1: where every search begins.
+TrialModel first_guess(const CoreShape& shape, double period_s, double wheel_base_m, double lag_s,
+                       double delay_s);
+
+}  // namespace wheelwright::gap

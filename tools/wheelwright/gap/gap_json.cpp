@@ -1,0 +1,134 @@
+#include "tools/wheelwright/gap/gap_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "model/effect_library.hpp"
+
+namespace wheelwright::tools {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json finding_to_json(const gap::Finding& found) {
+  const EffectInfo* info = find_effect(found.setting.name);
+  ordered_json parameters = ordered_json::object();
+  for (std::size_t i = 0; info != nullptr && i < info->parameters.size(); ++i) {
+    ordered_json parameter = {{"value", found.setting.parameters[i]}, {"unit", info->parameters[i].unit}};
+    if (i < found.intervals.size()) parameter["ci95"] = {found.intervals[i].lower, found.intervals[i].upper};
+    parameters[info->parameters[i].name] = parameter;
+  }
+  ordered_json rivals = ordered_json::array();
+  for (const auto& rival : found.rivals) {
+    rivals.push_back({{"effect", rival.effect}, {"posterior", rival.posterior}});
+  }
+  ordered_json json = {{"effect", found.setting.name}};
+  if (!found.setting.variant.empty()) json["variant"] = found.setting.variant;
+  json["parameters"] = parameters;
+  json["evidence"] = {{"heldout_gain_nats", found.heldout_gain_nats},
+                      {"p_value", found.p_value},
+                      {"posterior", found.posterior}};
+  json["rivals"] = rivals;
+  return json;
+}
+
+// A set of runs under one key of a channel; empty where the logs cannot show it.
+template <typename Pick>
+ordered_json figures(const gap::GapFigures& figures, Pick pick) {
+  const auto before = pick(figures.before);
+  const auto after = pick(figures.after);
+  const auto floor = pick(figures.floor);
+  if (!before || !after) return nullptr;
+  ordered_json json = {{"before", *before}, {"after", *after}};
+  if (floor) json["floor"] = *floor;
+  return json;
+}
+
+template <typename Pick>
+void add_channel(ordered_json& gap, const std::string& name, const gap::GapAnalysis& analysis,
+                 ordered_json head, Pick pick) {
+  const ordered_json train = figures(analysis.train, pick);
+  const ordered_json test = figures(analysis.test, pick);
+  if (train.is_null() && test.is_null()) return;
+  if (!train.is_null()) head["train"] = train;
+  if (!test.is_null()) head["test"] = test;
+  gap[name] = head;
+}
+
+template <typename Pick>
+void add_channel_at_horizon(ordered_json& gap, const std::string& name, const gap::GapAnalysis& analysis,
+                            Pick pick) {
+  ordered_json head = ordered_json::object();
+  if (const auto& figure = pick(analysis.train.before)) head["horizon_s"] = figure->horizon_s;
+  add_channel(gap, name, analysis, head, [&](const Score& score) -> std::optional<double> {
+    const auto& figure = pick(score);
+    return figure ? std::optional(figure->value) : std::nullopt;
+  });
+}
+
+ordered_json gap_sizes(const gap::GapAnalysis& analysis) {
+  ordered_json gap = ordered_json::object();
+  const ordered_json none = ordered_json::object();
+  add_channel(gap, "wheel_speed_rms_m_s", analysis, none,
+              [](const Score& score) { return score.wheel_speed_rms_m_s; });
+  add_channel(gap, "distance_rms_m", analysis, none, [](const Score& score) { return score.distance_rms_m; });
+  add_channel_at_horizon(gap, "position_rms_m", analysis,
+                         [](const Score& score) { return score.position_rms_m; });
+  add_channel_at_horizon(gap, "heading_rms_rad", analysis,
+                         [](const Score& score) { return score.heading_rms_rad; });
+  return gap;
+}
+
+// The path of the search: who was tried in each round, best first.
+ordered_json rounds_to_json(const std::vector<gap::Round>& rounds) {
+  ordered_json list = ordered_json::array();
+  for (const auto& round : rounds) {
+    ordered_json tried = ordered_json::array();
+    for (const auto& contender : round.contenders) {
+      tried.push_back({{"effect", contender.effect.info->name},
+                       {"variant", contender.effect.info->variants[contender.effect.variant].name},
+                       {"parameters", contender.effect.parameters},
+                       {"train_nats", contender.train_nats},
+                       {"heldout_nats", contender.heldout_nats},
+                       {"inflation", contender.inflation},
+                       {"score", contender.score}});
+    }
+    list.push_back(tried);
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string gap_to_json(const gap::GapAnalysis& analysis) {
+  ordered_json json = {{"verdict", gap::verdict_name(analysis.verdict)}, {"summary", analysis.summary}};
+  json["added"] = ordered_json::array();
+  for (const auto& found : analysis.found) json["added"].push_back(finding_to_json(found));
+  json["where"] = ordered_json::array();
+  for (const auto& regime : analysis.where) {
+    json["where"].push_back({{"regime", regime.name},
+                             {"share_of_gap", regime.share_of_gap},
+                             {"share_of_time", regime.share_of_time}});
+  }
+  json["gap"] = gap_sizes(analysis);
+  json["not_testable"] = ordered_json::array();
+  for (const auto& effect : analysis.not_testable) {
+    json["not_testable"].push_back({{"effect", effect.effect}, {"why", effect.why}});
+  }
+  json["detectable"] = ordered_json::array();
+  for (const auto& effect : analysis.detectable) {
+    json["detectable"].push_back({{"effect", effect.effect},
+                                  {"parameter", effect.parameter},
+                                  {"size", effect.size},
+                                  {"unit", effect.unit}});
+  }
+  json["data_faults"] = ordered_json::array();
+  for (const auto& fault : analysis.data_faults) {
+    json["data_faults"].push_back({{"log", fault.log}, {"row", fault.row}, {"what", fault.what}});
+  }
+  json["next_experiment"] = nullptr;
+  json["search"] = {{"rounds", rounds_to_json(analysis.search.rounds)},
+                    {"checks", rounds_to_json(analysis.search.checks)}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace wheelwright::tools

@@ -1,0 +1,105 @@
+#include "tools/wheelwright/gap/gap_text.hpp"
+
+#include <cmath>
+#include <iomanip>
+#include <ostream>
+
+#include "config/load/text_format.hpp"
+#include "model/effect_library.hpp"
+
+namespace wheelwright::tools {
+namespace {
+
+using config::fixed_number;
+
+std::string short_number(double value) {
+  const double size = std::abs(value);
+  const int decimals = size >= 100.0 ? 0 : size >= 1.0 ? 2 : size >= 0.01 ? 4 : 6;
+  return fixed_number(value, decimals);
+}
+
+std::string percent(double share) {
+  return fixed_number(100.0 * share, 0) + " %";
+}
+
+void print_finding(std::ostream& out, const gap::Finding& found) {
+  const EffectInfo* info = find_effect(found.setting.name);
+  out << "  " << found.setting.name
+      << (found.setting.variant.empty() ? "" : " (" + found.setting.variant + ")") << ": "
+      << (info != nullptr ? info->summary : "") << "\n";
+  for (std::size_t i = 0; info != nullptr && i < info->parameters.size(); ++i) {
+    out << "    " << std::left << std::setw(15) << info->parameters[i].name
+        << short_number(found.setting.parameters[i]);
+    if (i < found.intervals.size()) {
+      out << "  [" << short_number(found.intervals[i].lower) << ", " << short_number(found.intervals[i].upper)
+          << "]";
+    }
+    out << (info->parameters[i].unit == "1" ? "" : " " + info->parameters[i].unit) << "\n";
+  }
+  out << "    on held-out runs " << fixed_number(found.heldout_gain_nats, 1)
+      << " nats more likely than without; probability " << fixed_number(found.posterior, 3);
+  for (std::size_t i = 0; i < found.rivals.size() && i < 2; ++i) {
+    if (found.rivals[i].posterior > 0.001) {
+      out << ", " << found.rivals[i].effect << " " << fixed_number(found.rivals[i].posterior, 3);
+    }
+  }
+  out << "\n";
+}
+
+void print_row(std::ostream& out, const std::string& name, const std::optional<double>& before,
+               const std::optional<double>& after, const std::optional<double>& floor) {
+  if (!before || !after) return;
+  out << "  " << std::left << std::setw(40) << name << std::right << std::setw(10)
+      << fixed_number(1000.0 * *before, 2) << std::setw(10) << fixed_number(1000.0 * *after, 2)
+      << std::setw(10) << (floor ? fixed_number(1000.0 * *floor, 2) : "-") << "\n";
+}
+
+void print_figures(std::ostream& out, const std::string& runs, const gap::GapFigures& figures) {
+  const auto value = [](const std::optional<AtHorizon>& figure) -> std::optional<double> {
+    return figure ? std::optional(figure->value) : std::nullopt;
+  };
+  const auto horizon = [](const std::optional<AtHorizon>& figure) {
+    return figure ? fixed_number(figure->horizon_s, 0) + " s" : std::string();
+  };
+  const auto& [before, after, floor] = figures;
+  print_row(out, runs + ": wheel speed, mm/s RMS", before.wheel_speed_rms_m_s, after.wheel_speed_rms_m_s,
+            floor.wheel_speed_rms_m_s);
+  print_row(out, runs + ": wheel travel, mm RMS", before.distance_rms_m, after.distance_rms_m,
+            floor.distance_rms_m);
+  print_row(out, runs + ": position after " + horizon(before.position_rms_m) + ", mm RMS",
+            value(before.position_rms_m), value(after.position_rms_m), value(floor.position_rms_m));
+  print_row(out, runs + ": heading after " + horizon(before.heading_rms_rad) + ", mrad RMS",
+            value(before.heading_rms_rad), value(after.heading_rms_rad), value(floor.heading_rms_rad));
+}
+
+}  // namespace
+
+void print_gap(std::ostream& out, const gap::GapAnalysis& analysis) {
+  out << gap::verdict_name(analysis.verdict) << ": " << analysis.summary << "\n";
+  if (!analysis.data_faults.empty()) {
+    out << "\ndata faults:\n";
+    constexpr std::size_t most = 8;
+    for (std::size_t i = 0; i < analysis.data_faults.size() && i < most; ++i) {
+      const auto& fault = analysis.data_faults[i];
+      out << "  " << fault.log << ":" << fault.row << ": " << fault.what << "\n";
+    }
+    if (analysis.data_faults.size() > most) {
+      out << "  and " << analysis.data_faults.size() - most << " more, all in gap.json\n";
+    }
+  }
+  if (!analysis.found.empty()) out << "\nwhat is missing:\n";
+  for (const auto& found : analysis.found) print_finding(out, found);
+  if (!analysis.where.empty()) out << "\nwhere the linear model is wrong:\n";
+  for (const auto& regime : analysis.where) {
+    out << "  " << std::left << std::setw(40) << regime.name << percent(regime.share_of_gap)
+        << " of the gap in " << percent(regime.share_of_time) << " of the time\n";
+  }
+  if (analysis.train.before.empty() && analysis.test.before.empty()) return;
+  out << "\nthe gap                                       before     after     floor\n";
+  print_figures(out, "training", analysis.train);
+  print_figures(out, "held out", analysis.test);
+  if (!analysis.not_testable.empty()) out << "\nthese runs cannot show:\n";
+  for (const auto& effect : analysis.not_testable) out << "  " << effect.effect << ": " << effect.why << "\n";
+}
+
+}  // namespace wheelwright::tools

@@ -1,0 +1,21 @@
+// The time as model files give it.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <ctime>
+#include <string>
+
+namespace wheelwright::tools {
+
+// UTC, ISO 8601, to the second.
+inline std::string now_as_text() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  std::array<char, 32> buffer{};
+  std::strftime(buffer.data(), buffer.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return buffer.data();
+}
+
+}  // namespace wheelwright::tools
