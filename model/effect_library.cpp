@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
+
+#include "model/at_the_wheels.hpp"
 
 namespace wheelwright {
 
@@ -37,7 +40,13 @@ void check_parameters(const EffectInfo& info, const std::vector<double>& paramet
 }  // namespace
 
 std::span<const EffectInfo> effect_library() {
-  static const std::vector<EffectInfo> library = effects::all();
+  static const std::vector<EffectInfo> library = [] {
+    std::vector<EffectInfo> all = effects::all();
+    for (auto& info : all) {
+      if (info.may_load_wheels) info = with_variants_at_the_wheels(std::move(info));
+    }
+    return all;
+  }();
   return library;
 }
 

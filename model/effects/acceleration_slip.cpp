@@ -51,8 +51,9 @@ EffectInfo acceleration_slip() {
             "share of the speed lost per m/s^2 beyond the grip",
             0.0,
             3.0,
-            {0.03, 0.08, 0.2, 0.5}},
-           {"grip", "m/s^2", "acceleration without slip", 0.0, 5.0, {0.0, 0.3, 0.7}, false}},
+            {0.03, 0.08, 0.2, 0.5},
+            0.003},
+           {"grip", "m/s^2", "acceleration without slip", 0.0, 5.0, {0.0, 0.3, 0.7}, 0.0, false}},
           {.reference = true},
           [](const EffectArguments& arguments) { return std::make_unique<AccelerationSlip>(arguments); }};
 }

@@ -8,16 +8,23 @@ namespace {
 
 class AsymmetricResponse final : public EffectOf<AsymmetricResponse> {
  public:
-  explicit AsymmetricResponse(const EffectArguments& arguments) : extra_lag_s_(arguments.parameters[0]) {}
+  explicit AsymmetricResponse(const EffectArguments& arguments)
+      : extra_lag_s_(arguments.parameters[0]), of_command_(arguments.variant == 0) {}
 
   void command(WheelPair& command_m_s, const Surroundings& around) override {
-    follow(now_.left, command_m_s.left, around.period_s);
-    follow(now_.right, command_m_s.right, around.period_s);
-    command_m_s = now_;
+    if (of_command_) follow(command_m_s, around.period_s);
+  }
+  void wheel(WheelPair& speed_m_s, const Surroundings& around) override {
+    if (!of_command_) follow(speed_m_s, around.period_s);
   }
   void reset() override { now_ = {}; }
 
  private:
+  void follow(WheelPair& pair, double period_s) {
+    follow(now_.left, pair.left, period_s);
+    follow(now_.right, pair.right, period_s);
+    pair = now_;
+  }
   void follow(double& now, double wanted, double period_s) const {
     const bool slowing = std::abs(wanted) < std::abs(now) || wanted * now < 0.0;
     const bool lags = slowing == (extra_lag_s_ > 0.0);
@@ -25,6 +32,7 @@ class AsymmetricResponse final : public EffectOf<AsymmetricResponse> {
   }
 
   double extra_lag_s_;
+  bool of_command_;
   WheelPair now_;
 };
 
@@ -33,14 +41,16 @@ class AsymmetricResponse final : public EffectOf<AsymmetricResponse> {
 EffectInfo asymmetric_response() {
   return {"asymmetric_response",
           "speeding up and slowing down have different dynamics",
-          "Drivers that coast instead of braking, PID loops that cannot brake: one of the two takes longer.",
-          {{"", EffectStage::command}},
+          "Drivers that coast instead of braking, PID loops that cannot brake: one of the two takes longer. "
+          "'command': the drive itself, 'speed': the wheel behind it.",
+          {{"command", EffectStage::command}, {"speed", EffectStage::wheel}},
           {{"extra_lag",
             "s",
             "time constant added when slowing down; negative: when speeding up",
             -0.6,
             0.6,
-            {-0.2, -0.1, -0.05, -0.025, 0.025, 0.05, 0.1, 0.2}}},
+            {-0.2, -0.1, -0.05, -0.025, 0.025, 0.05, 0.1, 0.2},
+            0.003}},
           {.variety = true},
           [](const EffectArguments& arguments) { return std::make_unique<AsymmetricResponse>(arguments); }};
 }

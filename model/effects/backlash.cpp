@@ -54,7 +54,8 @@ EffectInfo backlash() {
             "distance lost at each reversal, at the wheel's rim",
             0.0,
             0.05,
-            {0.0005, 0.001, 0.002, 0.004, 0.007, 0.012}}},
+            {0.0005, 0.001, 0.002, 0.004, 0.007, 0.012},
+            0.0002}},
           {.reversal = true},
           [](const EffectArguments& arguments) { return std::make_unique<Backlash>(arguments); }};
 }

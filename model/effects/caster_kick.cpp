@@ -51,10 +51,11 @@ EffectInfo caster_kick() {
           "flip, "
           "'alternating': to one side when it begins to go forward, to the other when backward.",
           {{"same", EffectStage::body}, {"alternating", EffectStage::body}},
-          {{"angle", "rad", "turn that one kick makes in all", -1.0, 1.0, {-0.05, -0.02, 0.02, 0.05}},
-           {"distance", "m", "of travel over which it fades to 1/e", 0.003, 0.5, {0.015, 0.05}, false}},
+          {{"angle", "rad", "turn that one kick makes in all", -1.0, 1.0, {-0.05, -0.02, 0.02, 0.05}, 0.002},
+           {"distance", "m", "of travel over which it fades to 1/e", 0.003, 0.5, {0.015, 0.05}, 0.0, false}},
           {.reference = true, .reversal = true},
-          [](const EffectArguments& arguments) { return std::make_unique<CasterKick>(arguments); }};
+          [](const EffectArguments& arguments) { return std::make_unique<CasterKick>(arguments); },
+          true};
 }
 
 }  // namespace wheelwright::effects

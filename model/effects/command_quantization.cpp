@@ -37,7 +37,8 @@ EffectInfo command_quantization() {
         "distance of the speeds that can be had",
         0.0,
         0.2,
-        {0.008, 0.012, 0.016, 0.02, 0.024, 0.0285, 0.034, 0.04, 0.05, 0.06, 0.08}}},
+        {0.008, 0.012, 0.016, 0.02, 0.024, 0.0285, 0.034, 0.04, 0.05, 0.06, 0.08},
+        0.002}},
       {.variety = true},
       [](const EffectArguments& arguments) { return std::make_unique<CommandQuantization>(arguments); }};
 }

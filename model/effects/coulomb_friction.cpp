@@ -40,8 +40,16 @@ EffectInfo coulomb_friction() {
         "steady speed that friction costs",
         0.0,
         0.2,
-        {0.003, 0.006, 0.012, 0.025, 0.05}},
-       {"lag", "s", "with which the wheel answers to a change of friction", 0.005, 0.6, {0.06, 0.15}, false}},
+        {0.003, 0.006, 0.012, 0.025, 0.05},
+        0.001},
+       {"lag",
+        "s",
+        "with which the wheel answers to a change of friction",
+        0.005,
+        0.6,
+        {0.06, 0.15},
+        0.0,
+        false}},
       {.variety = true},
       [](const EffectArguments& arguments) { return std::make_unique<CoulombFriction>(arguments); }};
 }

@@ -37,7 +37,8 @@ EffectInfo dead_zone() {
         "commands below it do nothing",
         0.0,
         0.3,
-        {0.01, 0.02, 0.03, 0.045, 0.06, 0.08, 0.11}}},
+        {0.01, 0.02, 0.03, 0.045, 0.06, 0.08, 0.11},
+        0.002}},
       {.variety = true},
       [](const EffectArguments& arguments) { return std::make_unique<DeadZone>(arguments); }};
 }

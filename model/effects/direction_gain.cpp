@@ -28,7 +28,8 @@ EffectInfo direction_gain() {
             "relative change of the gain in reverse",
             -0.7,
             0.7,
-            {-0.2, -0.1, -0.05, -0.02, 0.02, 0.05, 0.1, 0.2}}},
+            {-0.2, -0.1, -0.05, -0.02, 0.02, 0.05, 0.1, 0.2},
+            0.004}},
           {.reversal = true},
           [](const EffectArguments& arguments) { return std::make_unique<DirectionGain>(arguments); }};
 }

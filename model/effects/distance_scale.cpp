@@ -29,7 +29,8 @@ EffectInfo distance_scale() {
             "relative change of metres per tick",
             -0.5,
             0.5,
-            {-0.05, -0.02, -0.01, 0.01, 0.02, 0.05}}},
+            {-0.05, -0.02, -0.01, 0.01, 0.02, 0.05},
+            0.0008}},
           {.reference = true, .place = true, .encoders = true},
           [](const EffectArguments& arguments) { return std::make_unique<DistanceScale>(arguments); }};
 }

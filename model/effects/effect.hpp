@@ -79,6 +79,7 @@ struct ParameterInfo {
   double lower = 0.0;  // what is physically possible
   double upper = 0.0;
   std::vector<double> sizes;  // where a search begins, from weak to strong
+  double negligible = 0.0;    // a smaller size is of no consequence and is never named
   bool scales_effect = true;  // false for a shape (a time constant, a place) that says nothing of the size
 };
 
@@ -113,6 +114,7 @@ struct EffectInfo {
   std::vector<ParameterInfo> parameters;
   EffectNeeds needs;
   std::function<std::unique_ptr<Effect>(const EffectArguments&)> make;
+  bool may_load_wheels = false;  // what it does to the body may show in the wheels: at_the_wheels.hpp
 };
 
 // An effect as a model holds it.

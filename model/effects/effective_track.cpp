@@ -30,7 +30,8 @@ EffectInfo effective_track() {
             "effective minus given wheel base",
             -0.08,
             0.3,
-            {-0.02, -0.01, -0.004, 0.004, 0.01, 0.02, 0.04}}},
+            {-0.02, -0.01, -0.004, 0.004, 0.01, 0.02, 0.04},
+            0.0006}},
           {.reference = true, .heading = true, .turning = true},
           [](const EffectArguments& arguments) { return std::make_unique<EffectiveTrack>(arguments); }};
 }

@@ -20,7 +20,7 @@ EffectInfo encoder_dropout() {
           "the counts themselves; the rows are left out of every fit.",
           {{"", EffectStage::counts}},
           {{"share", "1", "of the time in which counts are missing", 0.0, 1.0, {}},
-           {"duration", "s", "of one dropout, on average", 0.0, 1000.0, {}, false}},
+           {"duration", "s", "of one dropout, on average", 0.0, 1000.0, {}, 0.0, false}},
           {.encoders = true},
           [](const EffectArguments& arguments) { return std::make_unique<EncoderDropout>(arguments); }};
 }

@@ -63,7 +63,8 @@ EffectInfo gain_curve() {
             "relative loss of gain per m/s of command",
             -3.0,
             3.0,
-            {-1.0, -0.3, -0.1, 0.1, 0.3, 1.0}}},
+            {-1.0, -0.3, -0.1, 0.1, 0.3, 1.0},
+            0.02}},
           {.variety = true},
           [](const EffectArguments& arguments) { return std::make_unique<GainCurve>(arguments); }};
 }

@@ -35,8 +35,9 @@ EffectInfo gain_drift() {
             "relative change of the gain in the long run",
             -0.8,
             0.8,
-            {-0.2, -0.1, -0.05, -0.02, 0.02, 0.05, 0.1, 0.2}},
-           {"time_constant", "s", "of the change", 3.0, 600.0, {15.0, 40.0, 150.0}, false}},
+            {-0.2, -0.1, -0.05, -0.02, 0.02, 0.05, 0.1, 0.2},
+            0.005},
+           {"time_constant", "s", "of the change", 3.0, 600.0, {15.0, 40.0, 150.0}, 0.0, false}},
           {},
           [](const EffectArguments& arguments) { return std::make_unique<GainDrift>(arguments); }};
 }

@@ -51,10 +51,10 @@ EffectInfo surface_patch() {
           "'floor': the "
           "wheels slip there, 'wheel': they turn more slowly and the encoders see it.",
           {{"floor", EffectStage::body}, {"wheel", EffectStage::wheel}},
-          {{"change", "1", "relative change of motion inside", -0.9, 0.9, {-0.1}},
-           {"x", "m", "centre of the region, in the frame of the reference", -100.0, 100.0, {}, false},
-           {"y", "m", "centre of the region", -100.0, 100.0, {}, false},
-           {"radius", "m", "of the region", 0.05, 20.0, {0.25, 0.5}, false}},
+          {{"change", "1", "relative change of motion inside", -0.9, 0.9, {-0.1}, 0.01},
+           {"x", "m", "centre of the region, in the frame of the reference", -100.0, 100.0, {}, 0.0, false},
+           {"y", "m", "centre of the region", -100.0, 100.0, {}, 0.0, false},
+           {"radius", "m", "of the region", 0.05, 20.0, {0.25, 0.5}, 0.0, false}},
           {.reference = true, .place = true},
           [](const EffectArguments& arguments) { return std::make_unique<SurfacePatch>(arguments); }};
 }

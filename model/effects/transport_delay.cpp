@@ -48,7 +48,8 @@ EffectInfo transport_delay() {
         "time that passes before a command acts, beyond the core's",
         0.0,
         1.0,
-        {0.01, 0.02, 0.036, 0.054, 0.08, 0.11, 0.15, 0.2, 0.3}}},
+        {0.01, 0.02, 0.036, 0.054, 0.08, 0.11, 0.15, 0.2, 0.3},
+        0.015}},
       {},
       [](const EffectArguments& arguments) { return std::make_unique<TransportDelay>(arguments); }};
 }

@@ -39,9 +39,11 @@ EffectInfo turn_scrub() {
             "share of the turn rate lost at 1 rad/s",
             -0.3,
             1.5,
-            {0.01, 0.03, 0.06, 0.12, 0.25}}},
+            {0.01, 0.03, 0.06, 0.12, 0.25},
+            0.002}},
           {.reference = true, .heading = true, .turning = true},
-          [](const EffectArguments& arguments) { return std::make_unique<TurnScrub>(arguments); }};
+          [](const EffectArguments& arguments) { return std::make_unique<TurnScrub>(arguments); },
+          true};
 }
 
 }  // namespace wheelwright::effects

@@ -31,7 +31,8 @@ EffectInfo wheel_scale_mismatch() {
             "right minus left rolling radius, relative",
             -0.4,
             0.4,
-            {-0.05, -0.02, -0.01, 0.01, 0.02, 0.05}}},
+            {-0.05, -0.02, -0.01, 0.01, 0.02, 0.05},
+            0.0008}},
           {.reference = true},
           [](const EffectArguments& arguments) { return std::make_unique<WheelScaleMismatch>(arguments); }};
 }

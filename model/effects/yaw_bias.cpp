@@ -40,9 +40,11 @@ EffectInfo yaw_bias() {
             "turn rate added, counter-clockwise",
             -0.5,
             0.5,
-            {-0.05, -0.02, -0.01, 0.01, 0.02, 0.05}}},
+            {-0.05, -0.02, -0.01, 0.01, 0.02, 0.05},
+            0.0008}},
           {.reference = true},
-          [](const EffectArguments& arguments) { return std::make_unique<YawBias>(arguments); }};
+          [](const EffectArguments& arguments) { return std::make_unique<YawBias>(arguments); },
+          true};
 }
 
 }  // namespace wheelwright::effects

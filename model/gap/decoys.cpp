@@ -33,8 +33,7 @@ class CrossTalk final : public EffectOf<CrossTalk> {
 
  private:
   double share(double own, double other) const {
-    if (variant_ == 0) return other;
-    if (variant_ == 1) return std::abs(other);
+    if (variant_ == 0) return std::abs(other);
     return own * std::abs(other) / usual_speed_m_s;
   }
   double size_;
@@ -139,15 +138,15 @@ ParameterInfo size(double smallest) {
 std::vector<EffectInfo> make_decoys() {
   return {
       decoy<SmoothEven>("decoy_even", {""}, EffectStage::command, {size(0.05)}),
-      decoy<CrossTalk>("decoy_cross_talk", {"linear", "size", "product"}, EffectStage::command, {size(0.05)}),
+      decoy<CrossTalk>("decoy_cross_talk", {"size", "product"}, EffectStage::command, {size(0.05)}),
       decoy<HistoryGain>("decoy_history", {""}, EffectStage::command,
-                         {size(0.05), {"time", "s", "", 0.5, 60.0, {0.7, 2.0, 8.0}, false}}),
+                         {size(0.05), {"time", "s", "", 0.5, 60.0, {0.7, 2.0, 8.0}, 0.0, false}}),
       decoy<SpeedMemory>("decoy_memory", {""}, EffectStage::command,
-                         {size(0.05), {"time", "s", "", 0.3, 10.0, {0.4, 1.5}, false}}),
+                         {size(0.05), {"time", "s", "", 0.3, 10.0, {0.4, 1.5}, 0.0, false}}),
       decoy<SlowSwing>("decoy_swing", {""}, EffectStage::command,
                        {{"sine", "1", "", -0.5, 0.5, {0.05}},
                         {"cosine", "1", "", -0.5, 0.5, {0.05}},
-                        {"period", "s", "", 2.0, 300.0, {5.0, 15.0, 40.0}, false}}),
+                        {"period", "s", "", 2.0, 300.0, {5.0, 15.0, 40.0}, 0.0, false}}),
       decoy<BodyCoupling>("decoy_body", {"v*w", "v*|v| to w", "w*|v|", "v*|v|"}, EffectStage::body,
                           {size(0.05)}),
   };

@@ -69,6 +69,7 @@ class Search {
   std::vector<const EffectInfo*> absent_from(const TrialModel& model) const;
   bool improve_by_swaps(GapSearch& result);
   std::optional<GapFit> better_core(const Round& round) const;
+  bool stands_beside(const Contender& named, const Contender& decoy) const;
 
   GapProblem& train_;
   GapProblem& heldout_;
@@ -170,8 +171,16 @@ Round Search::look(const GapFit& without, const std::vector<const EffectInfo*>& 
   return round;
 }
 
+bool negligible(const TrialEffect& effect) {
+  for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
+    if (std::abs(effect.parameters[i]) < effect.info->parameters[i].negligible) return true;
+  }
+  return false;
+}
+
 bool Search::good_enough(const Contender& contender) const {
-  return contender.heldout_nats / contender.inflation > limits_.least_heldout_nats &&
+  return !negligible(contender.effect) &&
+         contender.heldout_nats / contender.inflation > limits_.least_heldout_nats &&
          contender.train_nats / contender.inflation > limits_.least_train_nats && contender.score > 0.0;
 }
 
@@ -180,9 +189,13 @@ bool Search::good_enough(const Contender& contender) const {
 bool Search::worth_adding(const Contender& contender, const GapSearch& so_far) const {
   double largest = 0.0;
   for (const auto& round : so_far.rounds) {
-    if (!round.contenders.empty()) largest = std::max(largest, round.contenders.front().heldout_nats);
+    if (round.contenders.empty()) continue;
+    const Contender& first = round.contenders.front();
+    largest = std::max(largest, first.heldout_nats / first.inflation);
   }
-  return good_enough(contender) && contender.heldout_nats > limits_.least_share * largest;
+  const double nats = contender.heldout_nats / contender.inflation;
+  return good_enough(contender) &&
+         (largest == 0.0 || nats > std::max(limits_.least_further_nats, limits_.least_share * largest));
 }
 
 const Contender* Search::best_named(const Round& round) const {
@@ -192,22 +205,44 @@ const Contender* Search::best_named(const Round& round) const {
   return nullptr;
 }
 
-// A linear core of one more pole and weight is a rival too: it wins where what is missing is linear.
+// A richer linear core is a rival too: it wins where what is missing is linear.
 std::optional<GapFit> Search::better_core(const Round& round) const {
   const TrialModel& present = round.without.model;
-  if (present.shape.poles >= limits_.most_poles) return std::nullopt;
-  GapFit larger =
-      train_.fit(present.with_larger_core(), 2 * steps_of_a_fit, train_.part_of(EffectStage::command));
-  const double train_nats = 0.5 * (round.without.squares - larger.squares);
-  const double heldout_nats = 0.5 * (round.heldout_squares - squares_of(heldout_.residuals(larger.model)));
-  const double inflation = std::max(inflation_of(train_, round.without.residuals, larger.residuals),
-                                    round.contenders.empty() ? 1.0 : round.contenders.front().inflation);
-  const double readings = static_cast<double>(train_.readings() + heldout_.readings());
-  const double parameters = static_cast<double>(larger.model.core.size() - present.core.size());
-  const double score = (train_nats + heldout_nats) / inflation - 0.5 * parameters * std::log(readings);
-  const double best = round.contenders.empty() ? 0.0 : std::max(0.0, round.contenders.front().score);
-  if (score <= best || heldout_nats / inflation < limits_.least_core_nats) return std::nullopt;
-  return larger;
+  std::vector<TrialModel> richer;
+  if (present.shape.poles < limits_.most_poles) richer.push_back(present.with_larger_core());
+  if (!present.shape.crossed && !present.shape.shared) richer.push_back(present.with_crossed_core());
+  std::optional<GapFit> best;
+  double best_score = round.contenders.empty() ? 0.0 : std::max(0.0, round.contenders.front().score);
+  for (const TrialModel& start : richer) {
+    GapFit fit = train_.fit(start, 2 * steps_of_a_fit, train_.part_of(EffectStage::command));
+    const double train_nats = 0.5 * (round.without.squares - fit.squares);
+    const double heldout_nats = 0.5 * (round.heldout_squares - squares_of(heldout_.residuals(fit.model)));
+    const double inflation = std::max(inflation_of(train_, round.without.residuals, fit.residuals),
+                                      round.contenders.empty() ? 1.0 : round.contenders.front().inflation);
+    const double readings = static_cast<double>(train_.readings() + heldout_.readings());
+    const double parameters = static_cast<double>(fit.model.core.size() - present.core.size());
+    const double score = (train_nats + heldout_nats) / inflation - 0.5 * parameters * std::log(readings);
+    if (score <= best_score || heldout_nats / inflation < limits_.least_core_nats) continue;
+    best_score = score;
+    best = std::move(fit);
+  }
+  return best;
+}
+
+// A decoy that explains more does not speak against a name that explains something else: with the decoy in
+// the model, the name must still gain what it takes to be named.
+bool Search::stands_beside(const Contender& named, const Contender& decoy) const {
+  TrialModel with_both = decoy.fit.model;
+  with_both.effects.push_back(named.effect);
+  const GapFit both = train_.fit(with_both, steps_of_a_fit);
+  const std::vector<double> heldout_without = heldout_.residuals(decoy.fit.model);
+  const std::vector<double> heldout_with = heldout_.residuals(both.model);
+  const double inflation = std::max(inflation_of(train_, decoy.fit.residuals, both.residuals),
+                                    inflation_of(heldout_, heldout_without, heldout_with));
+  const double train_nats = 0.5 * (decoy.fit.squares - both.squares);
+  const double heldout_nats = 0.5 * (squares_of(heldout_without) - squares_of(heldout_with));
+  return train_nats / inflation > limits_.least_further_nats &&
+         heldout_nats / inflation > limits_.least_further_nats;
 }
 
 // For each accepted effect: would another one do better in its place, now that the others are there?
@@ -246,8 +281,8 @@ GapSearch Search::run(const TrialModel& start) {
       round = look(result.final, absent_from(result.final.model), {});
     }
     const Contender* best = best_named(round);
-    const bool accepted = found < limits_.most_effects && best != nullptr &&
-                          best == round.contenders.data() && worth_adding(*best, result);
+    const bool accepted = found < limits_.most_effects && best != nullptr && worth_adding(*best, result) &&
+                          (best == round.contenders.data() || stands_beside(*best, round.contenders.front()));
     result.final = accepted ? best->fit : round.without;
     result.rounds.push_back(std::move(round));
     if (!accepted) break;

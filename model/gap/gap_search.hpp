@@ -36,9 +36,10 @@ struct SearchLimits {
   std::size_t most_fits = 9;        // per round
   double least_heldout_nats = 9.0;  // deflated; the chance of a false one is at most exp(-9) each
   double least_train_nats = 9.0;
-  std::size_t most_poles = 4;    // of the linear core
-  double least_core_nats = 3.0;  // held out, deflated, for a larger core
-  double least_share = 0.06;     // of what the strongest effect explains, for a further one
+  std::size_t most_poles = 4;        // of the linear core
+  double least_core_nats = 3.0;      // held out, deflated, for a larger core
+  double least_further_nats = 20.0;  // held out, deflated, for a further effect
+  double least_share = 0.06;         // of what the strongest effect explains, for a further one
 };
 
 struct GapSearch {

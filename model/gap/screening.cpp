@@ -44,7 +44,13 @@ std::vector<Pose> visited_places(const GapProblem& problem, const TrialModel& mo
   return places;
 }
 
-void add_probes(const EffectInfo& info, const std::vector<Pose>& places, std::vector<Probe>& probes) {
+// Without counts nothing tells whether the wheels or the floor lose the motion: one of the two is enough.
+bool told_apart(const EffectInfo& info, std::size_t variant, bool counts) {
+  return counts || !info.variants[variant].name.ends_with("at_wheels");
+}
+
+void add_probes(const EffectInfo& info, const std::vector<Pose>& places, bool counts,
+                std::vector<Probe>& probes) {
   std::vector<std::size_t> sizes;
   std::vector<std::size_t> shapes;
   for (std::size_t i = 0; i < info.parameters.size(); ++i) {
@@ -75,6 +81,7 @@ void add_probes(const EffectInfo& info, const std::vector<Pose>& places, std::ve
     shape_points = std::move(more);
   }
   for (std::size_t variant = 0; variant < info.variants.size(); ++variant) {
+    if (!told_apart(info, variant, counts)) continue;
     for (const auto& shape : shape_points) {
       if (sizes.size() == 1) {
         for (const double value : info.parameters[sizes[0]].sizes) {
@@ -147,7 +154,7 @@ Screening screen(const GapProblem& problem, const GapFit& fit, std::span<const E
                  const ForEach& for_each) {
   std::vector<Probe> probes;
   const std::vector<Pose> places = visited_places(problem, fit.model);
-  for (const EffectInfo* info : candidates) add_probes(*info, places, probes);
+  for (const EffectInfo* info : candidates) add_probes(*info, places, problem.has_counts(), probes);
 
   const Eigen::MatrixXd basis = basis_of(problem.jacobian(fit.model, fit.residuals));
   const Eigen::Map<const Eigen::VectorXd> residual(fit.residuals.data(),

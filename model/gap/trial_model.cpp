@@ -12,8 +12,10 @@ WheelResponse response(const CoreShape& shape, const double* values, bool left) 
   WheelResponse wheel;
   wheel.from_own_past.assign(values, values + shape.poles);
   std::vector<double>& own = left ? wheel.from_left : wheel.from_right;
-  own.assign(values + shape.poles, values + shape.per_wheel());
-  (left ? wheel.from_right : wheel.from_left).assign(shape.weights, 0.0);
+  own.assign(values + shape.poles, values + shape.poles + shape.weights);
+  std::vector<double>& other = left ? wheel.from_right : wheel.from_left;
+  const double share = shape.crossed ? values[shape.poles + shape.weights] : 0.0;
+  for (const double weight : own) other.push_back(share * weight);
   return wheel;
 }
 
@@ -89,13 +91,27 @@ TrialModel TrialModel::with_larger_core() const {
   larger.core.clear();
   for (std::size_t wheel = 0; wheel < core.size(); wheel += shape.per_wheel()) {
     const auto begin = core.begin() + static_cast<std::ptrdiff_t>(wheel);
-    const auto middle = begin + static_cast<std::ptrdiff_t>(shape.poles);
-    larger.core.insert(larger.core.end(), begin, middle);
+    const auto weights = begin + static_cast<std::ptrdiff_t>(shape.poles);
+    const auto rest = weights + static_cast<std::ptrdiff_t>(shape.weights);
+    larger.core.insert(larger.core.end(), begin, weights);
     larger.core.push_back(0.0);
-    larger.core.insert(larger.core.end(), middle, middle + static_cast<std::ptrdiff_t>(shape.weights));
+    larger.core.insert(larger.core.end(), weights, rest);
     larger.core.push_back(0.0);
+    if (shape.crossed) larger.core.push_back(*rest);
   }
   return larger;
+}
+
+TrialModel TrialModel::with_crossed_core() const {
+  TrialModel crossed = *this;
+  crossed.shape.crossed = true;
+  crossed.core.clear();
+  for (std::size_t wheel = 0; wheel < core.size(); wheel += shape.per_wheel()) {
+    const auto begin = core.begin() + static_cast<std::ptrdiff_t>(wheel);
+    crossed.core.insert(crossed.core.end(), begin, begin + static_cast<std::ptrdiff_t>(shape.per_wheel()));
+    crossed.core.push_back(0.0);
+  }
+  return crossed;
 }
 
 std::vector<EffectSetting> TrialModel::settings() const {

@@ -28,8 +28,9 @@ struct CoreShape {
   std::size_t poles = 2;
   std::size_t weights = 6;  // from_own lags 0..weights-1
   bool shared = false;
+  bool crossed = false;  // each wheel also feels a share of the other's command
 
-  std::size_t per_wheel() const { return poles + weights; }
+  std::size_t per_wheel() const { return poles + weights + (crossed ? 1 : 0); }
   std::size_t size() const { return shared ? per_wheel() : 2 * per_wheel(); }
 };
 
@@ -37,7 +38,7 @@ struct TrialModel {
   CoreShape shape;
   double period_s = 0.018;
   double wheel_base_m = 0.235;
-  std::vector<double> core;  // a then b; left, then right where not shared
+  std::vector<double> core;  // a, b, share of the other's command; left, then right where not shared
   std::vector<TrialEffect> effects;
 
   LinearModel linear() const;
@@ -51,6 +52,8 @@ struct TrialModel {
   bool stable() const;
   // The same model with a core of one more pole and one more weight.
   TrialModel with_larger_core() const;
+  // The same model with a core that is crossed.
+  TrialModel with_crossed_core() const;
   std::vector<EffectSetting> settings() const;
 };
 
