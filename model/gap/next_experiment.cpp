@@ -1,0 +1,325 @@
+#include "model/gap/next_experiment.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "model/effect_library.hpp"
+#include "model/gap/decoys.hpp"
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr double sure = 0.9;              // posterior from which on there is nothing to decide
+constexpr double least_posterior = 0.02;  // of a rival worth a drive
+constexpr std::size_t most_rivals = 3;
+constexpr double least_nats = 3.0;        // a drive that tells less apart is not worth its time
+constexpr double fine_m_per_tick = 1e-7;  // counts of a made-up drive are not to add noise of their own
+const std::string nothing = "nothing";
+
+// One possible answer.
+struct Hypothesis {
+  std::string name;
+  TrialModel model;
+  Eigen::MatrixXd information;  // on its parameters, of the runs so far
+};
+
+// What the runs so far record, so that the next one is thought to record the same.
+struct Sensors {
+  bool counts = false;
+  std::size_t reference_every = 0;  // periods; 0 for none
+};
+
+Sensors sensors_of(const GapRun& run) {
+  Sensors sensors;
+  sensors.counts = run.has_counts;
+  const std::size_t count = run.references.size();
+  if (count >= 2) {
+    const std::size_t span = run.references.back().at.period - run.references.front().at.period;
+    sensors.reference_every = std::max<std::size_t>(1, span / (count - 1));
+  }
+  return sensors;
+}
+
+DriveLog commands_of(const Manoeuvre& manoeuvre, const TrialModel& model) {
+  DriveLog log;
+  log.name = manoeuvre.name;
+  log.wheel_base_m = model.wheel_base_m;
+  log.period_s = model.period_s;
+  for (std::size_t k = 0; k < manoeuvre.commands_m_s.size(); ++k) {
+    DriveSample sample;
+    sample.t_s = model.period_s * static_cast<double>(k);
+    sample.command_m_s = manoeuvre.commands_m_s[k];
+    log.samples.push_back(sample);
+  }
+  return log;
+}
+
+// The log that a robot of this model would leave, without noise.
+DriveLog driven_by(const TrialModel& truth, DriveLog log, const Sensors& sensors) {
+  ModelSimulation simulation = truth.simulation();
+  simulation.reset({});
+  if (sensors.counts) log.metres_per_tick = WheelPair{fine_m_per_tick, fine_m_per_tick};
+  const std::size_t last = log.samples.size() - 1;
+  const std::size_t every = std::min(sensors.reference_every, last);
+  for (std::size_t k = 0; k < log.samples.size(); ++k) {
+    DriveSample& sample = log.samples[k];
+    if (sensors.counts) {
+      const WheelPair& rolled = simulation.distance_m();
+      sample.ticks = WheelTicks{std::llround(rolled.left / fine_m_per_tick),
+                                std::llround(rolled.right / fine_m_per_tick)};
+    }
+    if (every > 0 && (k % every == 0 || k == last)) {
+      const Pose pose = simulation.observed_pose();
+      sample.reference_x_m = pose.x_m;
+      sample.reference_y_m = pose.y_m;
+      sample.reference_theta_rad = pose.theta_rad;
+    }
+    simulation.step(sample.command_m_s);
+  }
+  return log;
+}
+
+bool stays_inside(const TrialModel& model, const DriveLog& log, double radius_m) {
+  ModelSimulation simulation = model.simulation();
+  simulation.reset({});
+  for (const auto& sample : log.samples) {
+    simulation.step(sample.command_m_s);
+    if (std::hypot(simulation.pose().x_m, simulation.pose().y_m) > radius_m) return false;
+  }
+  return true;
+}
+
+// Nats by which `truth` stays more likely than `other` after a drive, when `other` may adapt as far as the
+// runs so far let it.
+double divergence(const Hypothesis& truth, const Hypothesis& other, const DriveLog& commands,
+                  const Sensors& sensors, const NoiseModel& noise) {
+  const DriveLog log = driven_by(truth.model, commands, sensors);
+  GapRun run = make_gap_run(log, {}, truth.model.period_s);
+  measure_motion(run);
+  GapProblem drive({std::move(run)}, {log.metres_per_tick.value_or(WheelPair{})}, for_each_in_turn);
+  drive.set_noise(noise);
+  const std::vector<double> apart = drive.residuals(other.model);
+  const Eigen::MatrixXd columns = drive.jacobian(other.model, apart);
+  const Eigen::Map<const Eigen::VectorXd> residual(apart.data(), static_cast<Eigen::Index>(apart.size()));
+  Eigen::MatrixXd curvature = columns.transpose() * columns + other.information;
+  curvature.diagonal().array() += 1e-9 * (1.0 + curvature.diagonal().maxCoeff());
+  const Eigen::VectorXd gradient = columns.transpose() * residual;
+  return std::max(0.0, 0.5 * (residual.squaredNorm() - gradient.dot(curvature.ldlt().solve(gradient))));
+}
+
+// One manoeuvre with what it would tell.
+struct Candidate {
+  std::string name;
+  DriveLog commands;
+  std::vector<std::string> makes_testable;
+  double nats =
+      -1.0;  // of the pair that it separates the least; negative where it does not come into question
+  std::array<std::string, 2> pair;
+};
+
+class Planner {
+ public:
+  Planner(const GapAnalysis& analysis, std::span<const DriveLog> train, const ManoeuvreLimits& limits,
+          const ForEach& for_each);
+  std::optional<NextExperiment> plan();
+
+ private:
+  std::vector<Hypothesis> rivals() const;
+  Hypothesis hypothesis(const std::string& name, const TrialModel& model) const;
+  TrialModel with_effect(const EffectInfo& info) const;
+  std::vector<std::string> shown_by(const DriveLog& commands) const;
+  void judge_rivals(Candidate& candidate, const std::vector<Hypothesis>& rivals) const;
+  void judge_untested(Candidate& candidate) const;
+  bool safe(const DriveLog& commands, const std::vector<Hypothesis>& rivals) const;
+
+  const GapAnalysis& analysis_;
+  std::span<const DriveLog> train_;
+  ManoeuvreLimits limits_;
+  const ForEach& for_each_;
+  std::optional<GapProblem> problem_;
+  Testability without_;  // this drive
+  Sensors sensors_;
+  Hypothesis present_;  // the model as it is
+};
+
+Planner::Planner(const GapAnalysis& analysis, std::span<const DriveLog> train, const ManoeuvreLimits& limits,
+                 const ForEach& for_each)
+    : analysis_(analysis), train_(train), limits_(limits), for_each_(for_each), without_(testability(train)) {
+  std::vector<GapRun> runs;
+  std::vector<WheelPair> metres_per_tick;
+  for (const auto& log : train) {
+    const GatedLog gated = gate(log);
+    runs.push_back(make_gap_run(gated.log, gated.flags, train.front().period_s));
+    measure_motion(runs.back());
+    metres_per_tick.push_back(log.metres_per_tick.value_or(WheelPair{}));
+  }
+  sensors_ = sensors_of(runs.front());
+  problem_.emplace(std::move(runs), std::move(metres_per_tick), for_each);
+  TrialModel model = analysis.search.final.model;
+  if (model.core.empty()) {
+    CoreShape shape;
+    shape.shared = !sensors_.counts;
+    model = first_guess(shape, train.front().period_s, train.front().wheel_base_m, 0.1, 0.036);
+  } else {
+    problem_->set_noise(problem_->noise_left_by(model));
+  }
+  present_ = hypothesis(nothing, model);
+}
+
+Hypothesis Planner::hypothesis(const std::string& name, const TrialModel& model) const {
+  const Eigen::MatrixXd columns = problem_->jacobian(model, problem_->residuals(model));
+  return {name, model, columns.transpose() * columns};
+}
+
+// The answers that are still possible in the place of the least certain finding.
+std::vector<Hypothesis> Planner::rivals() const {
+  const auto doubtful = std::ranges::min_element(analysis_.found, {}, &Finding::posterior);
+  if (doubtful == analysis_.found.end() || doubtful->posterior >= sure) return {};
+  const auto holds = [&](const TrialModel& model) {
+    return std::ranges::any_of(model.effects, [&](const TrialEffect& effect) {
+      return effect.info->name == doubtful->setting.name;
+    });
+  };
+  const auto check = std::ranges::find_if(analysis_.search.checks, [&](const Round& round) {
+    return !holds(round.without.model) && std::ranges::any_of(round.contenders, [&](const Contender& one) {
+      return one.effect.info->name == doubtful->setting.name;
+    });
+  });
+  if (check == analysis_.search.checks.end()) return {};
+  std::vector<Hypothesis> result;
+  const auto add = [&](const std::string& name) {
+    const auto best = std::ranges::find_if(check->contenders, [&](const Contender& one) {
+      return name == "decoy" ? is_decoy(*one.effect.info) : one.effect.info->name == name;
+    });
+    if (best != check->contenders.end()) result.push_back(hypothesis(name, best->fit.model));
+  };
+  add(doubtful->setting.name);
+  for (const auto& rival : doubtful->rivals) {
+    if (rival.posterior >= least_posterior && result.size() < 1 + most_rivals) add(rival.effect);
+  }
+  if (result.size() == 1) result.push_back(hypothesis(nothing, check->without.model));
+  return result;
+}
+
+// An effect at a size in the middle of those that a search begins from.
+TrialModel Planner::with_effect(const EffectInfo& info) const {
+  TrialEffect effect{&info, 0, {}};
+  for (const auto& parameter : info.parameters) {
+    effect.parameters.push_back(parameter.sizes.empty() ? 0.5 * (parameter.lower + parameter.upper)
+                                                        : parameter.sizes[parameter.sizes.size() / 2]);
+  }
+  TrialModel model = present_.model;
+  model.effects.push_back(std::move(effect));
+  return model;
+}
+
+// Untestable effects that the runs so far and this drive together would show.
+std::vector<std::string> Planner::shown_by(const DriveLog& commands) const {
+  std::vector<DriveLog> logs(train_.begin(), train_.end());
+  logs.push_back(driven_by(present_.model, commands, sensors_));
+  const Testability with = testability(logs);
+  std::vector<std::string> names;
+  for (const auto& effect : without_.untestable) {
+    const bool shown = std::ranges::any_of(
+        with.candidates, [&](const EffectInfo* info) { return info->name == effect.effect; });
+    if (shown) names.push_back(effect.effect);
+  }
+  return names;
+}
+
+bool Planner::safe(const DriveLog& commands, const std::vector<Hypothesis>& rivals) const {
+  return stays_inside(present_.model, commands, limits_.radius_m) &&
+         std::ranges::all_of(rivals, [&](const Hypothesis& rival) {
+           return stays_inside(rival.model, commands, limits_.radius_m);
+         });
+}
+
+void Planner::judge_rivals(Candidate& candidate, const std::vector<Hypothesis>& rivals) const {
+  for (std::size_t i = 0; i < rivals.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      // Any effect can be as small as nothing, so a drive by nothing tells nothing apart.
+      const double one = divergence(rivals[j], rivals[i], candidate.commands, sensors_, problem_->noise());
+      const double nats = rivals[i].name == nothing
+                              ? one
+                              : std::min(one, divergence(rivals[i], rivals[j], candidate.commands, sensors_,
+                                                         problem_->noise()));
+      if (candidate.nats >= 0.0 && nats >= candidate.nats) continue;
+      candidate.nats = nats;
+      candidate.pair = {rivals[j].name, rivals[i].name};
+    }
+  }
+}
+
+// Effects that would still not show are no merit of the drive.
+void Planner::judge_untested(Candidate& candidate) const {
+  std::vector<std::string> shown;
+  for (const auto& name : candidate.makes_testable) {
+    const EffectInfo* info = find_effect(name);
+    if (info == nullptr) continue;
+    const Hypothesis effect{name, with_effect(*info), {}};
+    const double nats = divergence(effect, present_, candidate.commands, sensors_, problem_->noise());
+    if (nats < least_nats) continue;
+    shown.push_back(name);
+    if (candidate.nats >= 0.0 && nats >= candidate.nats) continue;
+    candidate.nats = nats;
+    candidate.pair = {name, nothing};
+  }
+  candidate.makes_testable = std::move(shown);
+}
+
+std::optional<NextExperiment> Planner::plan() {
+  const std::vector<Hypothesis> possible = rivals();
+  const auto menu = safe_manoeuvres(limits_, present_.model.wheel_base_m, present_.model.period_s);
+  std::vector<Candidate> candidates(menu.size());
+  for_each_(menu.size(), [&](std::size_t m) {
+    Candidate& candidate = candidates[m];
+    candidate.name = menu[m].name;
+    candidate.commands = commands_of(menu[m], present_.model);
+    if (!safe(candidate.commands, possible)) return;
+    candidate.makes_testable = shown_by(candidate.commands);
+    if (possible.empty()) {
+      judge_untested(candidate);
+    } else {
+      judge_rivals(candidate, possible);
+    }
+  });
+  const auto best = std::ranges::max_element(candidates, {}, [&](const Candidate& candidate) {
+    return std::pair(possible.empty() ? candidate.makes_testable.size() : 0, candidate.nats);
+  });
+  if (best == candidates.end() || best->nats < least_nats) return std::nullopt;
+  return NextExperiment{best->name,
+                        best->commands,
+                        best->pair,
+                        best->nats,
+                        best->commands.period_s * static_cast<double>(best->commands.samples.size()),
+                        best->makes_testable};
+}
+
+}  // namespace
+
+ManoeuvreLimits limits_of(std::span<const DriveLog> logs) {
+  constexpr double never_driven_m_s = 0.2;
+  constexpr double least_m_s = 0.1;
+  ManoeuvreLimits limits;
+  double largest = 0.0;
+  for (const auto& log : logs) {
+    for (const auto& sample : log.samples) {
+      const WheelPair& u = sample.command_m_s;
+      largest = std::max({largest, std::abs(u.left), std::abs(u.right)});
+    }
+  }
+  limits.largest_speed_m_s =
+      largest < least_m_s ? never_driven_m_s : std::min(limits.largest_speed_m_s, largest);
+  return limits;
+}
+
+std::optional<NextExperiment> next_experiment(const GapAnalysis& analysis, std::span<const DriveLog> train,
+                                              const ManoeuvreLimits& limits, const ForEach& for_each) {
+  const bool faulty = analysis.verdict == Verdict::bad_data;
+  const bool doubt = analysis.verdict == Verdict::ambiguous || !analysis.not_testable.empty();
+  if (faulty || !doubt || train.empty()) return std::nullopt;
+  return Planner(analysis, train, limits, for_each).plan();
+}
+
+}  // namespace wheelwright::gap
