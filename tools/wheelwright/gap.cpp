@@ -5,12 +5,15 @@
 #include <ostream>
 
 #include "config/load/atomic_file.hpp"
+#include "config/load/drive_log_file.hpp"
 #include "config/load/model_file.hpp"
 #include "model/gap/gap_analysis.hpp"
+#include "model/gap/next_experiment.hpp"
 #include "tools/wheelwright/commands.hpp"
 #include "tools/wheelwright/gap/gap_json.hpp"
 #include "tools/wheelwright/gap/gap_text.hpp"
 #include "tools/wheelwright/gap/progress_line.hpp"
+#include "tools/wheelwright/gap/report.hpp"
 #include "tools/wheelwright/gap/side_by_side.hpp"
 #include "tools/wheelwright/log_checks.hpp"
 #include "tools/wheelwright/now.hpp"
@@ -23,6 +26,8 @@ struct GapCommand {
   std::vector<std::string> test;
   std::string model;
   std::string output;
+  std::optional<double> largest_speed_m_s;
+  std::optional<double> radius_m;
 };
 
 void write(const std::filesystem::path& path, const std::string& text) {
@@ -38,6 +43,23 @@ void make_folder(const std::string& path) {
   }
 }
 
+gap::ManoeuvreLimits limits_of(const GapCommand& command, const std::vector<DriveLog>& logs) {
+  gap::ManoeuvreLimits limits = gap::limits_of(logs);
+  limits.largest_speed_m_s = command.largest_speed_m_s.value_or(limits.largest_speed_m_s);
+  limits.radius_m = command.radius_m.value_or(limits.radius_m);
+  return limits;
+}
+
+// The commands of the next drive, or, where there is none, no file that could be taken for them.
+void write_next(const std::optional<gap::NextExperiment>& next, const std::filesystem::path& path) {
+  if (next) {
+    config::save_drive_log(next->commands, path);
+  } else {
+    std::error_code ignored;
+    std::filesystem::remove(path, ignored);
+  }
+}
+
 ExitStatus run_gap(const GapCommand& command, Streams streams) {
   gap::GapOptions options;
   if (!command.model.empty()) options.model = config::load_model(command.model);
@@ -49,16 +71,22 @@ ExitStatus run_gap(const GapCommand& command, Streams streams) {
   auto analysis = gap::analyse_gap(train, test, options, side_by_side(), progress.callback());
   progress.clear();
   if (!analysis) throw UsageError(analysis.error().reason);
+  const auto next = gap::next_experiment(*analysis, train, limits_of(command, train), side_by_side());
   analysis->after.created = now_as_text();
   analysis->after.robot = robot_name(train.front());
   for (auto& effect : analysis->after.effects) effect.created = analysis->after.created;
 
   const std::filesystem::path folder = command.output;
-  write(folder / "gap.json", gap_to_json(*analysis));
-  if (!analysis->after.core.left.from_left.empty())
-    config::save_model(analysis->after, folder / "model.yaml");
+  const std::filesystem::path next_file = std::filesystem::absolute(folder / "next_experiment.csv");
+  write_next(next, next_file);
+  write(folder / "gap.json", gap_to_json(*analysis, next, next_file.string()));
+  const bool modelled = !analysis->after.core.left.from_left.empty();
+  if (modelled) config::save_model(analysis->after, folder / "model.yaml");
+  write(folder / "report.html", gap_report(*analysis, train, test, next));
   print_gap(streams.out, *analysis);
-  streams.out << "\nwrote " << (folder / "gap.json").string() << "\n";
+  if (next) streams.out << "\nnext: " << experiment_text(*next) << "\n";
+  streams.out << "\nwrote gap.json, " << (modelled ? "model.yaml, " : "")
+              << (next ? "next_experiment.csv, " : "") << "report.html in " << folder.string() << "\n";
   return ExitStatus::done;
 }
 
@@ -75,6 +103,14 @@ Action add_gap(CLI::App& app) {
                       "Model whose gap is looked for; else a linear one is fitted");
   command->add_option("-o,--output", options->output, "Folder for gap.json, model.yaml and report.html")
       ->required();
+  command
+      ->add_option("--largest-speed", options->largest_speed_m_s,
+                   "Of a wheel in the next experiment, m/s; else that of the logs, 0.3 at most")
+      ->check(CLI::Range(0.02, 2.0));
+  command
+      ->add_option("--free-radius", options->radius_m,
+                   "Of the free floor around the start of the next experiment, m; else 1")
+      ->check(CLI::Range(0.3, 50.0));
   command->footer("Example: wheelwright gap --train run1.csv run2.csv run3.csv --test run4.csv -o gap");
   return [options](Streams streams) { return run_gap(*options, streams); };
 }

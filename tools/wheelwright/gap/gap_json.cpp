@@ -97,9 +97,16 @@ ordered_json rounds_to_json(const std::vector<gap::Round>& rounds) {
   return list;
 }
 
+ordered_json experiment_to_json(const gap::NextExperiment& next, const std::string& file) {
+  return {{"route_or_commands", file},  {"separates", next.separates},
+          {"seconds", next.seconds},    {"manoeuvre", next.manoeuvre},
+          {"expected_nats", next.nats}, {"makes_testable", next.makes_testable}};
+}
+
 }  // namespace
 
-std::string gap_to_json(const gap::GapAnalysis& analysis) {
+std::string gap_to_json(const gap::GapAnalysis& analysis, const std::optional<gap::NextExperiment>& next,
+                        const std::string& next_file) {
   ordered_json json = {{"verdict", gap::verdict_name(analysis.verdict)}, {"summary", analysis.summary}};
   json["added"] = ordered_json::array();
   for (const auto& found : analysis.found) json["added"].push_back(finding_to_json(found));
@@ -126,6 +133,7 @@ std::string gap_to_json(const gap::GapAnalysis& analysis) {
     json["data_faults"].push_back({{"log", fault.log}, {"row", fault.row}, {"what", fault.what}});
   }
   json["next_experiment"] = nullptr;
+  if (next) json["next_experiment"] = experiment_to_json(*next, next_file);
   json["search"] = {{"rounds", rounds_to_json(analysis.search.rounds)},
                     {"checks", rounds_to_json(analysis.search.checks)}};
   return json.dump(2) + "\n";

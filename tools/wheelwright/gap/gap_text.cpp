@@ -6,21 +6,12 @@
 
 #include "config/load/text_format.hpp"
 #include "model/effect_library.hpp"
+#include "tools/wheelwright/gap/number_text.hpp"
 
 namespace wheelwright::tools {
 namespace {
 
 using config::fixed_number;
-
-std::string short_number(double value) {
-  const double size = std::abs(value);
-  const int decimals = size >= 100.0 ? 0 : size >= 1.0 ? 2 : size >= 0.01 ? 4 : 6;
-  return fixed_number(value, decimals);
-}
-
-std::string percent(double share) {
-  return fixed_number(100.0 * share, 0) + " %";
-}
 
 void print_finding(std::ostream& out, const gap::Finding& found) {
   const EffectInfo* info = find_effect(found.setting.name);
@@ -100,6 +91,18 @@ void print_gap(std::ostream& out, const gap::GapAnalysis& analysis) {
   print_figures(out, "held out", analysis.test);
   if (!analysis.not_testable.empty()) out << "\nthese runs cannot show:\n";
   for (const auto& effect : analysis.not_testable) out << "  " << effect.effect << ": " << effect.why << "\n";
+}
+
+std::string experiment_text(const gap::NextExperiment& next) {
+  const auto named = [](const std::string& name) { return name == "nothing" ? "nothing missing" : name; };
+  std::string text = "Drive " + next.manoeuvre + " (" + fixed_number(next.seconds, 0) + " s): it separates " +
+                     named(next.separates[0]) + " from " + named(next.separates[1]) + " by " +
+                     fixed_number(next.nats, 0) + " nats";
+  if (next.makes_testable.size() > 1) {
+    text += ", and makes testable:";
+    for (const auto& name : next.makes_testable) text += " " + name;
+  }
+  return text + ".";
 }
 
 }  // namespace wheelwright::tools

@@ -2,11 +2,16 @@
 #pragma once
 
 #include <iosfwd>
+#include <string>
 
 #include "model/gap/gap_analysis.hpp"
+#include "model/gap/next_experiment.hpp"
 
 namespace wheelwright::tools {
 
 void print_gap(std::ostream& out, const gap::GapAnalysis& analysis);
+
+// What to drive next, as one or two sentences.
+std::string experiment_text(const gap::NextExperiment& next);
 
 }  // namespace wheelwright::tools

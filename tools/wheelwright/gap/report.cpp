@@ -1,0 +1,85 @@
+#include "tools/wheelwright/gap/report.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "model/gap/data_gate.hpp"
+#include "model/gap/residual_table.hpp"
+#include "tools/wheelwright/gap/gap_text.hpp"
+#include "tools/wheelwright/gap/html.hpp"
+#include "tools/wheelwright/gap/report_tables.hpp"
+#include "tools/wheelwright/gap/run_plots.hpp"
+
+namespace wheelwright::tools {
+namespace {
+
+constexpr std::size_t most_drawn_runs = 3;
+
+std::vector<gap::GatedLog> gated(std::span<const DriveLog> logs) {
+  std::vector<gap::GatedLog> result;
+  for (const auto& log : logs) result.push_back(gap::gate(log));
+  return result;
+}
+
+// The runs that were held out, as the analysis chose them: those given, else the last of the others.
+std::span<const DriveLog> heldout_runs(const gap::GapAnalysis& analysis, std::span<const DriveLog> train,
+                                       std::span<const DriveLog> test) {
+  return test.empty() ? train.last(std::min(analysis.test_runs, train.size())) : test;
+}
+
+std::string figures_section(const gap::GapAnalysis& analysis, std::span<const DriveLog> heldout) {
+  std::vector<DriveLog> runs;
+  for (auto& run : gated(heldout.first(std::min(heldout.size(), most_drawn_runs)))) {
+    runs.push_back(std::move(run.log));
+  }
+  const bool changed = !analysis.found.empty();
+  const Figures drawn =
+      run_figures(analysis.before, changed ? std::optional(analysis.after) : std::nullopt, runs);
+  std::string text =
+      html::element("h2", analysis.tail_held_out ? "The run in free run" : "Held-out runs in free run");
+  if (!drawn.problem.empty()) return text + html::element("p", "Pictures: " + drawn.problem + ".");
+  for (const auto& figure : drawn.figures) {
+    text += "<figure>" + figure.svg + html::element("figcaption", figure.caption) + "</figure>\n";
+  }
+  return drawn.figures.empty() ? "" : text;
+}
+
+std::string head(const gap::GapAnalysis& analysis) {
+  const std::string verdict(gap::verdict_name(analysis.verdict));
+  std::string text = html::element("h1", "What the simulation lacks");
+  text +=
+      "<p class=\"verdict\"><strong>" + verdict + "</strong>: " + html::escaped(analysis.summary) + "</p>\n";
+  std::string line = std::to_string(analysis.train_runs) + " training runs, " +
+                     std::to_string(analysis.test_runs) + " held out";
+  if (analysis.tail_held_out) line = "1 run, its last third held out";
+  if (!analysis.after.robot.empty()) line += "; robot " + analysis.after.robot;
+  if (!analysis.after.created.empty()) line += "; " + analysis.after.created;
+  return text + "<p class=\"quiet\">" + html::escaped(line) + "</p>\n";
+}
+
+}  // namespace
+
+std::string gap_report(const gap::GapAnalysis& analysis, std::span<const DriveLog> train,
+                       std::span<const DriveLog> test, const std::optional<gap::NextExperiment>& next) {
+  const bool fitted = !analysis.after.core.left.from_left.empty();
+  std::string body = head(analysis);
+  body += findings_section(analysis);
+  body += where_section(analysis);
+  if (fitted && analysis.verdict == gap::Verdict::unnamed) {
+    auto all = gated(train);
+    for (auto& log : gated(test)) all.push_back(std::move(log));
+    body += residual_section(gap::residual_table(analysis.after, all));
+  }
+  body += gap_section(analysis);
+  if (fitted) body += figures_section(analysis, heldout_runs(analysis, train, test));
+  body += faults_section(analysis);
+  if (next) {
+    body += html::element("h2", "What to drive next") + html::element("p", experiment_text(*next)) +
+            "<p class=\"quiet\">Its commands are in next_experiment.csv; record them as a further run.</p>\n";
+  }
+  body += limits_section(analysis);
+  body += search_section(analysis);
+  return html::page("Gap report: " + std::string(gap::verdict_name(analysis.verdict)), body);
+}
+
+}  // namespace wheelwright::tools

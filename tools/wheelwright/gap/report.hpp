@@ -1,0 +1,19 @@
+// report.html: what the gap workflow found, for a person. One file that needs nothing but itself: tables,
+// bars, and pictures by gnuplot where it is installed.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "model/drive_log.hpp"
+#include "model/gap/gap_analysis.hpp"
+#include "model/gap/next_experiment.hpp"
+
+namespace wheelwright::tools {
+
+// `train` and `test` are the logs that the analysis was made from; `test` may be empty.
+std::string gap_report(const gap::GapAnalysis& analysis, std::span<const DriveLog> train,
+                       std::span<const DriveLog> test, const std::optional<gap::NextExperiment>& next);
+
+}  // namespace wheelwright::tools
