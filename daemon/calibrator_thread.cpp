@@ -25,11 +25,12 @@ std::string utc_now() {
                      parts.tm_mday, parts.tm_hour, parts.tm_min, parts.tm_sec);
 }
 
-CalibratorThread::CalibratorThread(const config::DaemonConfig& config, const Mission& mission,
-                                   roomba::Session& session, Wiring& wiring)
+CalibratorThread::CalibratorThread(const config::DaemonConfig& config, const Plan& plan,
+                                   std::filesystem::path folder, roomba::Session& session, Wiring& wiring)
     : config_(config),
-      mission_(mission),
-      calibrator_(mission, config.limits),
+      mission_(plan.mission),
+      folder_(std::move(folder)),
+      calibrator_(plan.mission, config.limits, plan.model),
       session_(session),
       wiring_(wiring) {}
 
@@ -61,7 +62,8 @@ void CalibratorThread::deliver(CalibrationOutcome& outcome) {
       const EncoderScaleFit& fit = *outcome.encoder_scale;
       spdlog::info("encoder scale: {:.4f} mm per tick, one turn is {:.1f} ticks +- {:.2f} %",
                    1e3 * fit.metres_per_tick.left, fit.ticks_per_turn, 100.0 * fit.relative_standard_error);
-      wiring_.push(wiring_.deliveries, Delivery{outcome.kind, fit.metres_per_tick, nullptr});
+      wiring_.push(wiring_.deliveries,
+                   Delivery{.kind = outcome.kind, .metres_per_tick = fit.metres_per_tick});
       report_.encoder_scale = std::move(outcome.encoder_scale);
       break;
     }
@@ -70,6 +72,9 @@ void CalibratorThread::deliver(CalibrationOutcome& outcome) {
       break;
     case CalibrationKind::arma:
       deliver_arma(outcome);
+      break;
+    case CalibrationKind::adaptation:
+      deliver_adaptation(outcome);
       break;
   }
 }
@@ -91,7 +96,7 @@ void CalibratorThread::deliver_encoder_order(bool swapped) {
                                               : roomba::EncoderOrder::left_is_43);
   }
   spdlog::info("encoder order: packet {} is the left wheel", swapped ? "44" : "43");
-  wiring_.push(wiring_.deliveries, Delivery{CalibrationKind::encoder_order, {}, nullptr});
+  wiring_.push(wiring_.deliveries, Delivery{.kind = CalibrationKind::encoder_order});
 }
 
 void CalibratorThread::deliver_response(CalibrationOutcome& outcome) {
@@ -101,7 +106,7 @@ void CalibratorThread::deliver_response(CalibrationOutcome& outcome) {
                1e3 * fit.left.position_noise_m);
   // Where a random drive follows, this model only steers it.
   if (!mission_.random_drive) keep_model(*outcome.model);
-  hand_over(outcome.kind, *outcome.model);
+  hand_over({.kind = outcome.kind}, *outcome.model);
 }
 
 void CalibratorThread::deliver_arma(CalibrationOutcome& outcome) {
@@ -110,25 +115,49 @@ void CalibratorThread::deliver_arma(CalibrationOutcome& outcome) {
                fit.model.left.from_own_past.size(), fit.left.quality.gain.from_left,
                fit.right.quality.gain.from_right, 1e3 * fit.free_run_distance_rms_m);
   keep_model(*outcome.model);
-  hand_over(outcome.kind, *outcome.model);
+  hand_over({.kind = outcome.kind}, *outcome.model);
+}
+
+void CalibratorThread::deliver_adaptation(CalibrationOutcome& outcome) {
+  const AdaptedModel& adapted = *outcome.adapted;
+  RobotModel& model = *outcome.model;
+  model.robot = config_.robot_name;
+  model.created = utc_now();
+  model.source.push_back(fmt::format(
+      "adapted while driving, run {}, version {}: recalibration was due; over 2 s its free run is {:.1f} mm "
+      "off the encoders, that of the model before it {:.1f} mm",
+      folder_.filename().string(), adapted.version, 1e3 * adapted.error_m, 1e3 * adapted.error_before_m));
+  const auto path = folder_ / fmt::format("model-{}.yaml", adapted.version);
+  write_model(model, path);
+  spdlog::info(
+      "a better model from now on: over 2 s its free run is {:.1f} mm off the encoders instead of "
+      "{:.1f} mm; {}",
+      1e3 * adapted.error_m, 1e3 * adapted.error_before_m, path.string());
+  report_.adapted.push_back(path);
+  hand_over({.kind = outcome.kind, .from_tick = adapted.from_tick, .version = adapted.version}, model);
 }
 
 void CalibratorThread::keep_model(RobotModel model) {
   model.robot = config_.robot_name;
   model.created = utc_now();
+  write_model(model, config_.model_file);
+  report_.model = std::move(model);
+}
+
+void CalibratorThread::write_model(const RobotModel& model, const std::filesystem::path& path) {
   try {
-    config::save_model(model, config_.model_file);
+    config::save_model(model, path);
   } catch (const std::exception& error) {
     spdlog::error("the model could not be written: {}", error.what());
     report_.file_error = error.what();
   }
-  report_.model = std::move(model);
 }
 
 // With its ownership: Delivery has to be copied into the ring.
-void CalibratorThread::hand_over(CalibrationKind kind, const RobotModel& model) {
+void CalibratorThread::hand_over(Delivery delivery, const RobotModel& model) {
   auto driving = std::make_unique<DrivingModel>(model);
-  if (wiring_.deliveries.push(Delivery{kind, {}, driving.get()})) {
+  delivery.model = driving.get();
+  if (wiring_.deliveries.push(delivery)) {
     static_cast<void>(driving.release());
   } else {
     wiring_.dropped.fetch_add(1, std::memory_order_relaxed);

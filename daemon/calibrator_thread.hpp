@@ -1,9 +1,14 @@
-// The thread that fits: it takes as long as it takes, while the robot stands and the loop goes on.
+// The thread that fits: it takes as long as it takes, while the loop goes on. Each model that it makes while
+// a route is driven becomes a file of its own in the folder of the run, before it is driven by: model-2.yaml,
+// model-3.yaml, and so on.
 #pragma once
 
+#include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "config/load/daemon_config.hpp"
+#include "daemon/plan.hpp"
 #include "daemon/wiring.hpp"
 
 namespace wheelwright::daemon {
@@ -14,13 +19,15 @@ struct CalibrationReport {
   std::optional<EncoderScaleFit> encoder_scale;
   std::optional<RobotModel> model;
   std::optional<std::string> refusal;
-  std::optional<std::string> file_error;  // the model could not be written
+  std::optional<std::string> file_error;       // the model could not be written
+  std::vector<std::filesystem::path> adapted;  // models made while driving, in order
 };
 
 class CalibratorThread {
  public:
-  CalibratorThread(const config::DaemonConfig& config, const Mission& mission, roomba::Session& session,
-                   Wiring& wiring);
+  // `folder` is the folder of this run; it exists.
+  CalibratorThread(const config::DaemonConfig& config, const Plan& plan, std::filesystem::path folder,
+                   roomba::Session& session, Wiring& wiring);
 
   // Runs until wiring.ending.
   void run();
@@ -33,11 +40,14 @@ class CalibratorThread {
   void deliver_encoder_order(bool swapped);
   void deliver_response(CalibrationOutcome& outcome);
   void deliver_arma(CalibrationOutcome& outcome);
+  void deliver_adaptation(CalibrationOutcome& outcome);
   void keep_model(RobotModel model);
-  void hand_over(CalibrationKind kind, const RobotModel& model);
+  void write_model(const RobotModel& model, const std::filesystem::path& path);
+  void hand_over(Delivery delivery, const RobotModel& model);
 
   const config::DaemonConfig& config_;
   Mission mission_;
+  std::filesystem::path folder_;
   Calibrator calibrator_;
   roomba::Session& session_;
   Wiring& wiring_;

@@ -22,7 +22,8 @@ std::string drive_log_head(const config::DaemonConfig& config, const WheelPair& 
   text += "# period_s: " + plain_number(config.limits.period_s) + "\n";
   text += "# metres_per_tick_left: " + plain_number(metres_per_tick.left) + "\n";
   text += "# metres_per_tick_right: " + plain_number(metres_per_tick.right) + "\n";
-  text += "t,cmd_left,cmd_right,ticks_left,ticks_right,battery_v,tick,activity,repetition,stop,";
+  text +=
+      "t,cmd_left,cmd_right,ticks_left,ticks_right,battery_v,tick,activity,repetition,stop,model_version,";
   text += "light_left,light_front_left,light_center_left,light_center_right,light_front_right,light_right,";
   text +=
       "bump,wheel_drop,cliff,overcurrents,current_left_a,current_right_a,oi_mode,doubtful_sign,after_gap,"
@@ -42,7 +43,8 @@ std::string drive_log_line(const LogEntry& entry) {
     line += ",,";
   }
   line += "," + std::to_string(record.tick) + "," + std::string(name_of(frame.command.activity)) + "," +
-          std::to_string(frame.command.repetition) + "," + std::string(name_of(frame.stop));
+          std::to_string(frame.command.repetition) + "," + std::string(name_of(frame.stop)) + "," +
+          std::to_string(record.model_version);
   if (!frame.valid) return line + ",,,,,,,,,,,,,,,,,";
   for (const auto signal : frame.light_bumper) line += "," + std::to_string(signal);
   const auto flag = [](bool value) { return value ? ",1" : ",0"; };

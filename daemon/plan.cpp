@@ -61,6 +61,7 @@ Plan make_plan(const config::DaemonConfig& config, std::optional<RobotModel> mod
   }
   plan.mission.route = config.route;
   plan.mission.pose_source = config.pose_source;
+  plan.mission.adapt = config.adapt;
   return plan;
 }
 

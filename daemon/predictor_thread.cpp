@@ -23,6 +23,10 @@ void accept_deliveries(Brain& brain, Wiring& wiring) {
       case CalibrationKind::arma:
         brain.accept_model(std::unique_ptr<DrivingModel>(delivery.model));
         break;
+      case CalibrationKind::adaptation:
+        brain.exchange_model(std::unique_ptr<DrivingModel>(delivery.model), delivery.from_tick,
+                             delivery.version);
+        break;
     }
   }
 }

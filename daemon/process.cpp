@@ -141,7 +141,7 @@ int run_process(const config::DaemonConfig& config, const std::filesystem::path&
   RingClient client(*wiring);
   roomba::Session session({config.link, config.device, config.baud}, *port, client);
   Brain brain(plan.mission, plan.limits, plan.model ? std::make_unique<DrivingModel>(*plan.model) : nullptr);
-  CalibratorThread calibrator(config, plan.mission, session, *wiring);
+  CalibratorThread calibrator(config, plan, folder, session, *wiring);
   LogThread log(config, folder, plan.limits.metres_per_tick, *wiring);
 
   // The real-time rights are settled before anything moves.

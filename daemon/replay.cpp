@@ -17,10 +17,15 @@ namespace {
 // Commands are logged with six decimals.
 constexpr double same_command_m_s = 1e-6;
 
-const ExtraColumn& column_of(const DriveLog& log, const std::string& name) {
+const ExtraColumn* column_or_none(const DriveLog& log, const std::string& name) {
   for (const ExtraColumn& column : log.extra_columns) {
-    if (column.name == name) return column;
+    if (column.name == name) return &column;
   }
+  return nullptr;
+}
+
+const ExtraColumn& column_of(const DriveLog& log, const std::string& name) {
+  if (const ExtraColumn* column = column_or_none(log, name)) return *column;
   throw config::ConfigError(log.name + ": has no column '" + name +
                             "'; replay needs a drive log of the daemon");
 }
@@ -40,7 +45,8 @@ class RecordedFrames {
         current_right_(column_of(log, "current_right_a")),
         doubtful_sign_(column_of(log, "doubtful_sign")),
         travel_left_(column_of(log, "travel_ticks_left")),
-        travel_right_(column_of(log, "travel_ticks_right")) {
+        travel_right_(column_of(log, "travel_ticks_right")),
+        model_version_(column_or_none(log, "model_version")) {
     const std::array names{"light_left",         "light_front_left",  "light_center_left",
                            "light_center_right", "light_front_right", "light_right"};
     for (std::size_t s = 0; s < names.size(); ++s) light_.at(s) = &column_of(log, names.at(s));
@@ -50,6 +56,12 @@ class RecordedFrames {
   std::int64_t tick(std::size_t row) const { return std::llround(tick_.values[row]); }
   const std::string& activity(std::size_t row) const { return activity_.texts[row]; }
   const WheelPair& command(std::size_t row) const { return log_.samples[row].command_m_s; }
+
+  // Of the model that was driven by; 1 where the log is from before models were adapted.
+  std::uint16_t model_version(std::size_t row) const {
+    return model_version_ == nullptr ? std::uint16_t{1}
+                                     : static_cast<std::uint16_t>(model_version_->values[row]);
+  }
 
   // All but the command.
   SensorFrame frame(std::size_t row) const {
@@ -113,6 +125,7 @@ class RecordedFrames {
   const ExtraColumn& doubtful_sign_;
   const ExtraColumn& travel_left_;
   const ExtraColumn& travel_right_;
+  const ExtraColumn* model_version_;
   std::array<const ExtraColumn*, 6> light_{};
 };
 
@@ -121,7 +134,7 @@ class Replay {
   Replay(const DriveLog& log, const config::DaemonConfig& config, const Plan& plan)
       : config_(config),
         frames_(log),
-        calibrator_(plan.mission, plan.limits),
+        calibrator_(plan.mission, plan.limits, plan.model),
         brain_(plan.mission, plan.limits,
                plan.model ? std::make_unique<DrivingModel>(*plan.model) : nullptr) {}
 
@@ -139,13 +152,29 @@ class Replay {
     LogEntry entry;
     entry.frame = frames_.frame(row);
     entry.frame.command = command_of(row, entry.frame);
+    exchange_model(row, entry.frame.tick);
     entry.record = brain_.take(entry.frame);
     result_.pose_log += pose_log_line(entry, config_.limits.wheel_base_m) + "\n";
-    if (auto outcome = calibrator_.take(entry.frame)) waiting_ = std::move(outcome);
+    if (auto outcome = calibrator_.take(entry.frame)) {
+      (outcome->kind == CalibrationKind::adaptation ? adapted_ : waiting_) = std::move(outcome);
+    }
     // A fit took some time then and takes another now: its outcome comes when the recorded run went on.
     const bool goes_on = row + 1 == frames_.size() || frames_.activity(row + 1) != frames_.activity(row);
     if (waiting_ && goes_on) deliver();
     collect_commands();
+  }
+
+  // Where it was exchanged then.
+  void exchange_model(std::size_t row, std::int64_t tick) {
+    const std::uint16_t version = frames_.model_version(row);
+    if (version == model_version_) return;
+    model_version_ = version;
+    if (adapted_ && adapted_->adapted->version == version) {
+      brain_.exchange_model(std::make_unique<DrivingModel>(*adapted_->model), tick, version);
+    } else if (!result_.first_difference) {
+      result_.first_difference = frames_.tick(row);
+    }
+    adapted_.reset();
   }
 
   Command command_of(std::size_t row, const SensorFrame& frame) {
@@ -201,6 +230,8 @@ class Replay {
   std::deque<Command> commands_;
   Command last_command_;
   std::optional<CalibrationOutcome> waiting_;
+  std::optional<CalibrationOutcome> adapted_;  // to be driven by where the log says so
+  std::uint16_t model_version_ = 1;
   ReplayResult result_;
 };
 

@@ -59,8 +59,11 @@ std::string steered_by(PoseSource source) {
   return source == PoseSource::hybrid ? "encoders filtered against the model" : "odometry";
 }
 
-void add_faults(Table& table, const LogReport& log) {
+void add_faults(Table& table, const CalibrationReport& calibration, const LogReport& log) {
   if (log.faults > 0) table.row("faults of wheels and encoders", "{}", log.faults);
+  if (!calibration.adapted.empty()) {
+    table.row("models adapted while driving", "{}", calibration.adapted.size());
+  }
   if (log.recalibration_due) table.row("recalibration", "{}", "due: the model does not fit any more");
 }
 
@@ -110,6 +113,7 @@ void add_files(Table& table, const config::DaemonConfig& config, const Calibrati
                const LogReport& log) {
   table.title("Files");
   if (calibration.model && !calibration.file_error) table.row("model", "{}", config.model_file.string());
+  for (const auto& file : calibration.adapted) table.row("adapted model", "{}", file.string());
   for (const auto& file : log.files) table.row(file.stem().string(), "{}", file.string());
   for (const auto& error : log.errors) table.row("not written", "{}", error);
   if (log.lost_lines > 0) table.row("lines lost", "{}", log.lost_lines);
@@ -125,7 +129,7 @@ std::string summary(const config::DaemonConfig& config, const RunOutcome& outcom
   if (calibration.refusal) table.row("calibration refused", "{}", *calibration.refusal);
   add_calibration(table, calibration);
   add_route(table, config, log);
-  add_faults(table, log);
+  add_faults(table, calibration, log);
   add_loop(table, config, session, real_time, dropped);
   add_files(table, config, calibration, log);
   return table.text();

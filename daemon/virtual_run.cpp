@@ -29,7 +29,7 @@ class VirtualRun {
       : config_(config),
         robot_(robot),
         link_(config.link),
-        calibrator_(config.mission, limits_of(config)),
+        calibrator_(config.mission, limits_of(config), config.model),
         brain_(config.mission, limits_of(config),
                config.model ? std::make_unique<DrivingModel>(*config.model) : nullptr) {
     link_.port_opened();
@@ -120,6 +120,11 @@ class VirtualRun {
         result_.arma = outcome.arma;
         result_.model = outcome.model;
         brain_.accept_model(std::make_unique<DrivingModel>(*outcome.model));
+        break;
+      case CalibrationKind::adaptation:
+        result_.adapted.push_back(*outcome.model);
+        brain_.exchange_model(std::make_unique<DrivingModel>(*outcome.model), outcome.adapted->from_tick,
+                              outcome.adapted->version);
         break;
     }
   }

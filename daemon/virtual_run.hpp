@@ -32,6 +32,7 @@ struct VirtualRunResult {
   std::optional<FirFit> response;
   std::optional<ArxFit> arma;
   std::optional<RobotModel> model;  // that the calibration made
+  std::vector<RobotModel> adapted;  // models made while driving, in order
   bool encoders_swapped = false;
   std::vector<SensorFrame> frames;
   std::vector<PoseRecord> records;  // one per frame

@@ -32,8 +32,10 @@ struct LogEntry {
 // What the calibrator has for the predictor. A model is handed over with its ownership.
 struct Delivery {
   std::optional<CalibrationKind> kind;  // nothing: the calibration was refused
-  WheelPair metres_per_tick;
+  WheelPair metres_per_tick{};
   DrivingModel* model = nullptr;
+  std::int64_t from_tick = 0;  // adaptation
+  std::uint16_t version = 1;   // adaptation
 };
 
 struct Wiring {

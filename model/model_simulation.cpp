@@ -83,4 +83,10 @@ void ModelSimulation::reset(const Pose& pose) {
   motion_ = {};
 }
 
+void ModelSimulation::take_over(const ModelSimulation& before) {
+  around_.pose = before.around_.pose;
+  around_.distance_m = before.around_.distance_m;
+  around_.time_s = before.around_.time_s;
+}
+
 }  // namespace wheelwright

@@ -53,6 +53,8 @@ class ModelSimulation {
   void set_pose(const Pose& pose) { around_.pose = pose; }
   // To rest at a pose, at the start of a run.
   void reset(const Pose& pose);
+  // Goes on in the place of another: pose, way and time are those of `before`; the motion is its own.
+  void take_over(const ModelSimulation& before);
 
  private:
   LinearPredictor core_;

@@ -36,6 +36,8 @@ class MotionPredictor {
   void set_pose(const Pose& pose) { simulation_.set_pose(pose); }
   // To rest at a pose.
   void reset(const Pose& pose);
+  // Goes on from the pose of another predictor of the same robot; the motion is its own.
+  void take_over(const MotionPredictor& before) { simulation_.take_over(before.simulation_); }
 
   double period_s() const { return period_s_; }
   double wheel_base_m() const { return wheel_base_m_; }

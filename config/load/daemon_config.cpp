@@ -142,6 +142,7 @@ void read_calibration(YamlReader& file, DaemonConfig& config) {
   config.calibration_type = calibration->choice<ModelType>(
       "type", {{"fir", ModelType::fir}, {"arma", ModelType::arma}}, config.calibration_type);
   config.model_file = calibration->text("model_file", config.model_file.string());
+  config.adapt = calibration->boolean("adapt", config.adapt);
   read_encoder_turn(*calibration, config.encoder_turn);
   read_response(*calibration, config.response);
   read_random_drive(*calibration, config.random_drive);

@@ -48,6 +48,7 @@ struct DaemonConfig {
   EncoderTurnPlan encoder_turn;
   ResponsePlan response;  // without a repetition: left out
   RandomDrivePlan random_drive;
+  bool adapt = true;                                // keep the model up to date while a route is driven
   std::filesystem::path model_file = "model.yaml";  // read where calibration is not needed, written by it
   std::optional<Route> route;
   PoseSource pose_source = PoseSource::fir;

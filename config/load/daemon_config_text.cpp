@@ -73,6 +73,7 @@ void add_calibration(Yaml& yaml, const DaemonConfig& config) {
   yaml.word("when", name_of(config.calibrate));
   yaml.word("type", config.calibration_type == ModelType::arma ? "arma" : "fir");
   yaml.text("model_file", config.model_file.string());
+  yaml.flag("adapt", config.adapt);
   const EncoderTurnPlan& turn = config.encoder_turn;
   yaml.subsection("encoder");
   yaml.number("  speed_m_s", turn.speed_m_s);

@@ -8,7 +8,6 @@ namespace {
 constexpr double adapt_s = 20.0;
 constexpr int judged_blocks = 8;
 constexpr double driving_m_s = 0.03;
-constexpr auto source = "adapted while driving";
 
 bool is_driving(const WheelPair& speed) {
   return std::abs(speed.left) > driving_m_s || std::abs(speed.right) > driving_m_s;
@@ -54,7 +53,8 @@ std::optional<RobotModel> ContinuousCalibration::decide() {
     return std::nullopt;
   }
   model_.core = candidate_;
-  if (model_.source.empty() || model_.source.back() != source) model_.source.emplace_back(source);
+  if (model_.left_fit) model_.left_fit->gain = dc_gain(candidate_.left);
+  if (model_.right_fit) model_.right_fit->gain = dc_gain(candidate_.right);
   filter_ = HybridFilter(model_);
   phase_ = Phase::watch;
   return model_;

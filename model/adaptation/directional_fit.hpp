@@ -3,8 +3,7 @@
 // Plain exponential forgetting loses what is not being refreshed: on a robot that stands, or drives straight
 // for long, the information on everything else decays and the covariance grows without bound ("windup"),
 // until one noisy reading throws the estimate far off. Directional forgetting takes from the information
-// matrix R only along the regressors x that came in (Cao & Schwartz, Automatica 36 (2000) 1725-1731, eq.
-// 20-25):
+// matrix R only along the regressors x that came in (Cao & Schwartz, Automatica 36 (2000) 1725-1731):
 //
 //   R <- R - (1 - lambda) R x x' R / (x' R x) + x x'
 //

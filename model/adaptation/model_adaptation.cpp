@@ -17,6 +17,8 @@ constexpr double prior_standard_deviation = 0.1;
 constexpr double least_reading_sd_m = 0.001;
 constexpr int ticks_of_doubt = 10;
 constexpr std::int64_t most_ticks_left_out = 200;
+// A correction makes a response longer; one that follows on many others may not do so for ever.
+constexpr std::size_t longest_response = 100;
 
 WheelPair scale_of(const RobotModel& model) {
   if (!model.encoder_scale) {
@@ -94,6 +96,12 @@ WheelResponse ModelAdaptation::corrected(const WheelResponse& response,
       for (std::size_t j = 0; j < lags; ++j) {
         result[i + lag_periods * j] += weights[static_cast<Eigen::Index>(j)] * given[i];
       }
+    }
+    // What is left out this far back is next to nothing; the gain has to stay.
+    while (result.size() > std::max(longest_response, given.size())) {
+      const double last = result.back();
+      result.pop_back();
+      result.back() += last;
     }
     return result;
   };

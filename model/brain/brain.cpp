@@ -75,6 +75,7 @@ void Brain::begin_run(std::int64_t tick) {
   next_tick_ = std::max(next_tick_, tick + 1);
   step_ = 0;
   if (model_) model_->restart();
+  rest_tick_ = next_tick_;
   odometry_.set_pose({});
   enter_step();
 }
@@ -97,6 +98,7 @@ void Brain::enter_step() {
 // The robot stands, and this is its pose from now on.
 void Brain::stand_at(const Pose& pose) {
   odometry_.set_pose(pose);
+  rest_tick_ = next_tick_;
   if (!model_) return;
   model_->predictor.reset(pose);
   if (model_->filter) model_->filter->set_pose(pose);
@@ -133,6 +135,30 @@ void Brain::apply_accepted() {
   if (!accepted_model_) return;
   retired_model_ = std::move(model_);
   model_ = std::move(accepted_model_);
+  rest_tick_ = next_tick_;
+}
+
+void Brain::exchange_model(std::unique_ptr<DrivingModel> model, std::int64_t from_tick,
+                           std::uint16_t version) {
+  if (exchange_.model) retired_model_ = std::move(exchange_.model);
+  exchange_ = {std::move(model), from_tick, version};
+}
+
+// The predictor is as far ahead as commands were given, the filter at the frame that is to come.
+void Brain::apply_exchange(std::int64_t tick) {
+  if (!exchange_.model || tick < exchange_.from_tick) return;
+  DrivingModel& model = *exchange_.model;
+  const auto remembered = static_cast<std::int64_t>(past_commands_.size());
+  for (std::int64_t past = std::max(rest_tick_, next_tick_ - remembered); past < next_tick_; ++past) {
+    const auto& command = past_commands_.at(static_cast<std::size_t>(past) % past_commands_.size());
+    if (command.tick != past) continue;
+    model.predictor.step(command.speed_m_s);
+    if (model.filter && past < tick) model.filter->prime(command.speed_m_s);
+  }
+  if (model_) model.take_over(*model_);
+  retired_model_ = std::move(model_);
+  model_ = std::move(exchange_.model);
+  model_version_ = exchange_.version;
 }
 
 // What is recorded of a run, and so what a replay of it sees.
@@ -141,6 +167,7 @@ bool Brain::in_run(const SensorFrame& frame) const {
 }
 
 PoseRecord Brain::take(const SensorFrame& frame) {
+  apply_exchange(frame.tick);
   const bool may_run = frame.armed && frame.stop == StopReason::none;
   if (may_run && !was_armed_) begin_run(frame.tick);
   was_armed_ = may_run;
@@ -163,6 +190,7 @@ PoseRecord Brain::take(const SensorFrame& frame) {
   record.stop = frame.stop;
   record.odometry = odometry_.pose();
   record.measured_speed_m_s = measured_speed_;
+  record.model_version = model_version_;
   record.valid = frame.valid;
   if (model_ && model_->filter && in_run(frame)) record.hybrid = model_->filter->step(frame);
   const auto slot = static_cast<std::size_t>(frame.tick) % predictions_.size();
@@ -196,6 +224,8 @@ std::optional<Command> Brain::next_command() {
   Command command{next_tick_, rounded(wanted.speed_m_s), wanted.activity, wanted.repetition};
   remember_prediction(next_tick_);
   if (model_) model_->predictor.step(command.speed_m_s);
+  past_commands_.at(static_cast<std::size_t>(next_tick_) % past_commands_.size()) = {next_tick_,
+                                                                                     command.speed_m_s};
   activity_ = command.activity;
   ++next_tick_;
   return command;

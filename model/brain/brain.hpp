@@ -39,9 +39,10 @@ struct PoseRecord {
   Pose odometry;
   WheelPair measured_speed_m_s;
   std::optional<HybridOutput>
-      hybrid;                 // where the model knows the encoder scale; at the instant of `odometry`
-  std::uint16_t visited = 0;  // checkpoints
-  bool valid = false;         // the sensors of this tick were heard
+      hybrid;                       // where the model knows the encoder scale; at the instant of `odometry`
+  std::uint16_t visited = 0;        // checkpoints
+  std::uint16_t model_version = 1;  // of the model that was driven by (Brain::exchange_model)
+  bool valid = false;               // the sensors of this tick were heard
 };
 
 class Brain {
@@ -61,6 +62,10 @@ class Brain {
   void accept_encoder_order() { outcome_arrived_ = true; }
   void accept_encoder_scale(const WheelPair& metres_per_tick);
   void accept_model(std::unique_ptr<DrivingModel> model);
+  // A better model of the same robot, made while it drives. It takes the place of the present one between two
+  // ticks, at the frame of `from_tick` or the next one after it: set in motion by the commands of the last
+  // 9 s, at the pose where the old one was. `version` is from then on that of the records.
+  void exchange_model(std::unique_ptr<DrivingModel> model, std::int64_t from_tick, std::uint16_t version);
   // The model that the last one replaced, so that it is freed elsewhere; nothing most of the time.
   std::unique_ptr<DrivingModel> take_retired_model() { return std::move(retired_model_); }
   // A calibration was refused: the run ends.
@@ -83,6 +88,16 @@ class Brain {
     std::uint16_t visited = 0;
   };
 
+  struct PastCommand {
+    std::int64_t tick = -1;
+    WheelPair speed_m_s;
+  };
+  struct Exchange {
+    std::unique_ptr<DrivingModel> model;
+    std::int64_t from_tick = 0;
+    std::uint16_t version = 1;
+  };
+
   // The manoeuvre of a stage, what the robot is told is going on, and what has to come in before it ends.
   struct Step {
     Stage stage;
@@ -97,6 +112,7 @@ class Brain {
   void stand_at(const Pose& pose);
   bool is_sensorless_stage() const;
   void apply_accepted();
+  void apply_exchange(std::int64_t tick);
   void end_by(StopReason reason);
   WheelOrder order();
   std::optional<WheelOrder> stage_order();
@@ -118,6 +134,8 @@ class Brain {
   std::unique_ptr<DrivingModel> accepted_model_;
   std::unique_ptr<DrivingModel> retired_model_;
   std::optional<WheelPair> accepted_scale_;
+  Exchange exchange_;
+  std::uint16_t model_version_ = 1;
   Odometry odometry_;
   RandomDrive random_drive_;
   RouteFollower follower_;
@@ -134,7 +152,9 @@ class Brain {
   std::int64_t next_tick_ = 0;
   std::int64_t start_tick_ = 0;
   WheelPair measured_speed_;
-  std::array<Prediction, 64> predictions_{};  // by tick, as far ahead as commands are made
+  std::array<Prediction, 64> predictions_{};      // by tick, as far ahead as commands are made
+  std::array<PastCommand, 512> past_commands_{};  // by tick, those in advance included
+  std::int64_t rest_tick_ = 0;                    // the model was at rest then
   PoseRecord last_record_;
 };
 

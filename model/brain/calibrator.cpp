@@ -1,5 +1,6 @@
 #include "model/brain/calibrator.hpp"
 
+#include <cmath>
 #include <cstdlib>
 #include <span>
 #include <string>
@@ -15,15 +16,61 @@ bool is_response(Activity activity) {
          activity == Activity::right_off;
 }
 
+// An exchange of models comes this long after it was found, so that the time that the machine took to make
+// the model does not show in what is driven.
+constexpr double exchange_delay_s = 0.5;
+
+// What the model is held against: the route, and standing before it, from when on the brain drives by the
+// model.
+bool is_watched(Activity activity) {
+  return activity == Activity::wait_until_still || activity == Activity::route;
+}
+
+bool is_rest(Activity activity) {
+  return activity == Activity::idle || activity == Activity::finished || activity == Activity::stopped;
+}
+
 }  // namespace
 
-Calibrator::Calibrator(const Mission& mission, const RobotLimits& limits)
-    : mission_(mission), limits_(limits), metres_per_tick_(limits.metres_per_tick) {}
+Calibrator::Calibrator(const Mission& mission, const RobotLimits& limits,
+                       const std::optional<RobotModel>& model)
+    : mission_(mission), limits_(limits), metres_per_tick_(limits.metres_per_tick) {
+  watch(model);
+}
+
+void Calibrator::watch(const std::optional<RobotModel>& model) {
+  continuous_.reset();
+  // A linear core that stands among effects is not to be had from the encoders alone.
+  const bool possible = model && model->encoder_scale && model->effects.empty();
+  if (mission_.adapt && mission_.route && possible) continuous_.emplace(*model);
+}
 
 std::optional<CalibrationOutcome> Calibrator::take(const SensorFrame& frame) {
+  const Activity before = last_activity_;
+  last_activity_ = frame.command.activity;
+  auto outcome = take_manoeuvre(frame, last_activity_ != before);
+  if (!outcome) return adapt(frame, before);
+  if (outcome->model) watch(outcome->model);
+  return outcome;
+}
+
+std::optional<CalibrationOutcome> Calibrator::adapt(const SensorFrame& frame, Activity before) {
+  if (!continuous_ || !is_watched(frame.command.activity)) return std::nullopt;
+  // A new run, before which the robot may have been carried elsewhere.
+  if (is_rest(before)) watch(RobotModel(continuous_->model()));
+  auto model = continuous_->take(frame);
+  if (!model) return std::nullopt;
+  CalibrationOutcome outcome;
+  outcome.kind = CalibrationKind::adaptation;
+  outcome.adapted = AdaptedModel{frame.tick, frame.tick + std::llround(exchange_delay_s / limits_.period_s),
+                                 ++model_version_, continuous_->trial()->present_error_m().value_or(0.0),
+                                 continuous_->trial()->candidate_error_m().value_or(0.0)};
+  outcome.model = std::move(model);
+  return outcome;
+}
+
+std::optional<CalibrationOutcome> Calibrator::take_manoeuvre(const SensorFrame& frame, bool entered) {
   const Activity activity = frame.command.activity;
-  const bool entered = activity != last_activity_;
-  last_activity_ = activity;
   if (activity == Activity::encoder_check) {
     if (entered) check_start_.reset();
     // Only the forward part counts: at command zero a robot without quadrature counts up in any case.

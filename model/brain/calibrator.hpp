@@ -1,5 +1,6 @@
-// Collects what the calibration manoeuvres show, and fits it. Runs beside the brain, not in it: a fit takes
-// as long as it takes, while the robot stands and the brain goes on ticking.
+// Collects what the calibration manoeuvres show, and fits it; and while a route is driven, holds the model
+// against it and makes a better one where it has become wrong. Runs beside the brain, not in it: a fit takes
+// as long as it takes, while the brain goes on ticking.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "model/adaptation/continuous_calibration.hpp"
 #include "model/brain/mission.hpp"
 #include "model/drive_log.hpp"
 #include "model/identification/arx_fit.hpp"
@@ -17,7 +19,17 @@
 
 namespace wheelwright {
 
-enum class CalibrationKind : std::uint8_t { encoder_order, encoder_scale, response, arma };
+enum class CalibrationKind : std::uint8_t { encoder_order, encoder_scale, response, arma, adaptation };
+
+// A model that was adapted while driving, and why it is better: root mean square of how far its free run of
+// 2 s is off the encoders, on driving that it has not seen (model/adaptation/model_trial.hpp).
+struct AdaptedModel {
+  std::int64_t found_tick = 0;
+  std::int64_t from_tick = 0;  // to be driven by from here on
+  std::uint16_t version = 2;   // the model that the run began with is 1
+  double error_before_m = 0.0;
+  double error_m = 0.0;
+};
 
 // What came of a calibration. Either `refusal` or the part that belongs to the kind is there.
 struct CalibrationOutcome {
@@ -27,14 +39,17 @@ struct CalibrationOutcome {
   std::optional<EncoderScaleFit> encoder_scale;  // encoder_scale
   std::optional<FirFit> response;                // response
   std::optional<ArxFit> arma;                    // arma
-  std::optional<RobotModel> model;               // response, arma: all that was found, to drive by
+  std::optional<AdaptedModel> adapted;           // adaptation
+  std::optional<RobotModel> model;               // response, arma, adaptation: all that is known, to drive by
 };
 
 class Calibrator {
  public:
-  Calibrator(const Mission& mission, const RobotLimits& limits);
+  // `model` is what the run begins with, where it does not calibrate first.
+  Calibrator(const Mission& mission, const RobotLimits& limits, const std::optional<RobotModel>& model);
 
-  // Takes each frame in order. Returns an outcome when a manoeuvre is complete and fitted.
+  // Takes each frame in order. Returns an outcome when a manoeuvre is complete and fitted, or a better model
+  // was found on the way.
   std::optional<CalibrationOutcome> take(const SensorFrame& frame);
 
   // The recordings of the response actions, one per wheel and repetition.
@@ -44,6 +59,9 @@ class Calibrator {
   const std::vector<TurnSample>& turn_samples() const { return turn_samples_; }
 
  private:
+  std::optional<CalibrationOutcome> take_manoeuvre(const SensorFrame& frame, bool entered);
+  std::optional<CalibrationOutcome> adapt(const SensorFrame& frame, Activity before);
+  void watch(const std::optional<RobotModel>& model);
   void record_response(const SensorFrame& frame);
   CalibrationOutcome encoder_order() const;
   CalibrationOutcome encoder_scale();
@@ -68,6 +86,8 @@ class Calibrator {
   DriveLog random_run_;
   std::int64_t random_start_tick_ = 0;
   bool random_run_broke_ = false;  // counts got a new origin on the way
+  std::optional<ContinuousCalibration> continuous_;
+  std::uint16_t model_version_ = 1;
 };
 
 }  // namespace wheelwright

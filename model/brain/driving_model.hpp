@@ -28,6 +28,13 @@ struct DrivingModel {
     filter = fresh_filter_;
   }
 
+  // Goes on in the place of another model of the same robot, which drives. Both have to be primed with the
+  // commands of the past first.
+  void take_over(const DrivingModel& before) {
+    predictor.take_over(before.predictor);
+    if (filter && before.filter) filter->take_over(*before.filter);
+  }
+
   MotionPredictor predictor;
   std::optional<HybridFilter> filter;
 

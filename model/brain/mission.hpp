@@ -65,6 +65,8 @@ struct Mission {
   std::optional<RandomDrivePlan> random_drive;
   std::optional<Route> route;
   PoseSource pose_source = PoseSource::fir;
+  // Keep the model up to date while a route is driven (model/adaptation/continuous_calibration.hpp).
+  bool adapt = false;
 };
 
 // The robot and the limits within which it may be moved.

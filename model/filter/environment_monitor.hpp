@@ -8,11 +8,14 @@
 //     the robot controls its wheel speeds by itself, this is nearly all that a floor changes,
 //   * power of the travel innovations against its usual power, by CUSUM likewise: starting and stopping have
 //     become different,
-//   * a lasting drift or misfit of both encoders against the model alike, as the fault detector reports it.
+//   * a lasting drift or misfit of both encoders against the model alike, as the fault detector reports it,
+//   or
+//     another gain of both wheels than the model has (gain_misfit.hpp).
 //
 // Only driving counts; while the robot stands, and while a wheel has a fault, nothing is added up and nothing
 // is learnt. The verdict stays until recalibrated() is called. Before about 12 s of driving the usual values
-// are not known and nothing is reported. A floor that has less grip but pulls no harder does not show.
+// are not known and nothing but the last is reported. A floor that has less grip but pulls no harder does not
+// show.
 #pragma once
 
 #include <array>

@@ -49,6 +49,7 @@ HybridFilter::HybridFilter(const LinearModel& model, const WheelPair& metres_per
              metres_per_tick.right, noise.gain_standard_error.right),
       detector_(model.period_s),
       environment_(model.period_s),
+      misfit_(model.period_s),
       pose_(model.wheel_base_m, noise.scale_standard_error) {}
 
 void HybridFilter::set_prediction(Side& side, double predicted_m, double ticks) const {
@@ -140,6 +141,20 @@ void HybridFilter::obey(Side& side, bool stalled, bool distrusted, double take_o
   side.distrusted = distrusted;
 }
 
+bool HybridFilter::watch_gain(const SensorFrame& frame) {
+  const bool settled = frame.tick - last_not_driven_tick_ >= believed_after_rest_ticks;
+  if (!frame.armed || !settled || detector_.any()) {
+    misfit_.restart();
+  } else if (!left_.evidence.heard || !right_.evidence.heard || frame.doubtful_sign ||
+             left_.counts_backwards || right_.counts_backwards) {
+    misfit_.drop_block();
+  } else {
+    misfit_.take({left_.evidence.predicted_m, right_.evidence.predicted_m},
+                 {left_.evidence.counted_m, right_.evidence.counted_m});
+  }
+  return misfit_.found();
+}
+
 bool HybridFilter::watch_environment(const SensorFrame& frame, bool both_misfit) {
   DrivingEvidence evidence;
   evidence.heard = frame.valid;
@@ -178,7 +193,8 @@ void HybridFilter::judge(const SensorFrame& frame, HybridOutput& output) {
     left_.was_heard = right_.was_heard = false;
   }
   model_is_off_ = model_is_off_ || verdict.model_is_off;
-  output.raised_recalibration = watch_environment(frame, verdict.model_is_off);
+  const bool other_gain = watch_gain(frame);
+  output.raised_recalibration = watch_environment(frame, verdict.model_is_off || other_gain);
   output.recalibration_due = environment_.recalibration_due();
   output.left_fault = detector_.fault(WheelSide::left);
   output.right_fault = detector_.fault(WheelSide::right);

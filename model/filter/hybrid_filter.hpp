@@ -23,6 +23,7 @@
 #include "model/filter/fault.hpp"
 #include "model/filter/fault_detector.hpp"
 #include "model/filter/filter_noise.hpp"
+#include "model/filter/gain_misfit.hpp"
 #include "model/filter/pose_with_covariance.hpp"
 #include "model/filter/scale_drift_test.hpp"
 #include "model/filter/wheel_filter.hpp"
@@ -65,12 +66,23 @@ class HybridFilter {
   // The robot is at a known pose. What is known of model, encoders and faults stays.
   void set_pose(const Pose& pose) { pose_.reset(pose); }
   const Pose& pose() const { return pose_.pose(); }
+  // Before the first frame: a command that was in force for one period, so that the model is in motion then
+  // as the robot is.
+  void prime(const WheelPair& command_m_s) { predictor_.step(command_m_s); }
+  // Before the first frame: goes on in the place of a filter by another model of the same robot. The pose,
+  // how well it is known, and which counter is the left one stay; everything else is learnt anew.
+  void take_over(const HybridFilter& before) {
+    pose_ = before.pose_;
+    exchanged_ = before.exchanged_;
+  }
   // The environment is taken for usual as it is from now on. After a new model make a new filter instead.
   void recalibrated() {
     environment_.recalibrated();
+    misfit_.restart();
     model_is_off_ = false;
   }
   const EnvironmentMonitor& environment() const { return environment_; }
+  const GainMisfit& gain_misfit() const { return misfit_; }
   const ScaleDriftTest& drift_test(WheelSide wheel) const {
     return wheel == WheelSide::right ? right_.drift : left_.drift;
   }
@@ -106,6 +118,7 @@ class HybridFilter {
   void gather(Side& side, const WheelReading& reading, const WheelEstimate& estimate);
   void judge(const SensorFrame& frame, HybridOutput& output);
   void obey(Side& side, bool stalled, bool distrusted, double take_out_m);
+  bool watch_gain(const SensorFrame& frame);
   bool watch_environment(const SensorFrame& frame, bool both_misfit);
 
   double period_s_;
@@ -115,6 +128,7 @@ class HybridFilter {
   Side right_;
   FaultDetector detector_;
   EnvironmentMonitor environment_;
+  GainMisfit misfit_;
   PoseWithCovariance pose_;
   bool started_ = false;
   bool model_is_off_ = false;

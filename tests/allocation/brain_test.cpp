@@ -33,7 +33,15 @@ class CountedDrive {
     return brain_.activity() == Activity::finished;
   }
 
+  // A model to go on by from `tick` on.
+  void prepare_exchange(std::int64_t tick) {
+    better_ = std::make_unique<DrivingModel>(test::lagging_robot());
+    exchange_tick_ = tick;
+  }
+
   Activity activity() const { return brain_.activity(); }
+  std::uint16_t model_version() const { return brain_.last_record().model_version; }
+  bool has_retired() const { return retired_ != nullptr; }
 
   test::HeapCalls calls{0};
   bool fault_found = false;
@@ -63,7 +71,11 @@ class CountedDrive {
   }
 
   void finish(const open_interface::Reading* reading) {
-    const PoseRecord record = brain_.take(link_.complete_tick(reading));
+    const SensorFrame frame = link_.complete_tick(reading);
+    if (better_ && frame.tick + 20 == exchange_tick_)
+      brain_.exchange_model(std::move(better_), exchange_tick_, 2);
+    const PoseRecord record = brain_.take(frame);
+    if (auto retired = brain_.take_retired_model()) retired_ = std::move(retired);
     fault_found = fault_found || (record.hybrid && !record.hybrid->events.empty());
     send(link_.urgent_bytes());
     while (const auto command = brain_.next_command()) {
@@ -82,6 +94,9 @@ class CountedDrive {
   simulation::SimulatedRobot robot_{simulation::SimulationConfig{}};
   roomba::RoombaLink link_;
   Brain brain_;
+  std::unique_ptr<DrivingModel> better_;
+  std::unique_ptr<DrivingModel> retired_;
+  std::int64_t exchange_tick_ = 0;
   std::array<Command, 64> commands_{};
 };
 
@@ -102,6 +117,19 @@ TEST_CASE("Brain and link drive a whole route without the heap") {
       CHECK(drive->calls == 0);
       CHECK(drive->fault_found);
     }
+  }
+}
+
+TEST_CASE("A model is exchanged on the way without the heap, and the old one is left to be freed") {
+  for (const auto source : {PoseSource::fir, PoseSource::hybrid}) {
+    INFO("pose source " << static_cast<int>(source));
+    const auto drive =
+        std::make_unique<CountedDrive>(test::triangle_mission(source), with(roomba::Transport::query));
+    drive->prepare_exchange(250);
+    CHECK(drive->drive_to_the_end());
+    CHECK(drive->model_version() == 2);
+    CHECK(drive->has_retired());
+    CHECK(drive->calls == 0);
   }
 }
 

@@ -1,10 +1,12 @@
 // The calibration that never ends, on drives of the simulated robot.
 #include "model/adaptation/continuous_calibration.hpp"
 
+#include <array>
 #include <cmath>
 #include <random>
 
 #include "tests/support/catch.hpp"
+#include "tests/support/outdated_model.hpp"
 #include "tests/support/recorded_drive.hpp"
 
 using namespace wheelwright;
@@ -16,14 +18,8 @@ const RobotModel& calibrated() {
   return made;
 }
 
-// A robot whose wheels have come to roll another distance for the same command than its model says.
 RobotModel outdated(double factor) {
-  RobotModel model = calibrated();
-  for (auto* response : {&model.core.left, &model.core.right}) {
-    for (double& weight : response->from_left) weight *= factor;
-    for (double& weight : response->from_right) weight *= factor;
-  }
-  return model;
+  return test::scaled(calibrated(), factor);
 }
 
 const std::vector<SensorFrame>& drive() {
@@ -115,6 +111,34 @@ TEST_CASE("A candidate that was made from corrupted data is not accepted") {
   for (const SensorFrame& frame : drive()) trial.take(frame, true);
   CHECK(trial.blocks() > 10);
   CHECK_FALSE(trial.is_better());
+}
+
+TEST_CASE("A candidate that is worse on driving that it has not seen is never handed out") {
+  // While it is made both encoders count a seventh too much, and no longer once it is judged.
+  ContinuousCalibration calibration(outdated(0.93));
+  WheelTicks last;
+  std::array<double, 2> added{};
+  int trials = 0;
+  for (SensorFrame frame : drive()) {
+    const auto before = calibration.phase();
+    if (frame.valid && before == ContinuousCalibration::Phase::adapt) {
+      added[0] += static_cast<double>(frame.ticks.left - last.left) / 7.0;
+      added[1] += static_cast<double>(frame.ticks.right - last.right) / 7.0;
+    }
+    if (frame.valid) last = frame.ticks;
+    frame.ticks.left += std::llround(added[0]);
+    frame.ticks.right += std::llround(added[1]);
+    CHECK_FALSE(calibration.take(frame));
+    if (before == ContinuousCalibration::Phase::judge && calibration.phase() != before) ++trials;
+  }
+  CHECK(trials > 0);
+}
+
+TEST_CASE("A correction of a correction for ever does not make the response longer for ever") {
+  RobotModel model = calibrated();
+  for (int k = 0; k < 50; ++k) model.core = ModelAdaptation(model).adapted();
+  CHECK(model.core.left.from_left.size() <= 100);
+  CHECK_THAT(dc_gain(model.core.left).from_left, WithinAbs(dc_gain(calibrated().core.left).from_left, 1e-9));
 }
 
 TEST_CASE("While a fault is there nothing is learnt") {

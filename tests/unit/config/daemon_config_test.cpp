@@ -45,6 +45,7 @@ TEST_CASE("The shipped configuration holds every key at its default") {
         empty.encoder_turn.options.largest_standard_error);
   CHECK(shipped.real_time.priority == empty.real_time.priority);
   CHECK(shipped.calibration_type == empty.calibration_type);
+  CHECK(shipped.adapt == empty.adapt);
   CHECK(shipped.random_drive.duration_s == empty.random_drive.duration_s);
   CHECK(shipped.random_drive.spread_m_s == empty.random_drive.spread_m_s);
   CHECK(shipped.random_drive.shortest_hold_s == empty.random_drive.shortest_hold_s);
@@ -87,7 +88,8 @@ TEST_CASE("What a run keeps of its configuration reads back the same, route incl
   auto config = load_daemon_config(written(
       "robot: {name: 'a \"quoted\" robot', wheel_base_m: 0.258}\n"
       "link: {transport: stream, drive: pwm, period_s: 0.015625, encoder_order: right_is_43, mode: full}\n"
-      "calibration: {when: never, type: arma, response: {repetitions: 0, alternate_direction: false},\n"
+      "calibration: {when: never, adapt: false, type: arma, response: {repetitions: 0, alternate_direction: "
+      "false},\n"
       "  random_drive: {duration_s: 40, radius_m: 0.4, ahead_m: -0.2, seed: 77, order: auto}}\n"
       "run:\n  pose_source: odometry\n  at_end: stay\n"
       "  route: {name: there, speed: 0.1, checkpoints: [[0.5, 0.25], [0, 0]]}\n"
@@ -98,6 +100,7 @@ TEST_CASE("What a run keeps of its configuration reads back the same, route incl
   CHECK(back.robot_name == "a \"quoted\" robot");
   CHECK(back.link.encoder_order == roomba::EncoderOrder::right_is_43);
   CHECK(back.limits.command_step_m_s == config.limits.command_step_m_s);
+  CHECK_FALSE(back.adapt);
   CHECK(back.random_drive.seed == 77);
   CHECK(back.random_drive.ahead_m == -0.2);
   CHECK_FALSE(back.random_drive.order);

@@ -9,6 +9,7 @@
 #include "daemon/replay.hpp"
 #include "daemon/virtual_run.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/outdated_model.hpp"
 #include "tests/support/simulated_run.hpp"
 
 using namespace wheelwright;
@@ -134,4 +135,31 @@ TEST_CASE("Replay of a run that a wheel drop ended gives the same pose log") {
   const auto result = replayed(run, config, model());
   CHECK(holds(result.pose_log, "named lifted wheel both"));
   check_the_same(result);
+}
+
+TEST_CASE("Replay of a drive in which a better model took over applies it at the same tick") {
+  for (const auto source : {PoseSource::fir, PoseSource::hybrid}) {
+    INFO(name_of(source));
+    auto config = configuration(source, false);
+    config.route->checkpoints = test::laps(8);
+    const RobotModel start = test::scaled(model(), 0.93);
+    const auto run = drive(config, start, 6);
+    REQUIRE(run.adapted.size() == 1);
+    REQUIRE(run.records.back().model_version == 2);
+    check_the_same(replayed(run, config, start));
+  }
+}
+
+TEST_CASE("A log whose exchange of models cannot be repeated is said to differ from that tick on") {
+  auto config = configuration(PoseSource::fir, false);
+  config.route->checkpoints = test::laps(8);
+  const RobotModel start = test::scaled(model(), 0.93);
+  const auto run = drive(config, start, 6);
+  REQUIRE(run.adapted.size() == 1);
+  std::int64_t exchanged = 0;
+  for (const PoseRecord& record : run.records) {
+    if (record.model_version == 1) exchanged = record.tick + 1;
+  }
+  config.adapt = false;
+  CHECK(replayed(run, config, start).again.first_difference == exchanged);
 }
