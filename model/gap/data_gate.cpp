@@ -90,6 +90,7 @@ void Gate::remove_garbage_commands() {
     return;
   }
   std::vector<DriveSample> kept;
+  std::vector<std::size_t> lines;  // not yet lines_: faults are still told by the rows as they were
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (size_of(samples[i].command_m_s) > limit) {
       fault(i, "a command of " + number(size_of(samples[i].command_m_s), 4) +
@@ -97,11 +98,12 @@ void Gate::remove_garbage_commands() {
       result_.faults.back().distorts = true;
     } else {
       kept.push_back(samples[i]);
-      lines_.push_back(result_.log.first_line + i);
+      lines.push_back(result_.log.first_line + i);
     }
   }
   for (auto& column : result_.log.extra_columns) column = {column.name, {}, {}};
   samples = std::move(kept);
+  lines_ = std::move(lines);
 }
 
 void Gate::find_jumps() {
