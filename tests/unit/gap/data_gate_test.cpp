@@ -1,0 +1,88 @@
+#include "model/gap/data_gate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "tests/support/catch.hpp"
+#include "tests/support/gap_plant/gap_case.hpp"
+
+using namespace wheelwright;
+using namespace wheelwright::gap;
+
+namespace {
+
+DriveLog clean_log() {
+  test::GapCaseSpec spec;
+  spec.runs = 1;
+  spec.seconds = 20.0;
+  auto log = test::make_gap_case(spec).runs.front();
+  log.first_line = 9;
+  return log;
+}
+
+// A row at which both wheels have been told to go forward for more than a second.
+std::size_t moving_row(const DriveLog& log) {
+  std::size_t forward = 0;
+  for (std::size_t i = 0; i < log.samples.size(); ++i) {
+    const auto& u = log.samples[i].command_m_s;
+    forward = std::min(u.left, u.right) > 0.1 ? forward + 1 : 0;
+    if (forward > 65) return i;
+  }
+  throw std::logic_error("the run holds no long forward drive");
+}
+
+}  // namespace
+
+TEST_CASE("The data gate finds no fault in a log without one") {
+  const auto gated = gate(clean_log());
+  CHECK(gated.faults.empty());
+  CHECK(gated.dropouts.empty());
+  CHECK(gated.log.samples.size() == clean_log().samples.size());
+}
+
+TEST_CASE("A jump of the counts is named with its line, and both sides of it are taken apart") {
+  auto log = clean_log();
+  const std::size_t row = moving_row(log);
+  log.samples[row].ticks->left += 1000000;
+  const auto gated = gate(log);
+  REQUIRE(gated.faults.size() == 2);  // there and back
+  CHECK(gated.faults.front().row == log.first_line + row);
+  CHECK_THAT(gated.faults.front().what, ContainsSubstring("ticks_left jumps by 10000"));
+  CHECK_FALSE(gated.faults.front().explains);
+  CHECK(gated.flags.restart.at(row) == 1);
+  CHECK(gated.flags.restart.at(row + 1) == 1);
+}
+
+TEST_CASE("A command far beyond all others is named with its line, and its row left out") {
+  auto log = clean_log();
+  const std::size_t row = moving_row(log);
+  log.samples[row].command_m_s = {8.224, 8.224};
+  const auto gated = gate(log);
+  REQUIRE(gated.faults.size() == 1);
+  CHECK(gated.faults.front().row == log.first_line + row);
+  CHECK(gated.faults.front().distorts);
+  CHECK(gated.log.samples.size() + 1 == log.samples.size());
+}
+
+TEST_CASE("Sides that are swapped and signs that are wrong explain a gap on their own") {
+  auto swapped = clean_log();
+  for (auto& sample : swapped.samples) std::swap(sample.ticks->left, sample.ticks->right);
+  auto turned = clean_log();
+  for (auto& sample : turned.samples) sample.ticks->right = -sample.ticks->right;
+  for (const auto& log : {swapped, turned}) {
+    const auto gated = gate(log);
+    CHECK(std::ranges::any_of(gated.faults, &DataFault::explains));
+  }
+}
+
+TEST_CASE("Counts that stand still while their wheel turns are a dropout of the encoder") {
+  auto log = clean_log();
+  const std::size_t from = moving_row(log) - 25;
+  const auto frozen = log.samples[from].ticks->left;
+  for (std::size_t i = from; i < from + 20; ++i) log.samples[i].ticks->left = frozen;
+  const auto gated = gate(log);
+  REQUIRE_FALSE(gated.dropouts.empty());
+  CHECK_THAT(gated.dropouts.front().start_s, WithinAbs(log.samples[from].t_s, 0.1));
+  CHECK_THAT(gated.dropouts.front().duration_s, WithinAbs(20 * log.period_s, 0.1));
+}
