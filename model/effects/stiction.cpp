@@ -1,6 +1,4 @@
 // stiction: a wheel at rest needs more to break away than to keep moving.
-#include <algorithm>
-
 #include "model/effects/effect.hpp"
 #include "model/effects/friction_element.hpp"
 
@@ -10,7 +8,7 @@ namespace {
 class Stiction final : public EffectOf<Stiction> {
  public:
   explicit Stiction(const EffectArguments& arguments)
-      : levels_{arguments.parameters[0], std::min(arguments.parameters[0], arguments.parameters[1]),
+      : levels_{arguments.parameters[0] + arguments.parameters[1], arguments.parameters[1],
                 arguments.parameters[2]} {}
 
   void wheel(WheelPair& speed_m_s, const Surroundings& around) override {
@@ -37,9 +35,9 @@ EffectInfo stiction() {
       "Static friction above the sliding one. A slow ramp up starts late, a slow ramp down stops later: the "
       "threshold of starting lies above that of stopping, which a dead zone's does not.",
       {{"", EffectStage::wheel}},
-      {{"breakaway",
+      {{"breakaway_excess",
         "m/s",
-        "drive that a standing wheel needs to move",
+        "drive that a standing wheel needs beyond what friction costs a moving one",
         0.0,
         0.3,
         {0.01, 0.018, 0.028, 0.042, 0.06, 0.085},

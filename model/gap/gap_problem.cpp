@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace wheelwright::gap {
@@ -13,6 +14,9 @@ constexpr double stretch_walk_m_per_sqrt_s = 1e-3;
 constexpr double stretch_walk_rad_per_sqrt_s = 2e-3;
 constexpr double stretch_reading_m = 1e-3;
 constexpr double stretch_reading_rad = 2e-3;
+constexpr double least_stretch = 0.3;
+constexpr double most_usual_stretch = 1.5;
+constexpr double enough_stretch_readings = 100.0;
 
 double step_for(const TrialModel& model, std::size_t index) {
   const ParameterInfo* info = model.parameter_info(index);
@@ -117,7 +121,11 @@ NoiseModel GapProblem::noise_left_by(const TrialModel& model) const {
       squares += factor.matrixL().solve(Eigen::Vector3d(e.x_m, e.y_m, e.theta_rad)).squaredNorm();
     }
     const double count = 3.0 * static_cast<double>(stretches_.size());
-    noise.stretch = std::max(0.1, std::sqrt(squares / count));
+    // A handful of poses cannot tell noise from what is missing: then no more is believed than robots usually
+    // wander.
+    const double most =
+        count < enough_stretch_readings ? most_usual_stretch : std::numeric_limits<double>::infinity();
+    noise.stretch = std::clamp(std::sqrt(squares / count), least_stretch, most);
   }
   return noise;
 }
