@@ -1,5 +1,6 @@
 #include "model/brain/calibrator.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <span>
@@ -28,6 +29,26 @@ bool is_watched(Activity activity) {
 
 bool is_rest(Activity activity) {
   return activity == Activity::idle || activity == Activity::finished || activity == Activity::stopped;
+}
+
+constexpr std::size_t longest_response = 40;  // periods
+
+// A wheel whose speed controller counts whole ticks may crawl on long after it was told to stop, a tick at a
+// time, where grease is thick. No linear response of this length does that, and one that is fitted to it
+// takes the way crawled for gain. Of such a run only the start is used.
+void leave_out_crawl(DriveLog& run) {
+  auto& samples = run.samples;
+  const auto off = std::find_if(samples.begin(), samples.end(), [](const DriveSample& sample) {
+    return sample.command_m_s.left == 0.0 && sample.command_m_s.right == 0.0;
+  });
+  const auto first_off = static_cast<std::size_t>(off - samples.begin());
+  std::size_t last_moving = first_off;
+  for (std::size_t k = first_off + 1; k < samples.size(); ++k) {
+    const auto& now = samples[k].ticks;
+    const auto& before = samples[k - 1].ticks;
+    if (now && before && (now->left != before->left || now->right != before->right)) last_moving = k;
+  }
+  if (last_moving - first_off > longest_response) samples.resize(first_off);
 }
 
 }  // namespace
@@ -168,9 +189,11 @@ CalibrationOutcome Calibrator::response() const {
   outcome.kind = CalibrationKind::response;
   std::vector<DriveLog> runs;
   for (const DriveLog& run : response_runs_) {
-    if (!run.samples.empty()) runs.push_back(run);
+    if (run.samples.empty()) continue;
+    runs.push_back(run);
+    leave_out_crawl(runs.back());
   }
-  const FirFitOptions options{std::nullopt, 40, limits_.period_s};
+  const FirFitOptions options{std::nullopt, longest_response, limits_.period_s};
   auto fit = fit_fir(runs, options);
   if (fit) {
     outcome.model =
