@@ -15,6 +15,7 @@ constexpr std::size_t few_rows = 3;
 constexpr double impossible_speed_m_s = 2.0;  // of a wheel or the body between two rows
 constexpr double shortest_freeze_s = 0.05;
 constexpr double expected_counts_in_freeze = 10.0;
+constexpr double surely_turning_m_s = 0.05;  // a slower wheel may stick
 constexpr double window_s = 0.5;
 
 std::string number(double value, int digits) {
@@ -168,7 +169,9 @@ void Gate::find_dropouts_of(bool left) {
     const double least =
         std::min({std::abs(before), std::abs(after), std::abs(last) / 0.6, std::abs(next) / 0.6});
     if (last * before <= 0.0 || next * before <= 0.0) continue;
-    if (before * after <= 0.0 || least * duration < expected_counts_in_freeze * tick) continue;
+    if (before * after <= 0.0 || least < surely_turning_m_s ||
+        least * duration < expected_counts_in_freeze * tick)
+      continue;
     // A wheel that was told to stand may have stood.
     bool told_to_stand = false;
     for (std::size_t k = first > 20 ? first - 20 : 0; k <= end; ++k) {
