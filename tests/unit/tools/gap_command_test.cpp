@@ -214,6 +214,7 @@ TEST_CASE("The report stands alone, and shows what was found with its rivals and
   for (const char* link : {"src=", "<script", "@import", "url(http"}) {
     CHECK_THAT(page, !ContainsSubstring(link));
   }
+  CHECK_THAT(page, !ContainsSubstring("rgb(1,2,3)"));  // ink of a picture that does not follow the page's
 }
 
 TEST_CASE("Runs without a reversal get a next experiment that has one, of commands alone, and no faster") {

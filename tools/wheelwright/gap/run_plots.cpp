@@ -54,8 +54,10 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
   }
 }
 
-// gnuplot writes a colour in one of two ways.
+// gnuplot writes a colour in one of three ways, and black where none is asked for.
 void give_page_colours(std::string& svg) {
+  replace_all(svg, "color:black", "color:inherit");
+  replace_all(svg, "rgb(1,2,3)", "currentColor");
   replace_all(svg, "rgb(  1,   2,   3)", "currentColor");
   replace_all(svg, "rgb(  4,   5,   6)", "var(--before)");
   replace_all(svg, "rgb(  7,   8,   9)", "var(--after)");
