@@ -44,5 +44,6 @@ Action add_replay(CLI::App& app);
 Action add_evaluate(CLI::App& app);
 Action add_doctor(CLI::App& app);
 Action add_import(CLI::App& app);
+Action add_circle(CLI::App& app);
 
 }  // namespace wheelwright::tools

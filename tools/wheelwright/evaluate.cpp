@@ -16,6 +16,7 @@
 #include "tools/wheelwright/commands.hpp"
 #include "tools/wheelwright/evaluation/attempts.hpp"
 #include "tools/wheelwright/evaluation/end_point_plot.hpp"
+#include "tools/wheelwright/evaluation/gap_models.hpp"
 #include "tools/wheelwright/evaluation/offset_table.hpp"
 
 namespace wheelwright::tools {
@@ -33,6 +34,7 @@ struct EvaluateOptions {
   Calibrate calibrate = Calibrate::each;
   bool json = false;
   bool check = false;
+  bool with_effects = false;
 };
 
 Progress progress_bar(std::size_t runs) {
@@ -72,20 +74,26 @@ ExitStatus run_evaluate(const EvaluateOptions& options, Streams streams) {
   if (!is_closed(plan.route))
     throw UsageError(options.route +
                      ": the route is not closed; end it at [0, 0], so that start and end can be compared");
+  std::string found;
+  if (options.with_effects) {
+    const auto learned = learn_gap_models(plan);
+    if (!learned) throw DataRefusal("the gap workflow: " + learned.error());
+    plan.gap = learned->models;
+    found = learned->found;
+  }
   const auto outcomes = run_attempts(plan, options.runs, options.threads, progress_bar(options.runs));
   const auto rows = offset_rows(outcomes, options.seed);
   if (!options.output.empty()) write_end_points(options.output, outcomes, streams);
   if (options.json) {
-    const nlohmann::ordered_json json{{"robot", plan.robot.name},
-                                      {"route", plan.route.name},
-                                      {"runs", options.runs},
-                                      {"seed", options.seed},
-                                      {"models", offset_json(rows)}};
+    const nlohmann::ordered_json json{{"robot", plan.robot.name}, {"route", plan.route.name},
+                                      {"runs", options.runs},     {"seed", options.seed},
+                                      {"found", found},           {"models", offset_json(rows)}};
     streams.out << json.dump(2) << "\n";
   } else {
     streams.out << options.runs << " attempts per model on robot '" << plan.robot.name << "', route '"
                 << plan.route.name << "', seed " << options.seed << "\n\n";
     print_offset_table(streams.out, rows);
+    if (!found.empty()) streams.out << "\nthe gap workflow, once before all attempts: " << found << "\n";
   }
   return options.check && !all_met(rows) ? ExitStatus::answer_is_no : ExitStatus::done;
 }
@@ -105,6 +113,8 @@ Action add_evaluate(CLI::App& app) {
       ->transform(CLI::Transformer(
           std::map<std::string, Calibrate>{{"each", Calibrate::each}, {"once", Calibrate::once}}))
       ->default_str("each");
+  command->add_flag("--with-effects", options->with_effects,
+                    "Run the gap workflow once, and drive with what it found as well");
   command->add_option("--threads", options->threads, "Threads; the result does not depend on them")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();

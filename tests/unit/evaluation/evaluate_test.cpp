@@ -45,8 +45,12 @@ bool same_ends(const std::vector<tools::AttemptOutcome>& a, const std::vector<to
   if (a.size() != b.size()) return false;
   for (std::size_t attempt = 0; attempt < a.size(); ++attempt) {
     for (std::size_t i = 0; i < a[attempt].size(); ++i) {
-      const auto& one = a[attempt].at(i).end;
-      const auto& other = b[attempt].at(i).end;
+      const auto& drive = a[attempt].at(i);
+      const auto& other_drive = b[attempt].at(i);
+      if (drive.has_value() != other_drive.has_value()) return false;
+      if (!drive) continue;
+      const auto& one = drive->end;
+      const auto& other = other_drive->end;
       if (one.has_value() != other.has_value()) return false;
       if (one && (one->x_m != other->x_m || one->y_m != other->y_m)) return false;
     }
@@ -82,8 +86,9 @@ TEST_CASE("On a robot without imperfections every contender ends where it began"
   auto plan = plan_of("perfect");
   plan.robot.room = config::load_room(config_folder + "/robots/rooms/box_without_slip.yaml");
   for (const auto& drive : tools::run_attempt(plan, 0)) {
-    REQUIRE(drive.end);
-    CHECK(std::hypot(drive.end->x_m, drive.end->y_m) < 0.04);
+    if (!drive) continue;  // by the gap workflow, which was not asked
+    REQUIRE(drive->end);
+    CHECK(std::hypot(drive->end->x_m, drive->end->y_m) < 0.04);
   }
 }
 

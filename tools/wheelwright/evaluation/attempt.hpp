@@ -4,14 +4,13 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <string>
 
 #include "drivers/roomba/link_config.hpp"
 #include "drivers/simulation/simulation_config.hpp"
 #include "model/brain/mission.hpp"
-#include "model/pose.hpp"
 #include "model/route/route.hpp"
 #include "tools/wheelwright/evaluation/contender.hpp"
+#include "tools/wheelwright/evaluation/robot_trial.hpp"
 
 namespace wheelwright::tools {
 
@@ -21,6 +20,12 @@ namespace wheelwright::tools {
 // scatter comes from driving.
 enum class Calibrate { each, once };
 
+// What the gap workflow made of a robot; the same for all attempts.
+struct GapModels {
+  RobotModel refitted;
+  RobotModel extended;
+};
+
 struct EvaluationPlan {
   simulation::SimulationConfig robot;
   Route route;  // closed
@@ -28,15 +33,16 @@ struct EvaluationPlan {
   roomba::LinkConfig link;
   std::uint64_t seed = 1;
   Calibrate calibrate = Calibrate::each;
+  std::optional<GapModels> gap;  // without it, the contenders that need it are left out
 };
 
-// How one drive ended.
-struct DriveOutcome {
-  std::optional<Pose> end;  // truly, as seen from where the route was begun; absent if it did not get there
-  std::string failure;      // then: why
-};
+// The robot of an attempt: the battery's charge belongs to the attempt, everything else to each run.
+// Calibrating and driving do not share their luck.
+enum class Purpose : std::uint8_t { calibrate, drive };
+RobotTrial trial_of(const EvaluationPlan& plan, std::uint64_t number, Purpose purpose);
 
-using AttemptOutcome = std::array<DriveOutcome, contenders.size()>;  // in the order of `contenders`
+// In the order of `contenders`; nothing for one that was left out.
+using AttemptOutcome = std::array<std::optional<DriveOutcome>, contenders.size()>;
 
 // Depends on nothing but its arguments. From the plan's seed and the attempt's number come the battery's
 // charge, where the robot is put down, how its wheels stand, the phase of its clocks, its counters, and all

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
 #include "model/brain/mission.hpp"
-#include "model/linear_model.hpp"
 
 namespace wheelwright::tools {
 
@@ -15,9 +15,21 @@ struct PublishedRow {
   double standard_deviation_m;
 };
 
+// Which model predicts. The first two come of a calibration, the others of the gap workflow.
+enum class Knowledge : std::uint8_t {
+  fir,
+  arma,
+  refitted,  // the linear model of the drives that the gap workflow had, for comparison
+  extended,  // the same with the effects that it found
+};
+
+constexpr bool is_by_gap_workflow(Knowledge knowledge) {
+  return knowledge == Knowledge::refitted || knowledge == Knowledge::extended;
+}
+
 struct Contender {
   PoseSource source;       // that the route is steered by
-  ModelType model;         // that predicts; odometry asks it only how far the robot still goes when stopped
+  Knowledge model;         // odometry asks it only how far the robot still goes when stopped
   std::string_view key;    // in JSON and files
   std::string_view title;  // in tables
   std::optional<PublishedRow> published;
@@ -26,11 +38,13 @@ struct Contender {
 // PAPER.md, Table II: 30 attempts each on a Roomba 560. The hybrid method is described there, but not
 // measured.
 inline constexpr std::array contenders{
-    Contender{PoseSource::odometry, ModelType::fir, "odometry", "odometry", PublishedRow{0.068, 0.027}},
-    Contender{PoseSource::fir, ModelType::fir, "fir", "moving average, sensor-less",
+    Contender{PoseSource::odometry, Knowledge::fir, "odometry", "odometry", PublishedRow{0.068, 0.027}},
+    Contender{PoseSource::fir, Knowledge::fir, "fir", "moving average, sensor-less",
               PublishedRow{0.332, 0.095}},
-    Contender{PoseSource::arma, ModelType::arma, "arma", "ARMA, sensor-less", PublishedRow{0.258, 0.021}},
-    Contender{PoseSource::hybrid, ModelType::arma, "hybrid", "hybrid: ARMA and encoders", std::nullopt},
+    Contender{PoseSource::arma, Knowledge::arma, "arma", "ARMA, sensor-less", PublishedRow{0.258, 0.021}},
+    Contender{PoseSource::hybrid, Knowledge::arma, "hybrid", "hybrid: ARMA and encoders", std::nullopt},
+    Contender{PoseSource::arma, Knowledge::refitted, "refitted", "ARMA of the gap's drives", std::nullopt},
+    Contender{PoseSource::arma, Knowledge::extended, "effects", "ARMA with effects", std::nullopt},
 };
 
 }  // namespace wheelwright::tools

@@ -23,8 +23,9 @@ double half_width_m(const std::vector<AttemptOutcome>& outcomes) {
     if (contender.published) farthest_m = std::max(farthest_m, contender.published->mean_m);
   }
   for (const AttemptOutcome& outcome : outcomes) {
-    for (const DriveOutcome& drive : outcome) {
-      if (drive.end) farthest_m = std::max({farthest_m, std::abs(drive.end->x_m), std::abs(drive.end->y_m)});
+    for (const auto& drive : outcome) {
+      if (drive && drive->end)
+        farthest_m = std::max({farthest_m, std::abs(drive->end->x_m), std::abs(drive->end->y_m)});
     }
   }
   return 0.1 * std::ceil(10.5 * farthest_m);
@@ -48,11 +49,12 @@ std::string end_points_csv(const std::vector<AttemptOutcome>& outcomes) {
   std::string text = "model,attempt,x,y,theta\n";
   for (std::size_t i = 0; i < contenders.size(); ++i) {
     for (std::size_t attempt = 0; attempt < outcomes.size(); ++attempt) {
-      const auto& end = outcomes[attempt].at(i).end;
-      if (!end) continue;
+      const auto& drive = outcomes[attempt].at(i);
+      if (!drive || !drive->end) continue;
+      const Pose& end = *drive->end;
       text += std::string(contenders.at(i).key) + "," + std::to_string(attempt) + "," +
-              fixed_number(end->x_m, 6) + "," + fixed_number(end->y_m, 6) + "," +
-              fixed_number(end->theta_rad, 6) + "\n";
+              fixed_number(end.x_m, 6) + "," + fixed_number(end.y_m, 6) + "," +
+              fixed_number(end.theta_rad, 6) + "\n";
     }
   }
   return text;
@@ -61,8 +63,12 @@ std::string end_points_csv(const std::vector<AttemptOutcome>& outcomes) {
 std::string end_points_script(const std::vector<AttemptOutcome>& outcomes, const std::string& csv_name,
                               const std::string& svg_name) {
   const std::string half = plain_number(half_width_m(outcomes));
-  const std::string panels = std::to_string(contenders.size());
-  std::string text = "set terminal svg size " + std::to_string(360 * contenders.size()) +
+  std::vector<Contender> drawn;
+  for (std::size_t i = 0; i < contenders.size(); ++i) {
+    if (outcomes.front().at(i)) drawn.push_back(contenders.at(i));
+  }
+  const std::string panels = std::to_string(drawn.size());
+  std::string text = "set terminal svg size " + std::to_string(360 * drawn.size()) +
                      ",400 font 'sans,12' background rgb 'white'\n"
                      "set output '" +
                      svg_name +
@@ -76,7 +82,7 @@ std::string end_points_script(const std::vector<AttemptOutcome>& outcomes, const
                      "set multiplot layout 1," +
                      panels +
                      " title 'End points of each attempt; cross: start; dashed: published mean offset'\n";
-  for (const Contender& contender : contenders) text += panel(contender, csv_name);
+  for (const Contender& contender : drawn) text += panel(contender, csv_name);
   return text + "unset multiplot\n";
 }
 

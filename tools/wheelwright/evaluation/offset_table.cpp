@@ -43,10 +43,11 @@ std::string published_text(const OffsetRow& row) {
 std::vector<OffsetRow> offset_rows(const std::vector<AttemptOutcome>& outcomes, std::uint64_t seed) {
   std::vector<OffsetRow> rows;
   for (std::size_t i = 0; i < contenders.size(); ++i) {
+    if (!outcomes.front().at(i)) continue;
     OffsetRow row{contenders.at(i), outcomes.size(), 0, std::nullopt, {}, std::nullopt};
     std::vector<double> offsets_m;
     for (const AttemptOutcome& outcome : outcomes) {
-      const DriveOutcome& drive = outcome.at(i);
+      const DriveOutcome& drive = *outcome.at(i);
       if (drive.end) {
         offsets_m.push_back(std::hypot(drive.end->x_m, drive.end->y_m));
       } else if (row.first_failure.empty()) {

@@ -28,7 +28,7 @@ struct OffsetRow {
   std::optional<bool> met;                 // absent where nothing was published
 };
 
-// One row per contender. `outcomes` holds at least one attempt.
+// One row per contender that was not left out. `outcomes` holds at least one attempt.
 std::vector<OffsetRow> offset_rows(const std::vector<AttemptOutcome>& outcomes, std::uint64_t seed);
 
 bool all_met(const std::vector<OffsetRow>& rows);

@@ -1,0 +1,175 @@
+// wheelwright circle: the whole circle on a simulated robot whose imperfections nobody was told.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <sstream>
+
+#include "config/load/atomic_file.hpp"
+#include "config/load/drive_log_file.hpp"
+#include "config/load/model_file.hpp"
+#include "config/load/route_file.hpp"
+#include "config/load/simulation_config.hpp"
+#include "config/load/text_format.hpp"
+#include "tools/wheelwright/circle/circle_report.hpp"
+#include "tools/wheelwright/circle/hidden_robot.hpp"
+#include "tools/wheelwright/command_line.hpp"
+#include "tools/wheelwright/commands.hpp"
+#include "tools/wheelwright/evaluation/learning_drives.hpp"
+#include "tools/wheelwright/now.hpp"
+
+namespace wheelwright::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CircleOptions {
+  std::uint64_t seed = 1;
+  std::size_t drives = 6;
+  std::size_t laps = 5;
+  std::string robot = WHEELWRIGHT_CONFIG_FOLDER "/robots/perfect.yaml";
+  std::string route = WHEELWRIGHT_CONFIG_FOLDER "/routes/paper_loop.yaml";
+  std::string output;
+};
+
+// What chance decides after the robot is made: calibration, recorded drives, and laps do not share their
+// luck.
+enum class Purpose : std::uint64_t { calibrate = 1, learn, drive };
+
+void write(const fs::path& path, const std::string& text) {
+  if (const auto error = config::write_file_atomically(path, text)) throw UsageError(*error);
+}
+
+void make_folder(const fs::path& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) throw UsageError(path.string() + ": cannot be made a folder: " + error.message());
+}
+
+class Circle {
+ public:
+  Circle(const CircleOptions& options, Streams streams)
+      : options_(options), streams_(streams), folder_(options.output) {
+    route_ = config::load_route(options.route);
+    if (!is_closed(route_))
+      throw UsageError(options.route +
+                       ": the route is not closed; end it at [0, 0], so that start and end can be compared");
+  }
+
+  ExitStatus run() {
+    hide();
+    const RobotModel calibrated = calibrate();
+    report_.before = laps(calibrated);
+    record(calibrated);
+    find_gap();
+    report_.after = laps(config::load_model(folder_ / "gap" / "model.yaml"));
+    print_circle(streams_.out, report_);
+    return ExitStatus::done;
+  }
+
+ private:
+  void hide() {
+    const fs::path sealed = folder_ / "sealed";
+    make_folder(sealed);
+    const HiddenRobot hidden = pick_hidden_robot(options_.seed, fs::absolute(options_.robot), "room.yaml");
+    write(sealed / "room.yaml", hidden.room_yaml);
+    write(sealed / "robot.yaml", hidden.robot_yaml);
+    robot_ = config::load_simulation_config(sealed / "robot.yaml");
+    report_.hidden = hidden.imperfections;
+    report_.sealed_file = (sealed / "robot.yaml").string();
+  }
+
+  RobotTrial trial(Purpose purpose) const {
+    const auto seed = simulation::Noise(options_.seed).bits() + static_cast<std::uint64_t>(purpose);
+    return {robot_, RobotLimits{}, roomba::LinkConfig{}, simulation::Noise(seed)};
+  }
+
+  RobotModel calibrate() const {
+    RobotTrial robot = trial(Purpose::calibrate);
+    MaybeModel model = robot.calibrate_response();
+    if (model) model = robot.calibrate_arma(*model);
+    if (!model)
+      throw DataRefusal("the hidden robot of seed " + std::to_string(options_.seed) + ": " + model.error());
+    model->created = now_as_text();
+    model->robot = robot_.name;
+    config::save_model(*model, folder_ / "calibrated.yaml");
+    return *model;
+  }
+
+  // By both models with the same luck.
+  Laps laps(const RobotModel& model) const {
+    RobotTrial robot = trial(Purpose::drive);
+    Laps laps;
+    for (std::size_t i = 0; i < options_.laps; ++i) {
+      const DriveOutcome outcome = robot.drive(route_, PoseSource::arma, model);
+      if (outcome.end) laps.offsets_m.push_back(std::hypot(outcome.end->x_m, outcome.end->y_m));
+      if (!outcome.end) laps.failure = outcome.failure;
+    }
+    return laps;
+  }
+
+  void record(const RobotModel& model) {
+    RobotTrial robot = trial(Purpose::learn);
+    simulation::Noise chance(simulation::Noise(options_.seed).bits());
+    const auto logs = learning_drives(options_.drives, robot, model, chance);
+    if (!logs) throw DataRefusal("a recorded drive: " + logs.error());
+    for (const DriveLog& log : *logs) {
+      const fs::path path = folder_ / (log.name + ".csv");
+      config::save_drive_log(log, path);
+      logs_.push_back(path.string());
+    }
+  }
+
+  void find_gap() {
+    const fs::path folder = folder_ / "gap";
+    std::vector<std::string> arguments{"gap", "--train"};
+    arguments.insert(arguments.end(), logs_.begin(), logs_.end());
+    arguments.insert(arguments.end(),
+                     {"--model", (folder_ / "calibrated.yaml").string(), "-o", folder.string()});
+    std::ostringstream text;
+    const ExitStatus status = run_command_line(arguments, {text, streams_.err});
+    if (status != ExitStatus::done) throw DataRefusal("the gap workflow did not come to its end");
+    write(folder / "gap.txt", text.str());
+    const auto json = nlohmann::json::parse(std::ifstream(folder / "gap.json"));
+    report_.verdict = json["verdict"];
+    for (const auto& added : json["added"]) report_.named.push_back(added["effect"]);
+  }
+
+  const CircleOptions& options_;
+  Streams streams_;
+  fs::path folder_;
+  Route route_;
+  simulation::SimulationConfig robot_;
+  std::vector<std::string> logs_;
+  CircleReport report_;
+};
+
+}  // namespace
+
+Action add_circle(CLI::App& app) {
+  const auto options = std::make_shared<CircleOptions>();
+  CLI::App* command =
+      app.add_subcommand("circle", "Hide imperfections in a simulated robot, find them, drive better");
+  command->add_option("--seed", options->seed, "Of the imperfections and all noise")->capture_default_str();
+  command->add_option("--robot", options->robot, "Simulated robot to hide them in")
+      ->check(CLI::ExistingFile)
+      ->capture_default_str();
+  command->add_option("--route", options->route, "Closed route")->capture_default_str();
+  command->add_option("--drives", options->drives, "Drives of about a minute to learn from")
+      ->check(CLI::Range(2, 100))
+      ->capture_default_str();
+  command->add_option("--laps", options->laps, "Drives of the route by each model")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->add_option("-o,--output", options->output, "Folder for everything that comes of it")->required();
+  command->footer(
+      "All on the virtual clock. Offsets are true distances from start to end of the route, driven by the\n"
+      "model alone: A by the calibrated one, B by the one with the effects that were found.\n"
+      "Example: wheelwright circle --seed 7 -o out/circle");
+  return [options](Streams streams) { return Circle(*options, streams).run(); };
+}
+
+}  // namespace wheelwright::tools

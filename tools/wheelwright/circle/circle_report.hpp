@@ -1,0 +1,36 @@
+// What came of the circle, for a person: hidden, named, offset before and after.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "tools/wheelwright/circle/hidden_robot.hpp"
+
+namespace wheelwright::tools {
+
+// The route, driven several times by one model.
+struct Laps {
+  std::vector<double> offsets_m;  // of those that came to their end
+  std::string failure;            // why the last of the others did not
+};
+
+struct CircleReport {
+  std::string sealed_file;
+  std::vector<Imperfection> hidden;
+  std::string verdict;             // of the gap workflow
+  std::vector<std::string> named;  // effects, the strongest first
+  Laps before;
+  Laps after;
+};
+
+// How many imperfections were named under one of their names, and how many names belong to none.
+struct Told {
+  std::size_t rightly = 0;
+  std::size_t falsely = 0;
+};
+Told told(const CircleReport& report);
+
+void print_circle(std::ostream& out, const CircleReport& report);
+
+}  // namespace wheelwright::tools

@@ -1,0 +1,28 @@
+// A robot with imperfections that were picked by chance, as the sealed file of the circle holds it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace wheelwright::tools {
+
+// One imperfection, in physical terms and in those of the library.
+struct Imperfection {
+  std::string what;                  // with its size
+  std::vector<std::string> effects;  // of the library: those under which it is rightly named
+};
+
+struct HiddenRobot {
+  std::vector<Imperfection> imperfections;
+  std::string robot_yaml;  // for roomba-sim; names its room relative to itself
+  std::string room_yaml;
+};
+
+// One to three imperfections on top of the robot file `base`, each at most once. The same seed picks the
+// same.
+HiddenRobot pick_hidden_robot(std::uint64_t seed, const std::filesystem::path& base,
+                              const std::string& room_file);
+
+}  // namespace wheelwright::tools

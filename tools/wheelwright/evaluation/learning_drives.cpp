@@ -1,0 +1,72 @@
+#include "tools/wheelwright/evaluation/learning_drives.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace wheelwright::tools {
+namespace {
+
+constexpr double drive_s = 62.0;
+constexpr int most_repeats = 2;  // of a drive that the robot stopped, each by other commands
+constexpr double square_m = 2.0;
+constexpr double shortest_leg_m = 0.4;
+constexpr double slowest_m_s = 0.1;
+constexpr double fastest_m_s = 0.25;
+constexpr double usual_turn_s = 2.5;  // a turn in place between two legs, with stopping and starting
+
+Mission random_mission(simulation::Noise& chance) {
+  Mission mission;
+  mission.random_drive = RandomDrivePlan{};
+  mission.random_drive->duration_s = drive_s;
+  mission.random_drive->radius_m = 1.0;
+  mission.random_drive->seed = chance.bits();
+  return mission;
+}
+
+Mission tour_mission(simulation::Noise& chance) {
+  Mission mission;
+  mission.route = random_tour(drive_s, chance);
+  mission.pose_source = PoseSource::arma;
+  return mission;
+}
+
+Mission mission_of(bool tour, simulation::Noise& chance) {
+  return tour ? tour_mission(chance) : random_mission(chance);
+}
+
+}  // namespace
+
+Route random_tour(double duration_s, simulation::Noise& chance) {
+  Route route;
+  route.name = "tour";
+  route.speed_m_s = slowest_m_s + (fastest_m_s - slowest_m_s) * chance.uniform();
+  Checkpoint at;
+  for (double used_s = 0.0; used_s < duration_s;) {
+    const Checkpoint next{square_m * chance.uniform(), square_m * (chance.uniform() - 0.5)};
+    const double leg_m = std::hypot(next.x_m - at.x_m, next.y_m - at.y_m);
+    if (leg_m < shortest_leg_m) continue;
+    route.checkpoints.push_back(next);
+    used_s += leg_m / route.speed_m_s + usual_turn_s;
+    at = next;
+  }
+  return route;
+}
+
+tl::expected<std::vector<DriveLog>, std::string> learning_drives(std::size_t count, RobotTrial& trial,
+                                                                 const RobotModel& model,
+                                                                 simulation::Noise& chance) {
+  std::vector<DriveLog> logs;
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool tour = i % 2 == 1;
+    auto log = trial.record(mission_of(tour, chance), model, {});
+    for (int again = 0; !log && again < most_repeats; ++again) {
+      log = trial.record(mission_of(tour, chance), model, {});
+    }
+    if (!log) return tl::make_unexpected(log.error());
+    log->name = (tour ? "tour_" : "random_") + std::to_string(i + 1);
+    logs.push_back(std::move(*log));
+  }
+  return logs;
+}
+
+}  // namespace wheelwright::tools

@@ -1,0 +1,28 @@
+// The drives that a gap is looked for in.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "drivers/simulation/noise.hpp"
+#include "model/brain/mission.hpp"
+#include "model/drive_log.hpp"
+#include "tools/wheelwright/evaluation/robot_trial.hpp"
+
+namespace wheelwright::tools {
+
+// A tour: checkpoints by chance, a random speed, about `duration_s` long, within a square of 2 m that begins
+// at the start.
+Route random_tour(double duration_s, simulation::Noise& chance);
+
+// Random drives and tours in turn, of about a minute each, so that the last third of them, which the gap
+// workflow holds out, has some of both: random drives show the dynamics and go backwards, tours hold the
+// speeds that routes are driven at. By `model` alone, with a reference pose on every row. Or why not, in one
+// line.
+tl::expected<std::vector<DriveLog>, std::string> learning_drives(std::size_t count, RobotTrial& trial,
+                                                                 const RobotModel& model,
+                                                                 simulation::Noise& chance);
+
+}  // namespace wheelwright::tools
