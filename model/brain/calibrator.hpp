@@ -77,7 +77,6 @@ class Calibrator {
   RobotLimits limits_;
   WheelPair metres_per_tick_;
   std::optional<EncoderScale> encoder_scale_;
-  Activity last_activity_ = Activity::idle;
   std::optional<WheelTicks> check_start_;
   WheelTicks check_end_;
   std::vector<TurnSample> turn_samples_;
@@ -85,9 +84,10 @@ class Calibrator {
   std::int64_t response_start_tick_ = 0;
   DriveLog random_run_;
   std::int64_t random_start_tick_ = 0;
-  bool random_run_broke_ = false;  // counts got a new origin on the way
   std::optional<ContinuousCalibration> continuous_;
   std::uint16_t model_version_ = 1;
+  Activity last_activity_ = Activity::idle;
+  bool random_run_broke_ = false;  // counts got a new origin on the way
 };
 
 }  // namespace wheelwright

@@ -74,6 +74,7 @@ double size_of(const WheelPair& command) {
 void Gate::remove_garbage_commands() {
   auto& samples = result_.log.samples;
   std::vector<double> sizes;
+  sizes.reserve(samples.size());
   for (const auto& sample : samples) sizes.push_back(size_of(sample.command_m_s));
   std::ranges::sort(sizes);
   const double usual = sizes[sizes.size() * 98 / 100];

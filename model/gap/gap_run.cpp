@@ -52,7 +52,7 @@ void lay_counts(const DriveLog& log, const RowFlags& flags, GapRun& run) {
     const auto add = [&](Channel channel, double value) {
       run[channel].at.push_back(at);
       run[channel].value.push_back(value);
-      run[channel].restarts.push_back(run[channel].at.size() == 1 ? 0 : restart);
+      run[channel].restarts.push_back(run[channel].at.size() == 1 ? char{0} : restart);
     };
     add(Channel::left, static_cast<double>(ticks->left) * log.metres_per_tick->left);
     add(Channel::right, static_cast<double>(ticks->right) * log.metres_per_tick->right);

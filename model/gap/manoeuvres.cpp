@@ -212,6 +212,7 @@ std::vector<Manoeuvre> safe_manoeuvres(const ManoeuvreLimits& limits, double whe
   constexpr std::array menu{slow_triangle, steps,         to_and_fro,    coast_downs, wiggles, spins,
                             bends,         random_binary, four_headings, two_speeds,  a_minute};
   std::vector<Manoeuvre> made;
+  made.reserve(menu.size());
   for (const auto& make : menu) made.push_back(make(floor));
   return made;
 }
