@@ -160,7 +160,7 @@ bool has_path(const DriveLog& run) {
 std::optional<std::string> draw(const Drawing& drawing, const fs::path& folder, Figures& figures) {
   std::ofstream(folder / "data") << drawing.data;
   std::ofstream(folder / "script") << drawing.commands;
-  if (const auto problem = run_gnuplot(folder / "script")) return problem;
+  if (auto problem = run_gnuplot(folder / "script")) return problem;
   std::ifstream file(folder / "figure.svg");
   std::ostringstream text;
   text << file.rdbuf();
