@@ -12,6 +12,7 @@
 #include "config/load/atomic_file.hpp"
 #include "config/load/model_file.hpp"
 #include "daemon/calibrator_thread.hpp"
+#include "daemon/guardian.hpp"
 #include "daemon/lateness_file.hpp"
 #include "daemon/log_thread.hpp"
 #include "daemon/plan.hpp"
@@ -29,6 +30,7 @@ constexpr int exit_no = 1;
 constexpr double answer_patience_s = 15.0;
 constexpr double linger_after_end_s = 0.5;  // the robot comes to rest, and the log gets to see it
 constexpr long supervisor_period_ns = 50'000'000;
+constexpr auto port_patience = std::chrono::milliseconds(1500);
 
 // Every thread inherits the mask: signals are only taken by the supervisor's sigtimedwait.
 sigset_t block_signals() {
@@ -68,10 +70,30 @@ std::filesystem::path make_run_folder(const config::DaemonConfig& config) {
   return folder;
 }
 
+GuardianConfig guardian_config(const config::DaemonConfig& config) {
+  const bool real_time = config.real_time.policy != config::RealTimePolicy::off;
+  return {config.link.drive_mode, guardian_patience(config.link.period_s),
+          real_time ? config.real_time.priority + 1 : 0, real_time && config.real_time.lock_memory};
+}
+
+// The guardian of a daemon that was killed a moment ago still has the port, until the wheels stand.
+serial::OpenPort open_port(const config::DaemonConfig& config) {
+  const auto give_up = std::chrono::steady_clock::now() + port_patience;
+  while (true) {
+    const auto port = serial::open_port(config.device, config.baud);
+    if (port) return *port;
+    const bool in_use = port.error().kind == serial::PortErrorKind::in_use;
+    if (!in_use || std::chrono::steady_clock::now() > give_up) {
+      throw config::ConfigError(port.error().message);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+}
+
 class Supervisor {
  public:
-  Supervisor(const config::DaemonConfig& config, roomba::Session& session, Wiring& wiring)
-      : config_(config), session_(session), wiring_(wiring) {}
+  Supervisor(const config::DaemonConfig& config, roomba::Session& session, Guardian& guardian, Wiring& wiring)
+      : config_(config), session_(session), guardian_(guardian), wiring_(wiring) {}
 
   // Returns when the process is to end.
   RunOutcome run(const sigset_t& signals) {
@@ -89,6 +111,7 @@ class Supervisor {
         return wiring_.finished.load() ? RunOutcome{true, ""}
                                        : ended(std::string(name_of(wiring_.stop.load())));
       }
+      if (!guardian_.alive()) return ended("the guardian process has ended");
       if (gave_up_waiting()) {
         return ended("the robot does not answer on " + config_.device.string() +
                      "; try 'wheelwright doctor'");
@@ -120,6 +143,7 @@ class Supervisor {
 
   const config::DaemonConfig& config_;
   roomba::Session& session_;
+  Guardian& guardian_;
   Wiring& wiring_;
   bool armed_once_ = false;
   double elapsed_s_ = 0.0;
@@ -131,15 +155,15 @@ class Supervisor {
 int run_process(const config::DaemonConfig& config, const std::filesystem::path& lateness_file) {
   const sigset_t signals = block_signals();
   const Plan plan = make_plan(config, known_model(config));
-  const auto port = serial::open_port(config.device, config.baud);
-  if (!port) throw config::ConfigError(port.error().message);
+  Guardian guardian(guardian_config(config));
+  const serial::OpenPort port = open_port(config);
   const auto folder = make_run_folder(config);
   keep_inputs(folder, config, plan);
 
   RealTimeStatus real_time = set_up_process(config.real_time);
   auto wiring = std::make_unique<Wiring>();
   RingClient client(*wiring);
-  roomba::Session session({config.link, config.device, config.baud}, *port, client);
+  roomba::Session session({config.link, config.device, config.baud}, port, client, &guardian);
   Brain brain(plan.mission, plan.limits, plan.model ? std::make_unique<DrivingModel>(*plan.model) : nullptr);
   CalibratorThread calibrator(config, plan, folder, session, *wiring);
   LogThread log(config, folder, plan.limits.metres_per_tick, *wiring);
@@ -162,11 +186,11 @@ int run_process(const config::DaemonConfig& config, const std::filesystem::path&
                               real_time.shortfall);
   }
   spdlog::info("{}: {}{}", config.device.string(), describe(real_time),
-               port->low_latency ? ", low-latency port" : "");
+               port.low_latency ? ", low-latency port" : "");
   if (!real_time.shortfall.empty()) spdlog::warn("{}", real_time.shortfall);
-  if (port->latency_timer_ms && *port->latency_timer_ms > 2) {
+  if (port.latency_timer_ms && *port.latency_timer_ms > 2) {
     spdlog::warn("the adapter holds data for {} ms; systemd/ has the udev rule that sets 1 ms",
-                 *port->latency_timer_ms);
+                 *port.latency_timer_ms);
   }
 
   std::thread predictor_thread([&] {
@@ -183,7 +207,7 @@ int run_process(const config::DaemonConfig& config, const std::filesystem::path&
     log.run();
   });
 
-  const RunOutcome outcome = Supervisor(config, session, *wiring).run(signals);
+  const RunOutcome outcome = Supervisor(config, session, guardian, *wiring).run(signals);
 
   session.request_end();
   loop.join();

@@ -64,6 +64,8 @@ std::string_view name_of(StopReason reason) {
       return "link lost";
     case StopReason::late_command:
       return "no command in time";
+    case StopReason::stalled:
+      return "sensor loop stood still";
     case StopReason::refused:
       return "calibration refused";
     case StopReason::requested:

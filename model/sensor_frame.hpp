@@ -44,6 +44,7 @@ enum class StopReason : std::uint8_t {
   blind,     // no valid sensor reading for longer than configured
   link_lost,
   late_command,  // nobody said in time what to do
+  stalled,       // the sensor loop itself stood still, and the wheels were stopped for it
   refused,       // a calibration was not possible
   requested,     // by the user
 };

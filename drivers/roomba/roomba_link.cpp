@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "drivers/roomba/danger.hpp"
+#include "drivers/roomba/rest_bytes.hpp"
 
 namespace wheelwright::roomba {
 namespace {
@@ -14,9 +15,8 @@ using open_interface::Reading;
 constexpr std::uint8_t passive = 1;
 constexpr std::uint8_t safe = 2;
 
-constexpr std::size_t padding_bytes = 40;  // longer than any command that this project sends
-constexpr int start_settles_ticks = 3;     // the robot wants 20 ms after a change of mode
-constexpr int start_again_ticks = 50;      // a robot that was just switched on misses the first Start
+constexpr int start_settles_ticks = 3;  // the robot wants 20 ms after a change of mode
+constexpr int start_again_ticks = 50;   // a robot that was just switched on misses the first Start
 constexpr double arming_patience_s = 1.0;
 
 // No Roomba moves faster than 0.5 m/s, 1125 ticks/s; some room for slipping wheels and for sensor refreshes

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cerrno>
 
+#include "drivers/roomba/rest_bytes.hpp"
+
 namespace wheelwright::roomba {
 namespace {
 
@@ -21,7 +23,6 @@ using std::chrono::steady_clock;
 // deadline costs some 40 us more (a timerfd in whole microseconds, behind epoll).
 constexpr auto wake_ahead = std::chrono::microseconds(300);
 constexpr double longest_back_off_s = 0.5;
-constexpr double longest_braking_s = 0.6;
 constexpr std::int64_t frames_to_measure = 200;
 
 void sleep_until(steady_clock::time_point deadline) {
@@ -39,9 +40,11 @@ struct Session::Io {
   asio::steady_timer timer{context};
 };
 
-Session::Session(const SessionConfig& config, const serial::OpenPort& first_port, LoopClient& client)
+Session::Session(const SessionConfig& config, const serial::OpenPort& first_port, LoopClient& client,
+                 PortGuard* guard)
     : config_(config),
       client_(client),
+      guard_(guard),
       link_(config.link),
       io_(std::make_unique<Io>()),
       period_(std::chrono::nanoseconds(std::llround(1e9 * config.link.period_s))),
@@ -66,7 +69,7 @@ void Session::run() {
   flush_held_up();
   write(link_.farewell_bytes());
   for (int i = 0; i < 10 && !flush_held_up(); ++i) ::usleep(5000);
-  io_->port.close();
+  close_port();
 }
 
 // A running stream is the clock; the timer then only notices its silence.
@@ -129,6 +132,8 @@ void Session::take_requests() {
   if (arm_requested_.exchange(false, std::memory_order_relaxed)) arm_if_there();
   const StopReason stop = stop_requested_.exchange(StopReason::none, std::memory_order_relaxed);
   if (stop != StopReason::none) link_.stop(stop);
+  // The wheels stand by another hand, and the plan has gone on without them.
+  if (guard_ != nullptr && guard_->has_acted() && link_.armed()) link_.stop(StopReason::stalled);
   link_.set_encoder_order(encoder_order_.load(std::memory_order_relaxed));
 }
 
@@ -155,6 +160,7 @@ void Session::begin_tick() {
   ++tick_;
   ++counts_.ticks;
   heartbeat_.store(tick_, std::memory_order_relaxed);
+  if (guard_ != nullptr) guard_->beat();
   tick_open_ = true;
   write(link_.begin_tick(tick_, now_s(), client_.command_for(tick_)));
 }
@@ -242,12 +248,18 @@ void Session::adopt(const serial::OpenPort& port) {
   held_up_size_ = 0;
   stream_frames_ = 0;
   link_.port_opened();
+  if (guard_ != nullptr) guard_->port_opened(port.descriptor);
+}
+
+void Session::close_port() {
+  boost::system::error_code ignored;
+  io_->port.close(ignored);
+  if (guard_ != nullptr) guard_->port_closed();
 }
 
 void Session::drop_port() {
   if (!io_->port.is_open()) return;
-  boost::system::error_code ignored;
-  io_->port.close(ignored);
+  close_port();
   link_.stop(StopReason::link_lost);
   link_.port_closed();
   back_off_s_ = 0.1;

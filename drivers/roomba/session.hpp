@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "drivers/roomba/lateness_histogram.hpp"
+#include "drivers/roomba/port_guard.hpp"
 #include "drivers/roomba/roomba_link.hpp"
 #include "drivers/serial/serial_port.hpp"
 
@@ -66,7 +67,9 @@ struct SessionConfig {
 class Session {
  public:
   // `first_port` is the port as it was opened at start-up (so that a missing device is an error there).
-  Session(const SessionConfig& config, const serial::OpenPort& first_port, LoopClient& client);
+  // Without a guard nobody stops the wheels when this process cannot.
+  Session(const SessionConfig& config, const serial::OpenPort& first_port, LoopClient& client,
+          PortGuard* guard = nullptr);
   ~Session();
 
   // Loops until request_end(). Puts the wheels to rest on the way out, whatever the reason.
@@ -104,6 +107,7 @@ class Session {
   void write(std::span<const std::uint8_t> bytes);
   bool flush_held_up();
   void adopt(const serial::OpenPort& port);
+  void close_port();
   void drop_port();
   void reopen_if_due();
   void report_changes();
@@ -113,6 +117,7 @@ class Session {
 
   SessionConfig config_;
   LoopClient& client_;
+  PortGuard* guard_;
   RoombaLink link_;
   std::unique_ptr<Io> io_;
   std::chrono::nanoseconds period_;

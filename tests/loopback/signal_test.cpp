@@ -1,4 +1,4 @@
-// The daemon is told to end, to stop, or is killed.
+// The daemon is told to end, or to stop.
 #include <cmath>
 #include <csignal>
 
@@ -27,13 +27,6 @@ double ms_until_standing(const Table& truth, double unix_ms) {
     if (moves) last_moving_s = truth.number(row, "t");
   }
   return started_unix_ms + 1e3 * last_moving_s - unix_ms;
-}
-
-// Mean speed of the two wheels at a moment.
-double speed_at(const Table& truth, double unix_ms) {
-  const double t_s = 1e-3 * (unix_ms - std::stod(truth.metadata("started_unix_ms")));
-  const auto row = static_cast<std::size_t>(t_s / std::stod(truth.metadata("period_s")));
-  return 0.5 * (truth.number(row, "speed_left") + truth.number(row, "speed_right"));
 }
 
 }  // namespace
@@ -94,29 +87,4 @@ TEST_CASE("With run.arm by_signal nothing moves before SIGUSR1") {
   daemon->signal(SIGUSR1);
   CHECK(daemon->wait(10s) == 0);
   CHECK(tap.drive_orders().last_moving);
-}
-
-TEST_CASE("After SIGKILL in mid-route a new daemon gets the robot, stops it, and drives its own route") {
-  Bench bench;
-  const auto robot = bench.start_robot("default");
-  auto daemon = bench.start_daemon(bench.configure({.route = long_way}));
-  REQUIRE(daemon->says("route: driving", 10s));
-  std::this_thread::sleep_for(700ms);
-  daemon->signal(SIGKILL);
-  REQUIRE(daemon->wait(5s) == -SIGKILL);
-  std::this_thread::sleep_for(300ms);
-
-  daemon = bench.start_daemon(bench.configure({.run = "arm: by_signal"}));
-  REQUIRE(daemon->says("the robot answers", 5s));
-  const double answered_ms = unix_ms_now();
-  std::this_thread::sleep_for(700ms);
-  const double armed_ms = unix_ms_now();
-  daemon->signal(SIGUSR1);
-  CHECK(daemon->wait(15s) == 0);
-  robot->end();
-  const Table truth = bench.truth();
-  CHECK(speed_at(truth, answered_ms - 300.0) > 0.1);
-  CHECK(speed_at(truth, armed_ms) < 0.001);
-  CHECK(bench.runs().size() == 2);
-  CHECK(Table::load(bench.runs().front() / "drive_log.csv").rows() > 0);
 }

@@ -1,0 +1,99 @@
+#include "daemon/guardian.hpp"
+
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <new>
+#include <system_error>
+#include <utility>
+
+#include "daemon/guardian_process.hpp"
+
+namespace wheelwright::daemon {
+namespace {
+
+constexpr double patience_periods = 4.0;
+constexpr std::chrono::milliseconds shortest_patience{60};
+
+[[noreturn]] void fail(const char* what) {
+  throw std::system_error(errno, std::generic_category(), what);
+}
+
+GuardianBoard* shared_board() {
+  void* memory =
+      ::mmap(nullptr, sizeof(GuardianBoard), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) fail("no shared memory for the guardian");
+  return new (memory) GuardianBoard;
+}
+
+// A guardian that is gone takes no orders; alive() tells.
+void send_order(int socket, GuardianOrder order, int descriptor = -1) {
+  char letter = static_cast<char>(order);
+  iovec data{&letter, 1};
+  alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> control{};
+  msghdr message{};
+  message.msg_iov = &data;
+  message.msg_iovlen = 1;
+  if (descriptor >= 0) {
+    message.msg_control = control.data();
+    message.msg_controllen = control.size();
+    cmsghdr* header = CMSG_FIRSTHDR(&message);
+    header->cmsg_level = SOL_SOCKET;
+    header->cmsg_type = SCM_RIGHTS;
+    header->cmsg_len = CMSG_LEN(sizeof(int));
+    std::memcpy(CMSG_DATA(header), &descriptor, sizeof(int));
+  }
+  ::sendmsg(socket, &message, MSG_NOSIGNAL | MSG_DONTWAIT);
+}
+
+}  // namespace
+
+std::chrono::milliseconds guardian_patience(double period_s) {
+  const std::chrono::duration<double> wanted(patience_periods * period_s);
+  return std::max(shortest_patience, std::chrono::ceil<std::chrono::milliseconds>(wanted));
+}
+
+Guardian::Guardian(const GuardianConfig& config) : board_(shared_board()) {
+  std::array<int, 2> ends{};
+  if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+    fail("no socket for the guardian");
+  }
+  process_ = ::fork();
+  if (process_ < 0) fail("no process for the guardian");
+  if (process_ == 0) guard(config, ends[1], *board_);
+  ::close(ends[1]);
+  socket_ = ends[0];
+}
+
+Guardian::~Guardian() {
+  send_order(socket_, GuardianOrder::farewell);
+  ::close(socket_);
+  while (!ended_ && ::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) continue;
+  ::munmap(board_, sizeof(GuardianBoard));
+}
+
+void Guardian::port_opened(int descriptor) {
+  send_order(socket_, GuardianOrder::adopt, descriptor);
+}
+
+void Guardian::port_closed() {
+  send_order(socket_, GuardianOrder::let_go);
+}
+
+bool Guardian::has_acted() {
+  const std::uint64_t acts = board_->acts.load(std::memory_order_relaxed);
+  return std::exchange(acts_seen_, acts) != acts;
+}
+
+bool Guardian::alive() {
+  ended_ = ended_ || ::waitpid(process_, nullptr, WNOHANG) == process_;
+  return !ended_;
+}
+
+}  // namespace wheelwright::daemon

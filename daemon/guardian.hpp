@@ -1,0 +1,69 @@
+// A process of its own that stops the wheels when the daemon cannot: killed, crashed, out of memory, stopped,
+// or with a sensor loop that hangs. The Open Interface knows no time-out; a robot drives on with its last
+// command.
+//
+// The guardian has a duplicate of the port, a socket to the daemon, and a counter in shared memory that the
+// sensor loop advances with every tick. At the end of the socket, or when the counter stands still for longer
+// than its patience, it writes the order to stand. A daemon that is gone is gone for good: then it waits
+// until the wheels stand, leaves the robot in Passive mode, and ends. A daemon that goes on finds has_acted()
+// true and stops the run.
+//
+// Its patience counts its own looks at the counter, not the time between them, so a machine that stood still
+// as a whole, the guardian with it, is no silence.
+#pragma once
+
+#include <sys/types.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+
+#include "drivers/roomba/link_config.hpp"
+#include "drivers/roomba/port_guard.hpp"
+
+namespace wheelwright::daemon {
+
+struct GuardianConfig {
+  roomba::DriveMode drive_mode = roomba::DriveMode::direct;
+  std::chrono::milliseconds patience{72};  // without a beat
+  int priority = 0;                        // SCHED_FIFO, where it is to be had; 0: does not ask for it
+  bool lock_memory = false;
+};
+
+// Patience for a loop of this period: a few ticks, so that one or two late ones are no alarm.
+std::chrono::milliseconds guardian_patience(double period_s);
+
+// What daemon and guardian share. Lock-free, hence the same in both processes.
+struct GuardianBoard {
+  std::atomic<std::uint64_t> beats{0};
+  std::atomic<std::uint64_t> acts{0};
+};
+static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
+
+class Guardian final : public roomba::PortGuard {
+ public:
+  // Starts the process. Call it before any thread is started and before memory is locked. Throws
+  // std::system_error where the system has no process or socket left.
+  explicit Guardian(const GuardianConfig& config);
+  Guardian(const Guardian&) = delete;
+  Guardian& operator=(const Guardian&) = delete;
+  // The daemon ends in order: so does the guardian, without touching the wheels.
+  ~Guardian() override;
+
+  void port_opened(int descriptor) override;
+  void port_closed() override;
+  void beat() override { board_->beats.fetch_add(1, std::memory_order_relaxed); }
+  bool has_acted() override;
+
+  // False once the process has ended by itself or was ended by somebody.
+  bool alive();
+
+ private:
+  GuardianBoard* board_;
+  int socket_ = -1;
+  pid_t process_ = -1;
+  bool ended_ = false;
+  std::uint64_t acts_seen_ = 0;
+};
+
+}  // namespace wheelwright::daemon

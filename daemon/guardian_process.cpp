@@ -1,0 +1,163 @@
+#include "daemon/guardian_process.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <climits>
+#include <csignal>
+#include <cstring>
+#include <span>
+#include <string_view>
+
+#include "drivers/roomba/rest_bytes.hpp"
+
+namespace wheelwright::daemon {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto look_every = 10ms;
+constexpr auto say_again_every = 40ms;  // an order that the line garbled is not the last one
+constexpr int acts_on_a_stall = 3;
+
+// What is inherited is what the daemon may go down with: its terminal, its signals, its descriptors. Only
+// what a signal handler may call is called here, since the process may have had threads.
+void leave_the_daemon(const GuardianConfig& config, int socket) {
+  ::setsid();
+  for (int number = 1; number < NSIG; ++number) ::signal(number, SIG_IGN);
+  ::prctl(PR_SET_NAME, "ww-guardian");
+  const int nothing = ::open("/dev/null", O_RDWR);
+  if (nothing >= 0) {
+    ::dup2(nothing, STDIN_FILENO);
+    ::dup2(nothing, STDOUT_FILENO);
+  }
+  if (socket > 3) ::close_range(3, static_cast<unsigned>(socket) - 1, 0);
+  ::close_range(static_cast<unsigned>(socket) + 1, UINT_MAX, 0);
+  if (::chdir("/") != 0) return;
+  if (config.lock_memory) ::mlockall(MCL_CURRENT | MCL_FUTURE);
+  if (config.priority > 0) {
+    sched_param parameters{};
+    parameters.sched_priority = config.priority;
+    ::sched_setscheduler(0, SCHED_FIFO, &parameters);
+  }
+}
+
+void say(std::string_view line) {
+  if (::write(STDERR_FILENO, line.data(), line.size()) < 0) return;  // nobody listens any more
+}
+
+class Process {
+ public:
+  Process(const GuardianConfig& config, int socket, GuardianBoard& board)
+      : config_(config), socket_(socket), board_(board), rest_(roomba::rest_bytes(config.drive_mode)) {}
+
+  [[noreturn]] void run() {
+    while (true) {
+      std::array<pollfd, 2> watched{{{socket_, POLLIN, 0}, {port_, 0, 0}}};
+      const int ready = ::poll(watched.data(), port_ < 0 ? 1 : 2, static_cast<int>(look_every.count()));
+      if (watched[0].revents != 0) obey();
+      if (port_ >= 0 && watched[1].revents != 0) let_go();
+      if (ready == 0) look();
+    }
+  }
+
+ private:
+  // Orders of the daemon; the end of the socket is the end of the daemon.
+  void obey() {
+    char letter = 0;
+    iovec data{&letter, 1};
+    alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> control{};
+    msghdr message{};
+    message.msg_iov = &data;
+    message.msg_iovlen = 1;
+    message.msg_control = control.data();
+    message.msg_controllen = control.size();
+    const ssize_t count = ::recvmsg(socket_, &message, MSG_DONTWAIT);
+    if (count <= 0) outlive_the_daemon();
+    switch (static_cast<GuardianOrder>(letter)) {
+      case GuardianOrder::adopt:
+        let_go();
+        if (const cmsghdr* header = CMSG_FIRSTHDR(&message); header != nullptr) {
+          std::memcpy(&port_, CMSG_DATA(header), sizeof(int));
+        }
+        break;
+      case GuardianOrder::let_go:
+        let_go();
+        break;
+      case GuardianOrder::farewell:
+        ::_exit(0);
+    }
+  }
+
+  void let_go() {
+    if (port_ >= 0) ::close(port_);
+    port_ = -1;
+  }
+
+  // One look at the counter, every 10 ms at most.
+  void look() {
+    const std::uint64_t beats = board_.beats.load(std::memory_order_relaxed);
+    if (beats != last_beats_ || beats == 0) {
+      if (acts_ > 0) say("<4>guardian: the sensor loop goes on\n");
+      last_beats_ = beats;
+      silent_for_ = 0ms;
+      acts_ = 0;
+      return;
+    }
+    silent_for_ += look_every;
+    if (port_ < 0 || acts_ == acts_on_a_stall) return;
+    if (silent_for_ < config_.patience + acts_ * say_again_every) return;
+    if (acts_ == 0) say("<3>guardian: the sensor loop stands still; the wheels are told to stand\n");
+    ++acts_;
+    board_.acts.fetch_add(1, std::memory_order_relaxed);
+    write_whole(rest_.bytes());
+  }
+
+  [[noreturn]] void outlive_the_daemon() {
+    if (port_ < 0) ::_exit(0);
+    write_whole(rest_.bytes());
+    say("<3>guardian: the daemon is gone; the wheels are told to stand\n");
+    for (auto waited = 0ms; waited < std::chrono::duration<double>(roomba::longest_braking_s);
+         waited += say_again_every) {
+      ::poll(nullptr, 0, static_cast<int>(say_again_every.count()));
+      if (waited < acts_on_a_stall * say_again_every) write_whole(rest_.bytes());
+    }
+    open_interface::CommandBytes passive;
+    passive.start();
+    write_whole(passive.bytes());
+    ::_exit(0);
+  }
+
+  // The port does not block; what it does not take within a few milliseconds it will not take.
+  void write_whole(std::span<const std::uint8_t> bytes) const {
+    for (int i = 0; i < 10 && !bytes.empty(); ++i) {
+      const ssize_t written = ::write(port_, bytes.data(), bytes.size());
+      if (written > 0) bytes = bytes.subspan(static_cast<std::size_t>(written));
+      if (!bytes.empty()) ::poll(nullptr, 0, 2);
+    }
+  }
+
+  GuardianConfig config_;
+  int socket_;
+  GuardianBoard& board_;
+  open_interface::CommandBytes rest_;
+  int port_ = -1;
+  std::uint64_t last_beats_ = 0;
+  std::chrono::milliseconds silent_for_{0};
+  int acts_ = 0;
+};
+
+}  // namespace
+
+void guard(const GuardianConfig& config, int socket, GuardianBoard& board) {
+  leave_the_daemon(config, socket);
+  Process(config, socket, board).run();
+}
+
+}  // namespace wheelwright::daemon

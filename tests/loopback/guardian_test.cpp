@@ -1,0 +1,159 @@
+// Whatever happens to the daemon, the wheels come to rest. Each case prints how long that took.
+#include <cmath>
+#include <csignal>
+
+#include "tests/loopback/bench/bench.hpp"
+#include "tests/loopback/bench/line_tap.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace wheelwright::bench;
+
+namespace {
+
+constexpr auto long_way = "[[3, 0]]";
+constexpr double longest_ms = 300.0;
+
+double unix_ms_now() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration<double, std::milli>(now).count();
+}
+
+bool moves(const Table& truth, std::size_t row) {
+  return std::abs(truth.number(row, "speed_left")) > 0.001 ||
+         std::abs(truth.number(row, "speed_right")) > 0.001;
+}
+
+double unix_ms(const Table& truth, std::size_t row) {
+  return std::stod(truth.metadata("started_unix_ms")) + 1e3 * truth.number(row, "t");
+}
+
+// Milliseconds from a moment until both wheels are slower than 1 mm/s, if they do not move again until
+// `until_unix_ms`.
+double ms_to_rest(const Table& truth, double from_unix_ms, double until_unix_ms = 1e30) {
+  double last_moving_ms = from_unix_ms;
+  for (std::size_t row = 0; row < truth.rows() && unix_ms(truth, row) < until_unix_ms; ++row) {
+    if (moves(truth, row)) last_moving_ms = unix_ms(truth, row);
+  }
+  return last_moving_ms - from_unix_ms;
+}
+
+// Mean speed of the wheels at a moment.
+double speed_at(const Table& truth, double at_unix_ms) {
+  std::size_t row = 0;
+  while (row + 1 < truth.rows() && unix_ms(truth, row) < at_unix_ms) ++row;
+  return 0.5 * (truth.number(row, "speed_left") + truth.number(row, "speed_right"));
+}
+
+void check_rest(const std::string& after, double ms) {
+  WARN("wheels at rest " << std::lround(ms) << " ms after " << after);
+  CHECK(ms < longest_ms);
+}
+
+// A robot that drives straight on at 0.2 m/s.
+struct Drive {
+  explicit Drive(const DaemonSetup& setup = {.route = long_way})
+      : robot(bench.start_robot("default")), daemon(bench.start_daemon(bench.configure(setup))) {
+    REQUIRE(daemon->says("route: driving", 10s));
+    std::this_thread::sleep_for(1500ms);
+  }
+
+  double signal(int number) const {
+    const double at_ms = unix_ms_now();
+    daemon->signal(number);
+    return at_ms;
+  }
+
+  Bench bench;
+  std::unique_ptr<ChildProcess> robot;
+  std::unique_ptr<ChildProcess> daemon;
+};
+
+}  // namespace
+
+TEST_CASE("After SIGKILL and after a crash the wheels stand within 300 ms") {
+  for (const int number : {SIGKILL, SIGSEGV}) {
+    Drive drive;
+    const double at_ms = drive.signal(number);
+    CHECK(drive.daemon->wait(5s) == -number);
+    CHECK(drive.daemon->says("guardian: the daemon is gone", 1s));
+    std::this_thread::sleep_for(1s);
+    drive.robot->end();
+    const Table truth = drive.bench.truth();
+    CHECK(speed_at(truth, at_ms) > 0.15);
+    check_rest(number == SIGKILL ? "SIGKILL" : "SIGSEGV", ms_to_rest(truth, at_ms));
+  }
+}
+
+TEST_CASE("A daemon that is stopped loses the wheels within 300 ms, and ends its run when it goes on") {
+  Drive drive;
+  const double at_ms = drive.signal(SIGSTOP);
+  CHECK(drive.daemon->says("guardian: the sensor loop stands still", 1s));
+  std::this_thread::sleep_for(1s);
+  const double continued_ms = drive.signal(SIGCONT);
+  CHECK(drive.daemon->wait(5s) == 1);
+  CHECK_THAT(drive.daemon->out(), ContainsSubstring("Result: stopped, sensor loop stood still"));
+  drive.robot->end();
+  const Table truth = drive.bench.truth();
+  check_rest("SIGSTOP", ms_to_rest(truth, at_ms, continued_ms));
+  CHECK(ms_to_rest(truth, continued_ms) < 1.0);
+}
+
+TEST_CASE("A run that was stopped for less than the guardian's patience goes on") {
+  Drive drive({.link = "lost_after_s: 5, blind_limit_s: 1", .route = "[[0.6, 0]]"});
+  drive.signal(SIGSTOP);
+  std::this_thread::sleep_for(25ms);
+  drive.signal(SIGCONT);
+  CHECK(drive.daemon->wait(10s) == 0);
+  CHECK_THAT(drive.daemon->err(), !ContainsSubstring("guardian"));
+}
+
+TEST_CASE("A run that ends in order leaves no guardian, and the guardian leaves the robot alone") {
+  Bench bench;
+  const auto robot = bench.start_robot("perfect");
+  const auto daemon = bench.start_daemon(bench.configure({.route = "[[0.15, 0]]"}));
+  CHECK(daemon->wait(10s) == 0);
+  CHECK_THAT(daemon->err(), !ContainsSubstring("guardian"));
+  const auto again = bench.start_daemon(bench.configure({.route = "[[0.15, 0]]"}));
+  CHECK(again->wait(10s) == 0);
+}
+
+TEST_CASE("The guardian follows the daemon to a cable that was pulled out and put in again") {
+  Bench bench;
+  const auto robot = bench.start_robot("default");
+  LineTap tap(bench.device(), bench.folder() / "tapped");
+  const auto daemon =
+      bench.start_daemon(bench.configure({.device = "tapped", .run = "at_end: stay", .route = long_way}));
+  REQUIRE(daemon->says("route: driving", 10s));
+  tap.pull_out();
+  REQUIRE(daemon->says("link lost", 3s));
+  tap.put_in();
+  REQUIRE(daemon->says("is open again", 5s));
+  std::this_thread::sleep_for(1s);
+  daemon->signal(SIGUSR1);
+  std::this_thread::sleep_for(2500ms);
+  const double at_ms = unix_ms_now();
+  daemon->signal(SIGKILL);
+  CHECK(daemon->wait(5s) == -SIGKILL);
+  std::this_thread::sleep_for(1s);
+  robot->end();
+  const Table truth = bench.truth();
+  CHECK(speed_at(truth, at_ms) > 0.15);
+  check_rest("SIGKILL on the second cable", ms_to_rest(truth, at_ms));
+}
+
+TEST_CASE("After SIGKILL in mid-route a new daemon gets the robot at rest, and drives its own route") {
+  Drive drive;
+  drive.signal(SIGKILL);
+  REQUIRE(drive.daemon->wait(5s) == -SIGKILL);
+  const auto second = drive.bench.start_daemon(drive.bench.configure({.run = "arm: by_signal"}));
+  REQUIRE(second->says("the robot answers", 5s));
+  std::this_thread::sleep_for(500ms);
+  const double armed_ms = unix_ms_now();
+  second->signal(SIGUSR1);
+  CHECK(second->wait(15s) == 0);
+  drive.robot->end();
+  const Table truth = drive.bench.truth();
+  CHECK(std::abs(speed_at(truth, armed_ms)) < 0.001);
+  CHECK(drive.bench.runs().size() == 2);
+  CHECK(Table::load(drive.bench.runs().front() / "drive_log.csv").rows() > 0);
+}
