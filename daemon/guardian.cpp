@@ -18,8 +18,8 @@
 namespace wheelwright::daemon {
 namespace {
 
-constexpr double patience_periods = 4.0;
-constexpr std::chrono::milliseconds shortest_patience{60};
+constexpr double patience_periods = 3.0;
+constexpr std::chrono::milliseconds shortest_patience{50};
 
 [[noreturn]] void fail(const char* what) {
   throw std::system_error(errno, std::generic_category(), what);

@@ -25,7 +25,7 @@ namespace wheelwright::daemon {
 
 struct GuardianConfig {
   roomba::DriveMode drive_mode = roomba::DriveMode::direct;
-  std::chrono::milliseconds patience{72};  // without a beat
+  std::chrono::milliseconds patience{54};  // without a beat
   int priority = 0;                        // SCHED_FIFO, where it is to be had; 0: does not ask for it
   bool lock_memory = false;
 };

@@ -22,7 +22,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto look_every = 10ms;
+constexpr auto look_every = 5ms;
 constexpr auto say_again_every = 40ms;  // an order that the line garbled is not the last one
 constexpr int acts_on_a_stall = 3;
 
@@ -100,7 +100,7 @@ class Process {
     port_ = -1;
   }
 
-  // One look at the counter, every 10 ms at most.
+  // One look at the counter, every 5 ms at most.
   void look() {
     const std::uint64_t beats = board_.beats.load(std::memory_order_relaxed);
     if (beats != last_beats_ || beats == 0) {

@@ -39,8 +39,12 @@ std::string_view title_of(Activity activity) {
 }  // namespace
 
 LogThread::LogThread(const config::DaemonConfig& config, std::filesystem::path folder,
-                     const WheelPair& metres_per_tick, Wiring& wiring)
-    : config_(config), folder_(std::move(folder)), metres_per_tick_(metres_per_tick), wiring_(wiring) {
+                     const WheelPair& metres_per_tick, Wiring& wiring, StatusBoard& board)
+    : config_(config),
+      folder_(std::move(folder)),
+      metres_per_tick_(metres_per_tick),
+      wiring_(wiring),
+      board_(board) {
   recorder_.reserve(recorder_ticks);
 }
 
@@ -65,7 +69,9 @@ void LogThread::drain() {
   roomba::Event event;
   while (wiring_.events.pop(event)) tell(event);
   LogEntry entry;
-  while (wiring_.entries.pop(entry)) take(entry);
+  bool any = false;
+  for (; wiring_.entries.pop(entry); any = true) take(entry);
+  if (any) board_.put(entry);
   const auto now = std::chrono::steady_clock::now();
   drive_log_.flush(now);
   pose_log_.flush(now);

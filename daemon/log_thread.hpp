@@ -8,6 +8,7 @@
 
 #include "config/load/daemon_config.hpp"
 #include "daemon/csv_file.hpp"
+#include "daemon/status_board.hpp"
 #include "daemon/wiring.hpp"
 
 namespace wheelwright::daemon {
@@ -28,7 +29,7 @@ class LogThread {
  public:
   // `folder` is the folder of this run; it exists.
   LogThread(const config::DaemonConfig& config, std::filesystem::path folder,
-            const WheelPair& metres_per_tick, Wiring& wiring);
+            const WheelPair& metres_per_tick, Wiring& wiring, StatusBoard& board);
 
   // Runs until wiring.ending, then empties its rings and closes the files.
   void run();
@@ -52,6 +53,7 @@ class LogThread {
   std::filesystem::path folder_;
   WheelPair metres_per_tick_;
   Wiring& wiring_;
+  StatusBoard& board_;
   CsvFile drive_log_;
   CsvFile pose_log_;
   std::vector<LogEntry> recorder_;

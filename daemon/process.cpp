@@ -6,6 +6,7 @@
 #include <time.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <thread>
 
@@ -15,37 +16,26 @@
 #include "daemon/guardian.hpp"
 #include "daemon/lateness_file.hpp"
 #include "daemon/log_thread.hpp"
+#include "daemon/open_device.hpp"
 #include "daemon/plan.hpp"
 #include "daemon/predictor_thread.hpp"
 #include "daemon/real_time.hpp"
 #include "daemon/ring_client.hpp"
+#include "daemon/status_board.hpp"
 #include "daemon/summary.hpp"
+#include "daemon/supervisor.hpp"
 
 namespace wheelwright::daemon {
 namespace {
-
-constexpr int exit_done = 0;
-constexpr int exit_no = 1;
-
-constexpr double answer_patience_s = 15.0;
-constexpr double linger_after_end_s = 0.5;  // the robot comes to rest, and the log gets to see it
-constexpr long supervisor_period_ns = 50'000'000;
-constexpr auto port_patience = std::chrono::milliseconds(1500);
 
 // Every thread inherits the mask: signals are only taken by the supervisor's sigtimedwait.
 sigset_t block_signals() {
   sigset_t signals{};
   ::sigemptyset(&signals);
-  for (const int signal : {SIGTERM, SIGINT, SIGUSR1, SIGUSR2}) ::sigaddset(&signals, signal);
+  for (const int signal : {SIGTERM, SIGINT, SIGUSR1, SIGUSR2, SIGHUP}) ::sigaddset(&signals, signal);
   ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   ::signal(SIGPIPE, SIG_IGN);
   return signals;
-}
-
-std::optional<RobotModel> known_model(const config::DaemonConfig& config) {
-  const bool wanted = config.calibrate != config::CalibrateWhen::always;
-  if (!wanted || !std::filesystem::exists(config.model_file)) return std::nullopt;
-  return config::load_model(config.model_file);
 }
 
 // What replay needs beside the drive log: the run's folder explains itself.
@@ -76,87 +66,33 @@ GuardianConfig guardian_config(const config::DaemonConfig& config) {
           real_time ? config.real_time.priority + 1 : 0, real_time && config.real_time.lock_memory};
 }
 
-// The guardian of a daemon that was killed a moment ago still has the port, until the wheels stand.
-serial::OpenPort open_port(const config::DaemonConfig& config) {
-  const auto give_up = std::chrono::steady_clock::now() + port_patience;
-  while (true) {
-    const auto port = serial::open_port(config.device, config.baud);
-    if (port) return *port;
-    const bool in_use = port.error().kind == serial::PortErrorKind::in_use;
-    if (!in_use || std::chrono::steady_clock::now() > give_up) {
-      throw config::ConfigError(port.error().message);
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+// Waits out the back-off of a service that keeps failing. False where a signal asks for the end meanwhile.
+bool wait_out(Service& service, const sigset_t& signals) {
+  const auto back_off = service.restarts.back_off();
+  if (back_off.count() == 0) return true;
+  const std::string why =
+      fmt::format("waiting {} s: the process ended out of order several times in a row", back_off.count());
+  spdlog::warn("{}", why);
+  service.notifier.status(why);
+  const auto until = std::chrono::steady_clock::now() + back_off;
+  while (std::chrono::steady_clock::now() < until) {
+    const timespec second{1, 0};
+    const int signal = ::sigtimedwait(&signals, nullptr, &second);
+    if (signal == SIGTERM || signal == SIGINT) return false;
   }
+  return true;
 }
 
-class Supervisor {
- public:
-  Supervisor(const config::DaemonConfig& config, roomba::Session& session, Guardian& guardian, Wiring& wiring)
-      : config_(config), session_(session), guardian_(guardian), wiring_(wiring) {}
+std::filesystem::path runtime_folder(const ProcessOptions& options) {
+  const char* folder = std::getenv("RUNTIME_DIRECTORY");
+  return options.as_service && folder != nullptr ? folder : "";
+}
 
-  // Returns when the process is to end.
-  RunOutcome run(const sigset_t& signals) {
-    const timespec patience{0, supervisor_period_ns};
-    while (true) {
-      const int signal = ::sigtimedwait(&signals, nullptr, &patience);
-      if (signal == SIGTERM || signal == SIGINT) {
-        return wiring_.finished.load() ? RunOutcome{true, ""} : ended("ended by a signal");
-      }
-      if (signal == SIGUSR1) session_.request_arm();
-      if (signal == SIGUSR2) session_.request_stop(StopReason::requested);
-      elapsed_s_ += signal < 0 ? 1e-9 * static_cast<double>(supervisor_period_ns) : 0.0;
-      arm_when_ready();
-      if (config_.at_end == config::AtEnd::exit && run_is_over()) {
-        return wiring_.finished.load() ? RunOutcome{true, ""}
-                                       : ended(std::string(name_of(wiring_.stop.load())));
-      }
-      if (!guardian_.alive()) return ended("the guardian process has ended");
-      if (gave_up_waiting()) {
-        return ended("the robot does not answer on " + config_.device.string() +
-                     "; try 'wheelwright doctor'");
-      }
-    }
-  }
-
- private:
-  static RunOutcome ended(const std::string& why) { return {false, why}; }
-
-  void arm_when_ready() {
-    if (armed_once_ || !config_.arm_at_start || !wiring_.robot_answers.load(std::memory_order_relaxed))
-      return;
-    armed_once_ = true;
-    session_.request_arm();
-  }
-
-  bool run_is_over() {
-    const bool over = wiring_.finished.load(std::memory_order_relaxed) ||
-                      wiring_.stop.load(std::memory_order_relaxed) != StopReason::none;
-    if (!over) over_since_s_ = elapsed_s_;
-    return over && elapsed_s_ - over_since_s_ >= linger_after_end_s;
-  }
-
-  bool gave_up_waiting() const {
-    return config_.at_end == config::AtEnd::exit && elapsed_s_ > answer_patience_s &&
-           !wiring_.robot_answers.load(std::memory_order_relaxed);
-  }
-
-  const config::DaemonConfig& config_;
-  roomba::Session& session_;
-  Guardian& guardian_;
-  Wiring& wiring_;
-  bool armed_once_ = false;
-  double elapsed_s_ = 0.0;
-  double over_since_s_ = 0.0;
-};
-
-}  // namespace
-
-int run_process(const config::DaemonConfig& config, const std::filesystem::path& lateness_file) {
-  const sigset_t signals = block_signals();
+RunOutcome run_once(const config::DaemonConfig& config, const ProcessOptions& options, Service& service,
+                    const sigset_t& signals) {
   const Plan plan = make_plan(config, known_model(config));
   Guardian guardian(guardian_config(config));
-  const serial::OpenPort port = open_port(config);
+  const serial::OpenPort port = open_device(config.device, config.baud);
   const auto folder = make_run_folder(config);
   keep_inputs(folder, config, plan);
 
@@ -166,7 +102,8 @@ int run_process(const config::DaemonConfig& config, const std::filesystem::path&
   roomba::Session session({config.link, config.device, config.baud}, port, client, &guardian);
   Brain brain(plan.mission, plan.limits, plan.model ? std::make_unique<DrivingModel>(*plan.model) : nullptr);
   CalibratorThread calibrator(config, plan, folder, session, *wiring);
-  LogThread log(config, folder, plan.limits.metres_per_tick, *wiring);
+  StatusBoard board;
+  LogThread log(config, folder, plan.limits.metres_per_tick, *wiring, board);
 
   // The real-time rights are settled before anything moves.
   std::atomic<int> scheduled{0};  // 0 not yet, 1 go, -1 refused
@@ -182,8 +119,8 @@ int run_process(const config::DaemonConfig& config, const std::filesystem::path&
   scheduled.wait(0);
   if (scheduled.load() < 0) {
     loop.join();
-    throw config::ConfigError(config.file.string() + ": real_time.policy is 'require', but " +
-                              real_time.shortfall);
+    throw StartFailure(EndCause::no_permission,
+                       config.file.string() + ": real_time.policy is 'require', but " + real_time.shortfall);
   }
   spdlog::info("{}: {}{}", config.device.string(), describe(real_time),
                port.low_latency ? ", low-latency port" : "");
@@ -207,8 +144,11 @@ int run_process(const config::DaemonConfig& config, const std::filesystem::path&
     log.run();
   });
 
-  const RunOutcome outcome = Supervisor(config, session, guardian, *wiring).run(signals);
+  RunOutcome outcome =
+      Supervisor({config, options, session, guardian, *wiring, board, real_time, folder}, service)
+          .run(signals);
 
+  if (!outcome.reload) service.notifier.stopping();
   session.request_end();
   loop.join();
   wiring->ending.store(true);
@@ -221,14 +161,57 @@ int run_process(const config::DaemonConfig& config, const std::filesystem::path&
       summary(config, outcome, calibrator.report(), log.report(), session, real_time, wiring->dropped.load())
           .c_str(),
       stdout);
+  std::fflush(stdout);
   bool complete = log.report().errors.empty() && !calibrator.report().file_error;
-  if (!lateness_file.empty()) {
+  if (!options.lateness_file.empty()) {
     const auto error =
-        config::write_file_atomically(lateness_file, lateness_text(session, config.link.period_s));
+        config::write_file_atomically(options.lateness_file, lateness_text(session, config.link.period_s));
     if (error) spdlog::error("{}", *error);
     complete = complete && !error;
   }
-  return outcome.finished && complete ? exit_done : exit_no;
+  if (outcome.cause == EndCause::done && !complete) outcome.cause = EndCause::files_lost;
+  return outcome;
+}
+
+}  // namespace
+
+config::DaemonConfig load_configuration(const ProcessOptions& options) {
+  auto config = config::load_daemon_config(options.config_file);
+  if (!options.device.empty()) config.device = options.device;
+  return config;
+}
+
+std::optional<RobotModel> known_model(const config::DaemonConfig& config) {
+  const bool wanted = config.calibrate != config::CalibrateWhen::always;
+  if (!wanted || !std::filesystem::exists(config.model_file)) return std::nullopt;
+  return config::load_model(config.model_file);
+}
+
+EndCause run_process(const ProcessOptions& options) {
+  const sigset_t signals = block_signals();
+  Service service{{}, Restarts(runtime_folder(options)), true, {}};
+  if (service.restarts.was_armed()) {
+    service.may_arm = false;
+    service.why_not = "the process before this one was killed while the robot was armed";
+  }
+  auto config = load_configuration(options);
+  if (!wait_out(service, signals)) return EndCause::asked;
+  while (true) {
+    RunOutcome outcome = run_once(config, options, service, signals);
+    if (!outcome.reload) {
+      std::error_code ignored;
+      std::filesystem::remove(options.status_file, ignored);
+      // Without its robot the run was not ended in order: nobody knows what the wheels do.
+      if (outcome.cause != EndCause::robot_silent && outcome.cause != EndCause::internal) {
+        service.restarts.ended_in_order();
+      }
+      return outcome.cause;
+    }
+    spdlog::info("{}: loaded anew", options.config_file.string());
+    config = std::move(*outcome.reload);
+    service.may_arm = false;
+    service.why_not = "the configuration was loaded anew";
+  }
 }
 
 }  // namespace wheelwright::daemon

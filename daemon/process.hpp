@@ -1,20 +1,49 @@
-// The daemon as a process: wiring, threads, signals, and the exit status.
+// The daemon as a process: wiring, threads, signals, and how it ends.
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 
 #include "config/load/daemon_config.hpp"
+#include "daemon/exit_status.hpp"
+#include "daemon/restarts.hpp"
+#include "daemon/service_notifier.hpp"
+#include "model/robot_model.hpp"
 
 namespace wheelwright::daemon {
 
-// Runs until the mission ends, a signal asks for the end, or something forbids going on. Returns the exit
-// status: 0 done, 1 ran and did not reach its end, 2 could not start.
+// The command line.
+struct ProcessOptions {
+  std::filesystem::path config_file;
+  std::filesystem::path device;         // instead of the configuration's; empty: that one
+  std::filesystem::path lateness_file;  // histogram of the loop's wake-ups, written at the end; empty: none
+  std::filesystem::path status_file;    // written anew every second (daemon/status_file.hpp); empty: none
+  bool as_service = false;
+};
+
+// What lasts from run to run of one process.
+struct Service {
+  ServiceNotifier notifier;
+  Restarts restarts;
+  bool may_arm = true;  // by itself, where the configuration says so
+  std::string why_not;
+};
+
+// Reads the configuration that the options name. Throws config::ConfigError.
+config::DaemonConfig load_configuration(const ProcessOptions& options);
+
+// The model that a run would start with. Throws config::ConfigError where it cannot be read.
+std::optional<RobotModel> known_model(const config::DaemonConfig& config);
+
+// Runs until the mission ends, a signal asks for the end, or something forbids going on. Throws StartFailure
+// or another exception where it could not start.
 //
 // SIGTERM, SIGINT  wheels to rest, logs closed, out
 // SIGUSR1          arm: clears a latched stop and starts the mission (again)
 // SIGUSR2          stop: wheels to rest, the process stays
-//
-// Where `lateness_file` is not empty, the histogram of the loop's wake-ups is written there at the end.
-int run_process(const config::DaemonConfig& config, const std::filesystem::path& lateness_file = {});
+// SIGHUP           reload the configuration, all of it, unless the robot drives or there is a mistake in it;
+//                  the robot is not armed by it
+EndCause run_process(const ProcessOptions& options);
 
 }  // namespace wheelwright::daemon

@@ -86,15 +86,18 @@ void add_route(Table& table, const config::DaemonConfig& config, const LogReport
 void add_loop(Table& table, const config::DaemonConfig& config, const roomba::Session& session,
               const RealTimeStatus& real_time, std::uint64_t dropped) {
   const auto& lateness = session.lateness();
-  const auto& counts = session.counts();
+  const roomba::LoopCounts counts = session.counts();
   table.title("Sensor loop");
   table.row("system", "{}", describe(real_time));
   table.row("ticks of " + fmt::format("{:g} ms", 1e3 * config.link.period_s), "{}", counts.ticks);
   table.row("wake-up lateness p50", "{:.0f} us", microseconds(lateness.quantile(0.5)));
   table.row("wake-up lateness p99", "{:.0f} us", microseconds(lateness.quantile(0.99)));
   table.row("wake-up lateness, largest", "{:.0f} us", microseconds(lateness.largest()));
+  for (const auto& step : coarse(lateness)) {
+    table.row(fmt::format("  up to {:.1f} us", microseconds(step.upper_edge)), "{}", step.count);
+  }
   table.row("periods skipped", "{} in {} overruns", counts.skipped_periods, counts.overruns);
-  table.row("commands late", "{}", session.link().counts().late_commands);
+  table.row("commands late", "{}", counts.commands_late);
   if (config.link.transport == roomba::Transport::query) {
     const auto& replies = session.link().reply_counts();
     table.row("replies", "{} of {} sound, {} missing, {} incomplete, {} garbled", replies.sound,
@@ -125,7 +128,7 @@ std::string summary(const config::DaemonConfig& config, const RunOutcome& outcom
                     const CalibrationReport& calibration, const LogReport& log,
                     const roomba::Session& session, const RealTimeStatus& real_time, std::uint64_t dropped) {
   Table table;
-  table.title(outcome.finished ? "Result: finished" : "Result: stopped, " + outcome.stopped);
+  table.title(outcome.finished() ? "Result: finished" : "Result: stopped, " + outcome.stopped);
   if (calibration.refusal) table.row("calibration refused", "{}", *calibration.refusal);
   add_calibration(table, calibration);
   add_route(table, config, log);

@@ -7,13 +7,9 @@
 #include "daemon/calibrator_thread.hpp"
 #include "daemon/log_thread.hpp"
 #include "daemon/real_time.hpp"
+#include "daemon/supervisor.hpp"
 
 namespace wheelwright::daemon {
-
-struct RunOutcome {
-  bool finished = false;
-  std::string stopped;  // why, where it did not finish
-};
 
 std::string summary(const config::DaemonConfig& config, const RunOutcome& outcome,
                     const CalibrationReport& calibration, const LogReport& log,

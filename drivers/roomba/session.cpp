@@ -54,6 +54,11 @@ Session::Session(const SessionConfig& config, const serial::OpenPort& first_port
 
 Session::~Session() = default;
 
+LoopCounts Session::counts() const {
+  return {counts_.ticks.value(),          counts_.overruns.value(),      counts_.skipped_periods.value(),
+          counts_.writes_held_up.value(), counts_.commands_late.value(), counts_.sound_readings.value()};
+}
+
 double Session::now_s() const {
   return std::chrono::duration<double>(steady_clock::now().time_since_epoch()).count();
 }
@@ -108,8 +113,8 @@ void Session::skip_missed_periods() {
   const auto late = steady_clock::now() - deadline_;
   if (late < period_ || config_.link.transport == Transport::stream) return;
   const auto missed = late / period_;
-  ++counts_.overruns;
-  counts_.skipped_periods += missed;
+  counts_.overruns.add();
+  counts_.skipped_periods.add(missed);
   if (tick_open_) finish_tick(nullptr);
   tick_ += missed;
   deadline_ += missed * period_;
@@ -158,8 +163,7 @@ void Session::end_when_standing() {
 
 void Session::begin_tick() {
   ++tick_;
-  ++counts_.ticks;
-  heartbeat_.store(tick_, std::memory_order_relaxed);
+  counts_.ticks.add();
   if (guard_ != nullptr) guard_->beat();
   tick_open_ = true;
   write(link_.begin_tick(tick_, now_s(), client_.command_for(tick_)));
@@ -168,6 +172,8 @@ void Session::begin_tick() {
 void Session::finish_tick(const open_interface::Reading* reading) {
   tick_open_ = false;
   const SensorFrame frame = link_.complete_tick(reading);
+  if (frame.valid) counts_.sound_readings.add();
+  counts_.commands_late.set(static_cast<std::int64_t>(link_.counts().late_commands));
   write(link_.urgent_bytes());
   client_.on_frame(frame);
   report_changes();
@@ -238,7 +244,7 @@ void Session::write(std::span<const std::uint8_t> bytes) {
   written = std::max<ssize_t>(written, 0);
   const auto rest = bytes.subspan(static_cast<std::size_t>(written));
   if (rest.empty()) return;
-  ++counts_.writes_held_up;
+  counts_.writes_held_up.add();
   std::copy(rest.begin(), rest.end(), held_up_.begin());
   held_up_size_ = rest.size();
 }

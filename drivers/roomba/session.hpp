@@ -50,12 +50,14 @@ class LoopClient {
   virtual void on_event(const Event& event) = 0;
 };
 
-// What the loop counted; read it after run() has returned, or from the loop's own thread.
+// What the loop counted so far.
 struct LoopCounts {
   std::int64_t ticks = 0;
   std::int64_t overruns = 0;         // wake-ups that came a period or more late
   std::int64_t skipped_periods = 0;  // periods lost to them
   std::int64_t writes_held_up = 0;   // writes that the port did not take whole at once
+  std::int64_t commands_late = 0;    // ticks at which no command had come in time
+  std::int64_t sound_readings = 0;
 };
 
 struct SessionConfig {
@@ -81,11 +83,11 @@ class Session {
   void request_stop(StopReason reason) { stop_requested_.store(reason, std::memory_order_relaxed); }
   void request_encoder_order(EncoderOrder order) { encoder_order_.store(order, std::memory_order_relaxed); }
 
-  // Advances with every tick: a watchdog's food.
-  std::int64_t heartbeat() const { return heartbeat_.load(std::memory_order_relaxed); }
-
-  const LoopCounts& counts() const { return counts_; }
+  // From any thread. The ticks advance whether or not there is a robot: a watchdog's food.
+  LoopCounts counts() const;
   const LatenessHistogram& lateness() const { return lateness_; }
+
+  // After run() has returned, or from the loop's own thread.
   const RoombaLink& link() const { return link_; }
 
  private:
@@ -141,13 +143,14 @@ class Session {
   std::int64_t stream_frames_ = 0;
   double first_stream_frame_s_ = 0.0;
 
-  LoopCounts counts_;
+  struct {
+    LoopCount ticks, overruns, skipped_periods, writes_held_up, commands_late, sound_readings;
+  } counts_;
   LatenessHistogram lateness_;
   std::atomic<bool> end_requested_{false};
   std::atomic<bool> arm_requested_{false};
   std::atomic<StopReason> stop_requested_{StopReason::none};
   std::atomic<EncoderOrder> encoder_order_;
-  std::atomic<std::int64_t> heartbeat_{0};
 };
 
 }  // namespace wheelwright::roomba

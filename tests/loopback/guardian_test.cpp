@@ -3,6 +3,7 @@
 #include <csignal>
 
 #include "tests/loopback/bench/bench.hpp"
+#include "tests/loopback/bench/held_thread.hpp"
 #include "tests/loopback/bench/line_tap.hpp"
 #include "tests/support/catch.hpp"
 
@@ -96,6 +97,17 @@ TEST_CASE("A daemon that is stopped loses the wheels within 300 ms, and ends its
   const Table truth = drive.bench.truth();
   check_rest("SIGSTOP", ms_to_rest(truth, at_ms, continued_ms));
   CHECK(ms_to_rest(truth, continued_ms) < 1.0);
+}
+
+TEST_CASE("A sensor loop that hangs loses the wheels within 300 ms") {
+  Drive drive;
+  const double at_ms = unix_ms_now();
+  const HeldThread hung(drive.daemon->pid(), "ww-loop");
+  if (!hung) return skip("this system does not let a thread be held");
+  CHECK(drive.daemon->says("guardian: the sensor loop stands still", 1s));
+  std::this_thread::sleep_for(1s);
+  drive.robot->end();
+  check_rest("the loop hung", ms_to_rest(drive.bench.truth(), at_ms));
 }
 
 TEST_CASE("A run that was stopped for less than the guardian's patience goes on") {

@@ -45,5 +45,6 @@ Action add_evaluate(CLI::App& app);
 Action add_doctor(CLI::App& app);
 Action add_import(CLI::App& app);
 Action add_circle(CLI::App& app);
+Action add_status(CLI::App& app);
 
 }  // namespace wheelwright::tools

@@ -24,6 +24,7 @@ class ChildProcess {
   ChildProcess& operator=(const ChildProcess&) = delete;
   ~ChildProcess();
 
+  pid_t pid() const { return pid_; }
   void signal(int number) const;
 
   static constexpr int still_running = 1000;

@@ -1,0 +1,133 @@
+#include "daemon/supervisor.hpp"
+
+#include <spdlog/spdlog.h>
+#include <time.h>
+
+#include <csignal>
+
+#include "config/load/atomic_file.hpp"
+#include "daemon/plan.hpp"
+
+namespace wheelwright::daemon {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto answer_patience = 15s;
+constexpr auto linger_after_end = 500ms;  // the robot comes to rest, and the log gets to see it
+constexpr auto tell_every = 1s;
+constexpr auto long_enough = 60s;  // for a process to be no part of a row of failures
+constexpr long look_every_ns = 50'000'000;
+
+EndCause cause_of(StopReason reason) {
+  const bool silent = reason == StopReason::blind || reason == StopReason::link_lost;
+  return silent ? EndCause::robot_silent : EndCause::run_stopped;
+}
+
+}  // namespace
+
+RunOutcome Supervisor::run(const sigset_t& signals) {
+  const timespec patience{0, look_every_ns};
+  while (true) {
+    const int signal = ::sigtimedwait(&signals, nullptr, &patience);
+    if (auto end = obey(signal)) return *end;
+    arm_when_ready();
+    if (auto end = end_of_run()) return *end;
+    tell(Clock::now());
+  }
+}
+
+std::optional<RunOutcome> Supervisor::obey(int signal) {
+  switch (signal) {
+    case SIGTERM:
+    case SIGINT:
+      if (parts_.wiring.finished.load()) return RunOutcome{};
+      return RunOutcome{EndCause::asked, "ended by a signal", {}};
+    case SIGUSR1:
+      service_.restarts.armed();
+      armed_once_ = true;
+      parts_.session.request_arm();
+      return std::nullopt;
+    case SIGUSR2:
+      parts_.session.request_stop(StopReason::requested);
+      return std::nullopt;
+    case SIGHUP:
+      return reload();
+    default:
+      return std::nullopt;
+  }
+}
+
+// What the robot is doing is not known to be nothing as long as it is armed and not at the end of its run.
+bool Supervisor::moves() const {
+  const auto latest = parts_.board.latest();
+  return latest && latest->frame.armed && latest->frame.command.activity != Activity::finished;
+}
+
+// All of a configuration may change, since all is built anew from it; but not under a robot that drives.
+std::optional<RunOutcome> Supervisor::reload() {
+  if (moves()) {
+    spdlog::error("not reloaded: the robot drives; stop it first (SIGUSR2)");
+    return std::nullopt;
+  }
+  try {
+    RunOutcome outcome{EndCause::asked, "the configuration is loaded anew", {}};
+    outcome.reload = load_configuration(parts_.options);
+    make_plan(*outcome.reload, known_model(*outcome.reload));
+    return outcome;
+  } catch (const std::exception& error) {
+    spdlog::error("not reloaded: {}", error.what());
+    return std::nullopt;
+  }
+}
+
+RunOutcome Supervisor::ended_early() const {
+  const StopReason reason = parts_.wiring.stop.load();
+  return {cause_of(reason), std::string(name_of(reason)), {}};
+}
+
+std::optional<RunOutcome> Supervisor::end_of_run() {
+  const auto now = Clock::now();
+  if (!parts_.guardian.alive()) return RunOutcome{EndCause::internal, "the guardian process has ended", {}};
+  if (parts_.config.at_end == config::AtEnd::stay) return std::nullopt;
+  const bool finished = parts_.wiring.finished.load();
+  const bool over = finished || parts_.wiring.stop.load() != StopReason::none;
+  if (!over) not_over_ = now;
+  if (over && now - not_over_ >= linger_after_end) return finished ? RunOutcome{} : ended_early();
+  // As a service it is waited for; the status line says so.
+  if (!parts_.options.as_service && now - started_ > answer_patience && !parts_.wiring.robot_answers.load()) {
+    return RunOutcome{
+        EndCause::robot_silent,
+        "the robot does not answer on " + parts_.config.device.string() + "; try 'wheelwright doctor'",
+        {}};
+  }
+  return std::nullopt;
+}
+
+void Supervisor::arm_when_ready() {
+  if (armed_once_ || !parts_.config.arm_at_start || !parts_.wiring.robot_answers.load()) return;
+  armed_once_ = true;
+  if (!service_.may_arm) {
+    spdlog::warn("not armed: {}; SIGUSR1 arms the robot", service_.why_not);
+    return;
+  }
+  service_.restarts.armed();
+  parts_.session.request_arm();
+}
+
+void Supervisor::tell(Clock::time_point now) {
+  service_.notifier.feed(parts_.session.counts().ticks);
+  if (parts_.wiring.robot_answers.load()) service_.notifier.ready();
+  if (now - told_ < tell_every) return;
+  told_ = now;
+  if (now - started_ > long_enough) service_.restarts.lasted();
+  const StatusView view{parts_.config,     parts_.session,        parts_.real_time,
+                        parts_.run_folder, parts_.board.latest(), parts_.wiring.robot_answers.load()};
+  service_.notifier.status(status_line(view));
+  if (parts_.options.status_file.empty()) return;
+  const auto error = config::write_file_atomically(parts_.options.status_file, status_json(view));
+  if (error && !status_failed_) spdlog::error("{}", *error);
+  status_failed_ = error.has_value();
+}
+
+}  // namespace wheelwright::daemon

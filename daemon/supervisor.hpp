@@ -1,0 +1,71 @@
+// The main thread while the others work: signals, the first arming, the end of the run, and what the service
+// manager and `wheelwright status` are told.
+#pragma once
+
+#include <sys/signal.h>
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "config/load/daemon_config.hpp"
+#include "daemon/exit_status.hpp"
+#include "daemon/guardian.hpp"
+#include "daemon/process.hpp"
+#include "daemon/real_time.hpp"
+#include "daemon/status_board.hpp"
+#include "daemon/status_file.hpp"
+#include "daemon/wiring.hpp"
+#include "drivers/roomba/session.hpp"
+
+namespace wheelwright::daemon {
+
+struct RunOutcome {
+  EndCause cause = EndCause::done;
+  std::string stopped;                         // why, where it did not finish
+  std::optional<config::DaemonConfig> reload;  // go on with this one, in the same process
+
+  bool finished() const { return cause == EndCause::done; }
+};
+
+// What it watches over; all of it outlives the supervisor.
+struct Supervised {
+  const config::DaemonConfig& config;
+  const ProcessOptions& options;
+  roomba::Session& session;
+  Guardian& guardian;
+  Wiring& wiring;
+  const StatusBoard& board;
+  const RealTimeStatus& real_time;
+  std::filesystem::path run_folder;
+};
+
+class Supervisor {
+ public:
+  Supervisor(Supervised parts, Service& service) : parts_(std::move(parts)), service_(service) {}
+
+  // Returns when the run is to end. `signals` are blocked in every thread.
+  RunOutcome run(const sigset_t& signals);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::optional<RunOutcome> obey(int signal);
+  std::optional<RunOutcome> end_of_run();
+  std::optional<RunOutcome> reload();
+  RunOutcome ended_early() const;
+  bool moves() const;
+  void arm_when_ready();
+  void tell(Clock::time_point now);
+
+  Supervised parts_;
+  Service& service_;
+  Clock::time_point started_ = Clock::now();
+  Clock::time_point not_over_ = started_;
+  Clock::time_point told_{};
+  bool armed_once_ = false;
+  bool status_failed_ = false;
+};
+
+}  // namespace wheelwright::daemon
