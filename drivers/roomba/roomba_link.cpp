@@ -17,6 +17,8 @@ constexpr std::uint8_t safe = 2;
 
 constexpr int start_settles_ticks = 3;  // the robot wants 20 ms after a change of mode
 constexpr int start_again_ticks = 50;   // a robot that was just switched on misses the first Start
+constexpr int ask_again_ticks = 10;
+constexpr int revive_ticks = 4;
 constexpr double arming_patience_s = 1.0;
 
 // No Roomba moves faster than 0.5 m/s, 1125 ticks/s; some room for slipping wheels and for sensor refreshes
@@ -164,10 +166,23 @@ void RoombaLink::write_tick_commands() {
   } else if (stop_ != StopReason::none) {
     add_drive(out_, {});
   }
+  if (config_.transport == Transport::stream && state_ == LinkState::running) revive_stream();
   if (config_.transport == Transport::query && ticks_since_open_ > start_settles_ticks) {
+    // A damaged bit turns a query into the order to stream the same packets, which then garble the replies.
+    if (last_reply_failed_) out_.pause_stream();
     out_.query_list(query_.begin());
   }
   ++ticks_since_open_;
+}
+
+// A damaged order may have ended the stream or made it one of other packets. Start goes in front for the
+// reason that handshake() gives; it also ends the driving mode, so the wheels are given time to be stopped.
+void RoombaLink::revive_stream() {
+  const auto ticks_at_rest =
+      frame_.tick - last_sound_tick_ - ticks_of(config_.blind_limit_s + longest_braking_s);
+  if (ticks_at_rest < 0 || ticks_at_rest % revive_ticks != 0) return;
+  out_.start();
+  out_.stream(stream_.packets());
 }
 
 // Not before the robot has said what it calls Passive.
@@ -196,7 +211,9 @@ void RoombaLink::handshake() {
   } else if (start_in_front) {
     out_.start();
   }
-  if (step == start_settles_ticks && config_.transport == Transport::stream) out_.stream(stream_.packets());
+  // Often, since a damaged request is answered by nothing.
+  const bool asks_for_stream = step % ask_again_ticks == start_settles_ticks;
+  if (asks_for_stream && config_.transport == Transport::stream) out_.stream(stream_.packets());
 }
 
 std::optional<Reading> RoombaLink::receive(std::uint8_t byte) {
@@ -204,6 +221,7 @@ std::optional<Reading> RoombaLink::receive(std::uint8_t byte) {
 }
 
 SensorFrame RoombaLink::complete_tick(const Reading* reading) {
+  last_reply_failed_ = reading == nullptr;
   if (reading != nullptr) {
     take_reading(*reading, frame_);
   } else {

@@ -92,6 +92,7 @@ class RoombaLink {
   void write_tick_commands();
   void handshake();
   void ask_for_mode();
+  void revive_stream();
   void take_reading(const open_interface::Reading& reading, SensorFrame& frame);
   void take_counts(const open_interface::Reading& reading, SensorFrame& frame);
   void note_silence();
@@ -123,6 +124,7 @@ class RoombaLink {
   int mode_offset_ = 0;          // some 600-series firmware reports the mode plus one
   bool asked_for_mode_ = false;  // Safe or Full, since the port was opened
   bool after_gap_ = true;
+  bool last_reply_failed_ = false;
 };
 
 }  // namespace wheelwright::roomba

@@ -22,7 +22,6 @@ using std::chrono::steady_clock;
 // The timer wakes so much before a deadline, and the rest is slept to the nanosecond: Asio's own way to a
 // deadline costs some 40 us more (a timerfd in whole microseconds, behind epoll).
 constexpr auto wake_ahead = std::chrono::microseconds(300);
-constexpr double longest_back_off_s = 0.5;
 constexpr std::int64_t frames_to_measure = 200;
 
 void sleep_until(steady_clock::time_point deadline) {
@@ -48,6 +47,7 @@ Session::Session(const SessionConfig& config, const serial::OpenPort& first_port
       link_(config.link),
       io_(std::make_unique<Io>()),
       period_(std::chrono::nanoseconds(std::llround(1e9 * config.link.period_s))),
+      reopening_(config.link.period_s),
       encoder_order_(config.link.encoder_order) {
   adopt(first_port);
 }
@@ -268,13 +268,12 @@ void Session::drop_port() {
   close_port();
   link_.stop(StopReason::link_lost);
   link_.port_closed();
-  back_off_s_ = 0.1;
-  reopen_at_tick_ = tick_ + std::llround(back_off_s_ / config_.link.period_s);
+  reopening_.closed(tick_);
 }
 
 void Session::reopen_if_due() {
   if (link_.state() == LinkState::lost) drop_port();
-  if (link_.state() != LinkState::closed || tick_ < reopen_at_tick_) return;
+  if (link_.state() != LinkState::closed || !reopening_.due(tick_)) return;
   const auto port = serial::open_port(config_.device, config_.baud);
   if (port) {
     adopt(*port);
@@ -282,8 +281,7 @@ void Session::reopen_if_due() {
     report(EventCode::port_opened, 0.0);
     return;
   }
-  back_off_s_ = std::min(2.0 * back_off_s_, longest_back_off_s);
-  reopen_at_tick_ = tick_ + std::llround(back_off_s_ / config_.link.period_s);
+  reopening_.failed(tick_);
 }
 
 void Session::report_changes() {

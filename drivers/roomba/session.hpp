@@ -14,6 +14,7 @@
 
 #include "drivers/roomba/lateness_histogram.hpp"
 #include "drivers/roomba/port_guard.hpp"
+#include "drivers/roomba/reopen_schedule.hpp"
 #include "drivers/roomba/roomba_link.hpp"
 #include "drivers/serial/serial_port.hpp"
 
@@ -134,8 +135,7 @@ class Session {
   std::array<std::uint8_t, 256> held_up_{};
   std::size_t held_up_size_ = 0;
 
-  std::int64_t reopen_at_tick_ = 0;
-  double back_off_s_ = 0.1;
+  ReopenSchedule reopening_;
   LinkState reported_state_ = LinkState::closed;
   StopReason reported_stop_ = StopReason::none;
   bool reported_armed_ = false;

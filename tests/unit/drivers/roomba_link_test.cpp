@@ -238,3 +238,15 @@ TEST_CASE("What is written in one tick fits the line at 115200 baud") {
   CHECK(bench.written.size() == 5 + 2 + 23);
   CHECK(bench.written.size() * 10 <= static_cast<std::size_t>(115200 * 0.018));
 }
+
+TEST_CASE("After a reply that failed the robot is told not to stream, in case damage made it") {
+  Bench bench;
+  bench.start();
+  bench.drive(0.1, 0.1);
+  CHECK(!contains(bench.written, {150, 0}));
+  bench.drive(0.1, 0.1, false);
+  bench.drive(0.1, 0.1);
+  CHECK(contains(bench.written, {150, 0, 149}));
+  bench.drive(0.1, 0.1);
+  CHECK(!contains(bench.written, {150, 0}));
+}
