@@ -164,6 +164,7 @@ void OpenInterfaceServer::boot(Nanoseconds now) {
   to_host_.set_baud(link_.baud);
   stream_length_ = 0;
   power_ = Power::booting;
+  ++boots_;
   boots_until_ = now + nanoseconds(link_.boot_time_s);
   send(link_.boot_text);
 }

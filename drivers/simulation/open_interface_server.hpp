@@ -41,6 +41,8 @@ class OpenInterfaceServer {
 
   bool charger_connected() const { return charger_connected_; }
   OiMode mode() const { return mode_; }
+  bool asleep() const { return power_ == Power::asleep; }
+  int boots() const { return boots_; }
 
  private:
   enum class Power { off, booting, asleep, awake };
@@ -76,6 +78,7 @@ class OpenInterfaceServer {
   bool charger_connected_;
   Nanoseconds last_command_{0};
   Nanoseconds boots_until_{0};
+  int boots_ = 0;
   Nanoseconds next_stray_text_{0};
   Nanoseconds buttons_until_{0};
   Nanoseconds song_until_{0};

@@ -17,8 +17,10 @@ Nanoseconds nanoseconds(double seconds) {
   return Nanoseconds(std::llround(seconds * 1e9));
 }
 
-SerialLine::SerialLine(int baud, std::size_t buffer, const ByteFaults& faults, double latency_s)
-    : baud_(baud),
+SerialLine::SerialLine(Sender sender, int baud, std::size_t buffer, const ByteFaults& faults,
+                       double latency_s)
+    : sender_(sender),
+      baud_(baud),
       byte_time_(time_of_byte(baud)),
       buffer_(std::min(buffer, capacity)),
       faults_(faults),
@@ -26,7 +28,16 @@ SerialLine::SerialLine(int baud, std::size_t buffer, const ByteFaults& faults, d
 
 void SerialLine::set_baud(int baud) {
   baud_ = baud;
-  byte_time_ = time_of_byte(baud);
+  settle_byte_time();
+}
+
+void SerialLine::set_host_baud(int baud) {
+  host_baud_ = baud;
+  settle_byte_time();
+}
+
+void SerialLine::settle_byte_time() {
+  byte_time_ = time_of_byte(sender_ == Sender::host && host_baud_ != 0 ? host_baud_ : baud_);
 }
 
 void SerialLine::send(std::uint8_t byte, Nanoseconds now, Noise& noise) {

@@ -28,12 +28,16 @@ class SerialLine {
   };
   static constexpr std::size_t capacity = 8192;
 
-  // At most `buffer` bytes wait to be sent; `buffer` is no more than `capacity`.
-  SerialLine(int baud, std::size_t buffer, const ByteFaults& faults, double latency_s);
+  enum class Sender { host, robot };
 
-  // The robot's speed. Once the host's is known too and differs, every byte arrives as a random one.
+  // At most `buffer` bytes wait to be sent; `buffer` is no more than `capacity`.
+  SerialLine(Sender sender, int baud, std::size_t buffer, const ByteFaults& faults, double latency_s);
+
+  // The robot's speed. Once the host's is known too and differs, every byte arrives as a random one. Bytes
+  // take the time that their sender's speed gives them.
   void set_baud(int baud);
-  void set_host_baud(int baud) { host_baud_ = baud; }
+  int baud() const { return baud_; }
+  void set_host_baud(int baud);
   void send(std::uint8_t byte, Nanoseconds now, Noise& noise);
   // The next byte, whenever it arrives; nothing if none is under way.
   std::optional<Arrival> front() const;
@@ -43,6 +47,9 @@ class SerialLine {
   const Arrival& at(std::size_t index) const { return ring_[(first_ + index) % capacity]; }
 
  private:
+  void settle_byte_time();
+
+  Sender sender_;
   int baud_;
   int host_baud_ = 0;  // 0: the same
   Nanoseconds byte_time_;

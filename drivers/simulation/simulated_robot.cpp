@@ -30,8 +30,8 @@ struct SimulatedRobot::Parts {
         line_noise(robot.seed ^ 0x5eed0f11e5ULL),
         mechanics(robot, noise),
         sensors(robot),
-        from_host(robot.link.baud, SerialLine::capacity, robot.link.to_robot, robot.link.latency_to_robot_s),
-        to_host(robot.link.baud, uart_buffer_bytes, robot.link.to_host, 0.0),
+        from_host(SerialLine::Sender::host, robot.link.baud, SerialLine::capacity, robot.link.to_robot, robot.link.latency_to_robot_s),
+        to_host(SerialLine::Sender::robot, robot.link.baud, uart_buffer_bytes, robot.link.to_host, 0.0),
         receiver(robot.link.usb_latency_timer_s, robot.link.usb_chunk_bytes),
         server(robot, mechanics, sensors, from_host, to_host, line_noise),
         step(nanoseconds(robot.physics_step_s)),
@@ -161,6 +161,9 @@ GroundTruth SimulatedRobot::truth() const {
           .counts_left = p.mechanics.left().encoder.unwrapped(),
           .counts_right = p.mechanics.right().encoder.unwrapped(),
           .oi_mode = static_cast<int>(p.server.mode()),
+          .asleep = p.server.asleep(),
+          .boots = p.server.boots(),
+          .baud = p.to_host.baud(),
           .wheels_at_rest = still(p.mechanics.left()) && still(p.mechanics.right()),
           .touches_wall = body.touches()};
 }

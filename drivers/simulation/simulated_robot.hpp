@@ -39,6 +39,9 @@ struct GroundTruth {
   std::int64_t counts_left = 0;  // unwrapped, with the robot's own sign rule
   std::int64_t counts_right = 0;
   int oi_mode = 0;             // 0 Off, 1 Passive, 2 Safe, 3 Full
+  bool asleep = false;         // until its Clean button is pressed
+  int boots = 0;               // since it was switched on long ago
+  int baud = 0;                // at which it talks and listens
   bool wheels_at_rest = true;  // both slower than 0.1 mm/s
   bool touches_wall = false;
 };

@@ -17,8 +17,8 @@ Bytes worked_example(bool checksum_excludes_header) {
   Noise noise(1);
   Mechanics mechanics(config, noise);
   SensorBoard sensors(config);
-  SerialLine from_host(115200, 256, {}, 0.0);
-  SerialLine to_host(115200, 256, {}, 0.0);
+  SerialLine from_host(SerialLine::Sender::host, 115200, 256, {}, 0.0);
+  SerialLine to_host(SerialLine::Sender::robot, 115200, 256, {}, 0.0);
   OpenInterfaceServer server(config, mechanics, sensors, from_host, to_host, noise);
   for (const std::uint8_t byte : Bytes{128, 148, 2, 29, 13}) server.receive(byte, 0ms);
   sensors.set(PacketId::cliff_front_left_signal, 537);

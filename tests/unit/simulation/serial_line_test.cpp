@@ -8,7 +8,7 @@ using namespace wheelwright::simulation;
 namespace {
 
 SerialLine plain_line(int baud) {
-  return SerialLine(baud, 256, {}, 0.0);
+  return SerialLine(SerialLine::Sender::robot, baud, 256, {}, 0.0);
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ TEST_CASE("A USB converter hands bytes on when its timer fires or a packet is fu
 
 TEST_CASE("Bytes are lost and damaged as often as configured") {
   Noise noise(3);
-  SerialLine line(115200, SerialLine::capacity, {0.1, 0.2}, 0.0);
+  SerialLine line(SerialLine::Sender::robot, 115200, SerialLine::capacity, {0.1, 0.2}, 0.0);
   int damaged = 0;
   constexpr int sent = 8000;
   for (int i = 0; i < sent; ++i) line.send(0, 0ms, noise);
