@@ -49,12 +49,16 @@ LogThread::LogThread(const config::DaemonConfig& config, std::filesystem::path f
 }
 
 void LogThread::run() {
-  for (CsvFile* file : {&drive_log_, &pose_log_}) {
+  for (GrowingFile* file : {&drive_log_, &pose_log_}) {
     const bool drive = file == &drive_log_;
     const auto path = folder_ / (drive ? "drive_log.csv" : "pose_log.csv");
     if (file->create(path, drive ? drive_log_head(config_, metres_per_tick_) : pose_log_head(config_))) {
       report_.files.push_back(path);
     }
+  }
+  if (config_.mcap_log) {
+    mcap_log_.emplace(config_, folder_ / "run.mcap");
+    if (mcap_log_->file().is_open()) report_.files.push_back(mcap_log_->file().path());
   }
   note_file_errors();
   while (!wiring_.ending.load(std::memory_order_relaxed)) {
@@ -75,6 +79,7 @@ void LogThread::drain() {
   const auto now = std::chrono::steady_clock::now();
   drive_log_.flush(now);
   pose_log_.flush(now);
+  if (mcap_log_) mcap_log_->flush(now);
   note_file_errors();
 }
 
@@ -87,8 +92,9 @@ void LogThread::take(const LogEntry& entry) {
   recorder_next_ = (recorder_next_ + 1) % recorder_ticks;
   note_activity(entry);
   if (is_logged(entry)) {
-    drive_log_.add(drive_log_line(entry));
-    pose_log_.add(pose_log_line(entry, config_.limits.wheel_base_m));
+    drive_log_.add_line(drive_log_line(entry));
+    pose_log_.add_line(pose_log_line(entry, config_.limits.wheel_base_m));
+    if (mcap_log_) mcap_log_->take(entry);
     ++report_.logged_ticks;
     note_faults(entry.record);
   }
@@ -174,8 +180,9 @@ void LogThread::tell(const roomba::Event& event) {
 }
 
 void LogThread::note_file_errors() {
-  for (const CsvFile* file : {&drive_log_, &pose_log_}) {
-    if (!file->error()) continue;
+  const GrowingFile* mcap_file = mcap_log_ ? &mcap_log_->file() : nullptr;
+  for (const GrowingFile* file : std::array<const GrowingFile*, 3>{&drive_log_, &pose_log_, mcap_file}) {
+    if (file == nullptr || !file->error()) continue;
     if (std::find(report_.errors.begin(), report_.errors.end(), *file->error()) != report_.errors.end())
       continue;
     report_.errors.push_back(*file->error());
@@ -204,6 +211,7 @@ void LogThread::write_flight_recorder(StopReason reason) {
 void LogThread::finish() {
   drive_log_.close();
   pose_log_.close();
+  if (mcap_log_) report_.lost_messages = mcap_log_->close();
   note_file_errors();
   report_.lost_lines = drive_log_.lost_lines() + pose_log_.lost_lines();
 }

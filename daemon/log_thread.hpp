@@ -1,4 +1,5 @@
-// The thread that writes: drive log, pose log, the daemon's messages, and after a fault the last 250 ticks.
+// The thread that writes: drive log, pose log, the same as MCAP where it is wanted, the daemon's messages,
+// and after a fault the last 250 ticks.
 #pragma once
 
 #include <array>
@@ -7,7 +8,8 @@
 #include <vector>
 
 #include "config/load/daemon_config.hpp"
-#include "daemon/csv_file.hpp"
+#include "daemon/growing_file.hpp"
+#include "daemon/mcap_log.hpp"
 #include "daemon/status_board.hpp"
 #include "daemon/wiring.hpp"
 
@@ -18,6 +20,7 @@ struct LogReport {
   std::vector<std::filesystem::path> files;
   std::vector<std::string> errors;
   std::uint64_t lost_lines = 0;
+  std::uint64_t lost_messages = 0;  // of the MCAP file
   std::optional<PoseRecord> last_route_record;
   std::int64_t logged_ticks = 0;
   std::uint64_t faults = 0;        // that the hybrid filter found
@@ -54,8 +57,9 @@ class LogThread {
   WheelPair metres_per_tick_;
   Wiring& wiring_;
   StatusBoard& board_;
-  CsvFile drive_log_;
-  CsvFile pose_log_;
+  GrowingFile drive_log_;
+  GrowingFile pose_log_;
+  std::optional<McapLog> mcap_log_;  // where it is wanted
   std::vector<LogEntry> recorder_;
   std::size_t recorder_next_ = 0;
   StopReason last_stop_ = StopReason::none;

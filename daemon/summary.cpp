@@ -117,8 +117,11 @@ void add_files(Table& table, const config::DaemonConfig& config, const Calibrati
   table.title("Files");
   if (calibration.model && !calibration.file_error) table.row("model", "{}", config.model_file.string());
   for (const auto& file : calibration.adapted) table.row("adapted model", "{}", file.string());
-  for (const auto& file : log.files) table.row(file.stem().string(), "{}", file.string());
+  for (const auto& file : log.files)
+    table.row(file.extension() == ".csv" ? file.stem().string() : file.filename().string(), "{}",
+              file.string());
   for (const auto& error : log.errors) table.row("not written", "{}", error);
+  if (log.lost_messages > 0) table.row("messages lost", "{}", log.lost_messages);
   if (log.lost_lines > 0) table.row("lines lost", "{}", log.lost_lines);
 }
 

@@ -171,6 +171,7 @@ void read_run(YamlReader& file, DaemonConfig& config) {
       run->choice<bool>("arm", {{"at_start", true}, {"by_signal", false}}, config.arm_at_start);
   config.at_end = run->choice<AtEnd>("at_end", {{"exit", AtEnd::exit}, {"stay", AtEnd::stay}}, config.at_end);
   config.log_folder = run->text("log_folder", config.log_folder.string());
+  config.mcap_log = run->boolean("mcap", config.mcap_log);
   if (config.route && config.route->speed_m_s > config.limits.largest_wheel_speed_m_s) {
     run->fail("route", "asks for " + std::to_string(config.route->speed_m_s) +
                            " m/s, more than limits.largest_speed_m_s allows");

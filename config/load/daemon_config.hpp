@@ -55,6 +55,7 @@ struct DaemonConfig {
   bool arm_at_start = true;
   AtEnd at_end = AtEnd::exit;
   std::filesystem::path log_folder = "runs";
+  bool mcap_log = false;  // an MCAP file beside the CSV logs
   RealTimeConfig real_time;
 };
 

@@ -118,6 +118,7 @@ void add_run(Yaml& yaml, const DaemonConfig& config) {
   yaml.word("arm", config.arm_at_start ? "at_start" : "by_signal");
   yaml.word("at_end", config.at_end == AtEnd::exit ? "exit" : "stay");
   yaml.text("log_folder", config.log_folder.string());
+  yaml.flag("mcap", config.mcap_log);
   yaml.section("real_time");
   yaml.word("policy", name_of(config.real_time.policy));
   yaml.number("priority", config.real_time.priority);

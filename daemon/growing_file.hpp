@@ -1,4 +1,4 @@
-// A CSV file that grows line by line and loses at most a second on a power cut.
+// A file that grows piece by piece and loses at most a second on a power cut.
 #pragma once
 
 #include <chrono>
@@ -6,23 +6,27 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace wheelwright::daemon {
 
-class CsvFile {
+class GrowingFile {
  public:
-  CsvFile() = default;
-  CsvFile(const CsvFile&) = delete;
-  CsvFile& operator=(const CsvFile&) = delete;
-  ~CsvFile();
+  GrowingFile() = default;
+  GrowingFile(const GrowingFile&) = delete;
+  GrowingFile& operator=(const GrowingFile&) = delete;
+  ~GrowingFile();
 
-  // Creates the file with its head (metadata and header row). False where that fails; error() then says why.
+  // Creates the file with its head (for a CSV: metadata and header row). False where that fails; error() then
+  // says why.
   bool create(const std::filesystem::path& path, const std::string& head);
   bool is_open() const { return descriptor_ >= 0; }
 
-  // Adds one line, without its line end. What cannot be written (disk full) is tried again; meanwhile lines
-  // beyond what memory is set aside for are counted as lost.
-  void add(const std::string& line);
+  // Adds a piece, whole or not at all. What cannot be written (disk full) is tried again; meanwhile pieces
+  // beyond what memory is set aside for are refused.
+  bool add(std::string_view piece);
+  // Adds one line, without its line end; one that is refused is counted as lost.
+  void add_line(const std::string& line);
 
   // Hands what was added to the disk. Call it several times a second.
   void flush(std::chrono::steady_clock::time_point now);

@@ -1,4 +1,4 @@
-#include "daemon/csv_file.hpp"
+#include "daemon/growing_file.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -14,11 +14,11 @@ constexpr auto sync_every = std::chrono::milliseconds(500);
 
 }  // namespace
 
-CsvFile::~CsvFile() {
+GrowingFile::~GrowingFile() {
   close();
 }
 
-bool CsvFile::create(const std::filesystem::path& path, const std::string& head) {
+bool GrowingFile::create(const std::filesystem::path& path, const std::string& head) {
   path_ = path;
   descriptor_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (descriptor_ < 0) {
@@ -30,16 +30,17 @@ bool CsvFile::create(const std::filesystem::path& path, const std::string& head)
   return true;
 }
 
-void CsvFile::add(const std::string& line) {
-  if (descriptor_ < 0 || pending_.size() + line.size() > most_pending_bytes) {
-    ++lost_lines_;
-    return;
-  }
-  pending_ += line;
-  pending_ += '\n';
+bool GrowingFile::add(std::string_view piece) {
+  if (descriptor_ < 0 || pending_.size() + piece.size() > most_pending_bytes) return false;
+  pending_ += piece;
+  return true;
 }
 
-bool CsvFile::write_pending() {
+void GrowingFile::add_line(const std::string& line) {
+  if (!add(line + '\n')) ++lost_lines_;
+}
+
+bool GrowingFile::write_pending() {
   while (!pending_.empty()) {
     const ssize_t written = ::write(descriptor_, pending_.data(), pending_.size());
     if (written < 0 && errno == EINTR) continue;
@@ -52,13 +53,13 @@ bool CsvFile::write_pending() {
   return true;
 }
 
-void CsvFile::flush(std::chrono::steady_clock::time_point now) {
+void GrowingFile::flush(std::chrono::steady_clock::time_point now) {
   if (descriptor_ < 0 || now < next_sync_) return;
   next_sync_ = now + sync_every;
   if (write_pending()) ::fdatasync(descriptor_);
 }
 
-void CsvFile::close() {
+void GrowingFile::close() {
   if (descriptor_ < 0) return;
   write_pending();
   ::fdatasync(descriptor_);
