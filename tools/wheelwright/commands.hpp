@@ -44,6 +44,8 @@ Action add_replay(CLI::App& app);
 Action add_evaluate(CLI::App& app);
 Action add_doctor(CLI::App& app);
 Action add_import(CLI::App& app);
+Action add_export(CLI::App& app);
+Action add_report(CLI::App& app);
 Action add_circle(CLI::App& app);
 Action add_status(CLI::App& app);
 

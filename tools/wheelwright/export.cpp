@@ -1,0 +1,85 @@
+// wheelwright export: a run to what other tools read.
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <ostream>
+
+#include "config/load/atomic_file.hpp"
+#include "daemon/mcap/robot_recording.hpp"
+#include "tools/wheelwright/commands.hpp"
+#include "tools/wheelwright/export/plain_csv.hpp"
+#include "tools/wheelwright/export/recorded_run.hpp"
+#include "tools/wheelwright/export/tum.hpp"
+#include "tools/wheelwright/log_checks.hpp"
+
+namespace wheelwright::tools {
+namespace {
+
+struct ExportOptions {
+  std::string log;
+  std::string tum;
+  std::string mcap;
+  std::string csv;
+  TumChoice choice;
+};
+
+std::string to_mcap(const RecordedRun& run) {
+  std::string file;
+  const mcap::Sink sink = [&file](std::string_view bytes) {
+    file += bytes;
+    return true;
+  };
+  const auto metadata = metadata_of(run);
+  const auto source = metadata.find("pose_source");
+  mcap::RobotRecording recording(sink, metadata,
+                                 mcap::steering_pose(source == metadata.end() ? "" : source->second));
+  for_each_tick(run, [&recording](const mcap::TickValues& tick) { recording.add(tick); });
+  recording.finish();
+  return file;
+}
+
+ExitStatus run_export(const ExportOptions& options, Streams streams) {
+  if (options.tum.empty() && options.mcap.empty() && options.csv.empty()) {
+    throw UsageError("nothing to write; add --mcap OUT, --tum OUT or --csv OUT");
+  }
+  const RecordedRun run = load_recorded_run(options.log);
+  const auto write = [&](const std::string& path, const std::string& bytes) {
+    for (const auto* table : {&run.drive, &run.poses}) {
+      if (*table) check_output(path, {(*table)->name()});
+    }
+    if (const auto error = config::write_file_atomically(path, bytes)) throw UsageError(*error);
+    streams.out << "wrote " << path << "\n";
+  };
+  if (!options.mcap.empty()) write(options.mcap, to_mcap(run));
+  if (!options.tum.empty()) write(options.tum, to_tum(run, options.choice));
+  if (!options.csv.empty()) write(options.csv, to_plain_csv(run));
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+Action add_export(CLI::App& app) {
+  const auto options = std::make_shared<ExportOptions>();
+  CLI::App* command = app.add_subcommand("export", "A drive or pose log to what other tools read");
+  command->add_option("LOG", options->log, "Folder of a run, or a drive log, or a pose log")->required();
+  command->add_option("--mcap", options->mcap, "MCAP file to write, for Foxglove, Lichtblick, PlotJuggler");
+  command->add_option("--tum", options->tum, "Trajectory to write, for evo: timestamp x y z qx qy qz qw");
+  command->add_option("--csv", options->csv, "CSV to write, for pandas and PlotJuggler: header row first");
+  command
+      ->add_option("--pose", options->choice.pose,
+                   "With --tum: best (reference if there is one, else what steers), model, odometry, hybrid, "
+                   "reference")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, WhichPose>{{"best", WhichPose::best},
+                                                                   {"model", WhichPose::model},
+                                                                   {"odometry", WhichPose::odometry},
+                                                                   {"hybrid", WhichPose::hybrid},
+                                                                   {"reference", WhichPose::reference}}))
+      ->default_str("best");
+  command->add_option("--during", options->choice.during,
+                      "With --tum: only of this activity, as 'route'; poses begin anew there");
+  command->footer("Example: wheelwright export runs/2026-11-21T06-48-44Z --mcap run.mcap");
+  return [options](Streams streams) { return run_export(*options, streams); };
+}
+
+}  // namespace wheelwright::tools
