@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "config/load/text_format.hpp"
@@ -13,6 +14,8 @@
 
 namespace wheelwright::tools {
 namespace {
+
+using nlohmann::ordered_json;
 
 std::string_view stage_name(EffectStage stage) {
   switch (stage) {
@@ -74,9 +77,39 @@ void print_effect(std::ostream& out, const EffectInfo& info) {
   out << (needs.empty() ? " encoder counts or reference poses" : "") << "\n";
 }
 
-ExitStatus run_effects(const std::string& name, Streams streams) {
+ordered_json to_json(const EffectInfo& info) {
+  ordered_json json{{"effect", info.name}, {"summary", info.summary}, {"cause", info.cause}};
+  for (const auto& variant : info.variants) {
+    json["variants"].push_back({{"name", variant.name}, {"acts_on", stage_name(variant.stage)}});
+  }
+  json["parameters"] = ordered_json::array();
+  for (const auto& parameter : info.parameters) {
+    json["parameters"].push_back({{"name", parameter.name},
+                                  {"unit", parameter.unit},
+                                  {"meaning", parameter.meaning},
+                                  {"lower", parameter.lower},
+                                  {"upper", parameter.upper}});
+  }
+  json["needs"] = needs_of(info.needs);
+  return json;
+}
+
+void print_library_as_json(std::ostream& out) {
+  ordered_json all = ordered_json::array();
+  for (const auto& info : effect_library()) all.push_back(to_json(info));
+  out << all.dump(2) << "\n";
+}
+
+struct EffectsOptions {
+  std::string name;
+  bool json = false;
+};
+
+ExitStatus run_effects(const EffectsOptions& options, Streams streams) {
+  const std::string& name = options.name;
   if (name.empty()) {
-    print_list(streams.out);
+    if (options.json) print_library_as_json(streams.out);
+    if (!options.json) print_list(streams.out);
     return ExitStatus::done;
   }
   const EffectInfo* info = find_effect(name);
@@ -88,19 +121,24 @@ ExitStatus run_effects(const std::string& name, Streams streams) {
         "there is no effect '" + name + "'; " +
         (nearest.empty() ? "'wheelwright effects' lists them" : "did you mean '" + nearest + "'?"));
   }
-  print_effect(streams.out, *info);
+  if (options.json) {
+    streams.out << to_json(*info).dump(2) << "\n";
+  } else {
+    print_effect(streams.out, *info);
+  }
   return ExitStatus::done;
 }
 
 }  // namespace
 
 Action add_effects(CLI::App& app) {
-  const auto name = std::make_shared<std::string>();
+  const auto options = std::make_shared<EffectsOptions>();
   CLI::App* command =
       app.add_subcommand("effects", "The effects that a model can hold beside its linear core");
-  command->add_option("NAME", *name, "Only this one, in full");
+  command->add_option("NAME", options->name, "Only this one, in full");
+  command->add_flag("--json", options->json, "As JSON");
   command->footer("Example: wheelwright effects backlash");
-  return [name](Streams streams) { return run_effects(*name, streams); };
+  return [options](Streams streams) { return run_effects(*options, streams); };
 }
 
 }  // namespace wheelwright::tools

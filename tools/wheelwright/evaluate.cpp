@@ -1,8 +1,5 @@
 // wheelwright evaluate: the source paper's Table II on the simulated robot.
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -18,6 +15,8 @@
 #include "tools/wheelwright/evaluation/end_point_plot.hpp"
 #include "tools/wheelwright/evaluation/gap_models.hpp"
 #include "tools/wheelwright/evaluation/offset_table.hpp"
+#include "tools/wheelwright/progress_line.hpp"
+#include "tools/wheelwright/report/gnuplot.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -36,17 +35,6 @@ struct EvaluateOptions {
   bool check = false;
   bool with_effects = false;
 };
-
-Progress progress_bar(std::size_t runs) {
-  if (isatty(STDERR_FILENO) != 1) return {};
-  return [runs](std::size_t done) {
-    constexpr std::size_t width = 40;
-    const std::string bar(width * done / runs, '#');
-    std::fprintf(stderr, "\r\033[K[%-*s] %zu of %zu attempts", static_cast<int>(width), bar.c_str(), done,
-                 runs);
-    if (done == runs) std::fprintf(stderr, "\r\033[K");
-  };
-}
 
 void write(const fs::path& path, const std::string& text) {
   if (const auto error = config::write_file_atomically(path, text)) throw UsageError(*error);
@@ -74,20 +62,31 @@ ExitStatus run_evaluate(const EvaluateOptions& options, Streams streams) {
   if (!is_closed(plan.route))
     throw UsageError(options.route +
                      ": the route is not closed; end it at [0, 0], so that start and end can be compared");
+  const ProgressLine progress(streams.err);
+  const auto say = progress.callback();
   std::string found;
   if (options.with_effects) {
+    say("the gap workflow, once", 0.0);
     const auto learned = learn_gap_models(plan);
     if (!learned) throw DataRefusal("the gap workflow: " + learned.error());
     plan.gap = learned->models;
     found = learned->found;
   }
-  const auto outcomes = run_attempts(plan, options.runs, options.threads, progress_bar(options.runs));
+  const auto outcomes =
+      run_attempts(plan, options.runs, options.threads, [&](std::size_t done) {
+        say(std::to_string(done) + " of " + std::to_string(options.runs) + " attempts",
+            static_cast<double>(done) / static_cast<double>(options.runs));
+      });
+  progress.clear();
   const auto rows = offset_rows(outcomes, options.seed);
-  if (!options.output.empty()) write_end_points(options.output, outcomes, streams);
+  const nlohmann::ordered_json json{{"robot", plan.robot.name}, {"route", plan.route.name},
+                                    {"runs", options.runs},     {"seed", options.seed},
+                                    {"found", found},           {"models", offset_json(rows)}};
+  if (!options.output.empty()) {
+    write_end_points(options.output, outcomes, streams);
+    write(fs::path(options.output) / "evaluation.json", json.dump(2) + "\n");
+  }
   if (options.json) {
-    const nlohmann::ordered_json json{{"robot", plan.robot.name}, {"route", plan.route.name},
-                                      {"runs", options.runs},     {"seed", options.seed},
-                                      {"found", found},           {"models", offset_json(rows)}};
     streams.out << json.dump(2) << "\n";
   } else {
     streams.out << options.runs << " attempts per model on robot '" << plan.robot.name << "', route '"
@@ -118,7 +117,8 @@ Action add_evaluate(CLI::App& app) {
   command->add_option("--threads", options->threads, "Threads; the result does not depend on them")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  command->add_option("-o,--output", options->output, "Folder for end_points.csv and a picture of it");
+  command->add_option("-o,--output", options->output,
+                      "Folder for end_points.csv, evaluation.json and a picture");
   command->add_flag("--json", options->json, "As JSON");
   command->add_flag("--check", options->check, "Exit status 1 where a published row is not met");
   command->footer(

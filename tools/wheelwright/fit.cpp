@@ -131,12 +131,12 @@ void fit_and_save_fir(const FitOptions& options, const FirFitOptions& fit_option
 }
 
 void fit_and_save_arma(const FitOptions& options, const ArxFitOptions& fit_options,
-                       const std::vector<DriveLog>& runs, std::ostream& out) {
-  const ArxFit fit = fit_arma(runs, fit_options);
+                       const std::vector<DriveLog>& runs, Streams streams) {
+  const ArxFit fit = fit_arma(runs, fit_options, streams.err);
   config::save_model(
       to_robot_model(fit.model, fit.left.quality, fit.right.quality, options.logs, runs.front()),
       options.output);
-  print_arma_fit(out, fit, runs.size());
+  print_arma_fit(streams.out, fit, runs.size());
 }
 
 ExitStatus run_fit(const FitOptions& options, Streams streams) {
@@ -147,7 +147,7 @@ ExitStatus run_fit(const FitOptions& options, Streams streams) {
   check_output(options.output, options.logs);
   if (options.type == "arma") {
     const ArxFitOptions fit_options = arma_options(options);
-    fit_and_save_arma(options, fit_options, load_training_runs(options), streams.out);
+    fit_and_save_arma(options, fit_options, load_training_runs(options), streams);
   } else {
     FirFitOptions fit_options;
     fit_options.length = parse_order(options.order, largest_fir_order);

@@ -1,23 +1,16 @@
 #include "tools/wheelwright/fit_arma.hpp"
 
-#include <unistd.h>
-
-#include <cstdio>
 #include <iomanip>
 #include <ostream>
 
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/commands.hpp"
+#include "tools/wheelwright/progress_line.hpp"
 
 namespace wheelwright::tools {
 namespace {
 
 using config::fixed_number;
-
-void show_progress(std::size_t order, std::size_t orders) {
-  std::fprintf(stderr, "\r\033[K");
-  if (order <= orders) std::fprintf(stderr, "order %zu of %zu", order, orders);
-}
 
 std::string in_thousandths(double value, int digits) {
   return fixed_number(1000.0 * value, digits);
@@ -61,12 +54,18 @@ void print_wheel(std::ostream& out, const std::string& name, const ArxWheelFit& 
 
 }  // namespace
 
-ArxFit fit_arma(const std::vector<DriveLog>& runs, ArxFitOptions options) {
-  const bool shown = isatty(STDERR_FILENO) == 1 && !options.order;
-  const std::size_t orders = options.largest_order;
-  if (shown) options.on_order = [orders](std::size_t order) { show_progress(order, orders); };
+ArxFit fit_arma(const std::vector<DriveLog>& runs, ArxFitOptions options, std::ostream& err) {
+  const ProgressLine progress(err);
+  const double orders = static_cast<double>(options.largest_order);
+  if (!options.order) {
+    options.on_order = [say = progress.callback(), orders](std::size_t order) {
+      // Each order costs about in proportion to its size.
+      const double before = static_cast<double>(order) * static_cast<double>(order - 1);
+      say("order " + std::to_string(order), before / (orders * (orders + 1.0)));
+    };
+  }
   auto fit = fit_arx(runs, options);
-  if (shown) show_progress(orders + 1, orders);
+  progress.clear();
   if (!fit) throw DataRefusal(fit.error().reason);
   return std::move(*fit);
 }

@@ -12,11 +12,11 @@
 #include "tools/wheelwright/commands.hpp"
 #include "tools/wheelwright/gap/gap_json.hpp"
 #include "tools/wheelwright/gap/gap_text.hpp"
-#include "tools/wheelwright/gap/progress_line.hpp"
 #include "tools/wheelwright/gap/report.hpp"
 #include "tools/wheelwright/gap/side_by_side.hpp"
 #include "tools/wheelwright/log_checks.hpp"
 #include "tools/wheelwright/now.hpp"
+#include "tools/wheelwright/progress_line.hpp"
 
 namespace wheelwright::tools {
 namespace {

@@ -57,6 +57,8 @@ Action add_import(CLI::App& app) {
   const auto files = std::make_shared<MrclamFiles>();
   CLI::App* command = app.add_subcommand("import", "Foreign data to a drive log");
   command->require_subcommand(1);
+  command->footer(
+      "Example: wheelwright import mrclam Robot1_Odometry.dat Robot1_Groundtruth.dat -o robot1.csv");
   add_mrclam(*command, files);
   return [files](Streams streams) { return import_mrclam(*files, streams); };
 }

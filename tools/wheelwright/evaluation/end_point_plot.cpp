@@ -1,11 +1,6 @@
 #include "tools/wheelwright/evaluation/end_point_plot.hpp"
 
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "config/load/text_format.hpp"
@@ -33,7 +28,7 @@ double half_width_m(const std::vector<AttemptOutcome>& outcomes) {
 
 std::string panel(const Contender& contender, const std::string& csv_name) {
   const std::string key(contender.key);
-  std::string text = "set title '" + std::string(contender.title) + "'\nunset object 1\n";
+  std::string text = "set title \"" + std::string(contender.title) + "\"\nunset object 1\n";
   if (contender.published) {
     text += "set object 1 circle at 0,0 size " + plain_number(contender.published->mean_m) +
             " fillstyle empty border lc rgb '#d1495b' dt 2\n";
@@ -84,23 +79,6 @@ std::string end_points_script(const std::vector<AttemptOutcome>& outcomes, const
                      " title 'End points of each attempt; cross: start; dashed: published mean offset'\n";
   for (const Contender& contender : drawn) text += panel(contender, csv_name);
   return text + "unset multiplot\n";
-}
-
-std::optional<std::string> run_gnuplot(const std::filesystem::path& script) {
-  const std::string name = script.filename().string();
-  std::string program = "gnuplot";
-  std::string argument = name;
-  std::array<char*, 3> arguments{program.data(), argument.data(), nullptr};
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addchdir_np(&actions, script.parent_path().c_str());
-  pid_t child = 0;
-  const int error = posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) return "not drawn: needs gnuplot (package gnuplot-nox)";
-  int status = 0;
-  if (waitpid(child, &status, 0) != child || status != 0) return "not drawn: gnuplot failed on " + name;
-  return std::nullopt;
 }
 
 }  // namespace wheelwright::tools

@@ -1,8 +1,6 @@
 // The end points of all attempts, as a table and as a picture.
 #pragma once
 
-#include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,8 +16,5 @@ std::string end_points_csv(const std::vector<AttemptOutcome>& outcomes);
 // to the folder that it is run in.
 std::string end_points_script(const std::vector<AttemptOutcome>& outcomes, const std::string& csv_name,
                               const std::string& svg_name);
-
-// Runs a gnuplot script in its own folder. Returns what stood in the way, in one line, or nothing.
-std::optional<std::string> run_gnuplot(const std::filesystem::path& script);
 
 }  // namespace wheelwright::tools

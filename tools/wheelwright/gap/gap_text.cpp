@@ -6,7 +6,7 @@
 
 #include "config/load/text_format.hpp"
 #include "model/effect_library.hpp"
-#include "tools/wheelwright/gap/number_text.hpp"
+#include "tools/wheelwright/report/number_text.hpp"
 
 namespace wheelwright::tools {
 namespace {

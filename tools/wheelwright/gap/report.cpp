@@ -6,9 +6,9 @@
 #include "model/gap/data_gate.hpp"
 #include "model/gap/residual_table.hpp"
 #include "tools/wheelwright/gap/gap_text.hpp"
-#include "tools/wheelwright/gap/html.hpp"
 #include "tools/wheelwright/gap/report_tables.hpp"
 #include "tools/wheelwright/gap/run_plots.hpp"
+#include "tools/wheelwright/report/html.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -34,14 +34,10 @@ std::string figures_section(const gap::GapAnalysis& analysis, std::span<const Dr
   }
   const bool changed = !analysis.found.empty();
   const Figures drawn =
-      run_figures(analysis.before, changed ? std::optional(analysis.after) : std::nullopt, runs);
-  std::string text =
-      html::element("h2", analysis.tail_held_out ? "The run in free run" : "Held-out runs in free run");
-  if (!drawn.problem.empty()) return text + html::element("p", "Pictures: " + drawn.problem + ".");
-  for (const auto& figure : drawn.figures) {
-    text += "<figure>" + figure.svg + html::element("figcaption", figure.caption) + "</figure>\n";
-  }
-  return drawn.figures.empty() ? "" : text;
+      draw(run_plots(analysis.before, changed ? std::optional(analysis.after) : std::nullopt, runs));
+  if (drawn.problem.empty() && drawn.figures.empty()) return "";
+  return html::element("h2", analysis.tail_held_out ? "The run in free run" : "Held-out runs in free run") +
+         figures_html(drawn);
 }
 
 std::string head(const gap::GapAnalysis& analysis) {

@@ -5,8 +5,8 @@
 
 #include "model/effect_library.hpp"
 #include "model/gap/decoys.hpp"
-#include "tools/wheelwright/gap/html.hpp"
-#include "tools/wheelwright/gap/number_text.hpp"
+#include "tools/wheelwright/report/html.hpp"
+#include "tools/wheelwright/report/number_text.hpp"
 
 namespace wheelwright::tools {
 namespace {

@@ -1,0 +1,119 @@
+#include "daemon/recorded_frames.hpp"
+
+#include <cmath>
+
+#include "config/load/yaml_reader.hpp"
+
+namespace wheelwright::daemon {
+namespace {
+
+using config::ConfigError;
+
+const ExtraColumn* column_or_none(const DriveLog& log, const std::string& name) {
+  for (const ExtraColumn& column : log.extra_columns) {
+    if (column.name == name) return &column;
+  }
+  return nullptr;
+}
+
+const ExtraColumn& column_of(const DriveLog& log, const std::string& name) {
+  if (const ExtraColumn* column = column_or_none(log, name)) return *column;
+  throw ConfigError(log.name + ": has no column '" + name + "', which a drive log of the daemon has");
+}
+
+// Of the milliamperes that the robot reports, by the same product as then.
+double amperes(double logged) {
+  return 1e-3 * std::round(1e3 * logged);
+}
+
+}  // namespace
+
+RecordedFrames::RecordedFrames(const DriveLog& log)
+    : log_(log),
+      tick_(column_of(log, "tick")),
+      activity_(column_of(log, "activity")),
+      repetition_(column_of(log, "repetition")),
+      stop_(column_of(log, "stop")),
+      after_gap_(column_of(log, "after_gap")),
+      wheel_drop_(column_of(log, "wheel_drop")),
+      overcurrents_(column_of(log, "overcurrents")),
+      current_left_(column_of(log, "current_left_a")),
+      current_right_(column_of(log, "current_right_a")),
+      doubtful_sign_(column_of(log, "doubtful_sign")),
+      travel_left_(column_of(log, "travel_ticks_left")),
+      travel_right_(column_of(log, "travel_ticks_right")),
+      model_version_(column_or_none(log, "model_version")) {
+  const std::array names{"light_left",         "light_front_left",  "light_center_left",
+                         "light_center_right", "light_front_right", "light_right"};
+  for (std::size_t s = 0; s < names.size(); ++s) light_.at(s) = &column_of(log, names.at(s));
+}
+
+std::int64_t RecordedFrames::tick(std::size_t row) const {
+  return std::llround(tick_.values[row]);
+}
+
+std::uint16_t RecordedFrames::model_version(std::size_t row) const {
+  return model_version_ == nullptr ? std::uint16_t{1}
+                                   : static_cast<std::uint16_t>(model_version_->values[row]);
+}
+
+SensorFrame RecordedFrames::frame(std::size_t row) const {
+  SensorFrame frame;
+  frame.tick = tick(row) + 1;  // the run starts one tick after it was armed
+  frame.stop = stop_reason(row);
+  frame.armed = frame.stop == StopReason::none;
+  const DriveSample& sample = log_.samples[row];
+  frame.valid = sample.ticks.has_value();
+  if (!frame.valid) return frame;
+  frame.ticks = travel(row);
+  frame.after_gap = after_gap_.values[row] > 0.0;
+  frame.doubtful_sign = doubtful_sign_.values[row] > 0.0;
+  frame.wheel_drop = wheel_drop_.values[row] > 0.0;
+  frame.overcurrents = static_cast<std::uint8_t>(overcurrents_.values[row]);
+  frame.motor_current_a = {amperes(current_left_.values[row]), amperes(current_right_.values[row])};
+  frame.battery_v = sample.battery_v.value_or(0.0);
+  for (std::size_t s = 0; s < light_.size(); ++s) {
+    frame.light_bumper.at(s) = static_cast<std::uint16_t>(light_.at(s)->values[row]);
+  }
+  return frame;
+}
+
+SensorFrame RecordedFrames::frame_with_command(std::size_t row) const {
+  SensorFrame result = frame(row);
+  result.command.tick = result.tick;
+  result.command.speed_m_s = command(row);
+  result.command.repetition = static_cast<std::uint16_t>(repetition_.values[row]);
+  for (int code = 0; code <= static_cast<int>(Activity::stopped); ++code) {
+    result.command.activity = static_cast<Activity>(code);
+    if (name_of(result.command.activity) == activity(row)) return result;
+  }
+  throw ConfigError(place(row) + "'" + activity(row) + "' is no activity that this version knows");
+}
+
+SensorFrame RecordedFrames::before_start() const {
+  SensorFrame frame;
+  frame.armed = true;
+  for (std::size_t row = 0; row < size() && !frame.valid; ++row) {
+    frame.valid = log_.samples[row].ticks.has_value();
+    if (frame.valid) frame.ticks = travel(row);
+  }
+  return frame;
+}
+
+WheelTicks RecordedFrames::travel(std::size_t row) const {
+  return {std::llround(travel_left_.values[row]), std::llround(travel_right_.values[row])};
+}
+
+StopReason RecordedFrames::stop_reason(std::size_t row) const {
+  for (int code = 0; code <= static_cast<int>(StopReason::requested); ++code) {
+    const auto reason = static_cast<StopReason>(code);
+    if (name_of(reason) == stop_.texts[row]) return reason;
+  }
+  throw ConfigError(place(row) + "'" + stop_.texts[row] + "' is no reason to stop that this version knows");
+}
+
+std::string RecordedFrames::place(std::size_t row) const {
+  return log_.name + ":" + std::to_string(log_.first_line + row) + ": ";
+}
+
+}  // namespace wheelwright::daemon

@@ -1,0 +1,20 @@
+// The calibrations of a run, for a person: figures of the paper's calibrations A, B and C.
+#pragma once
+
+#include <string>
+
+#include "tools/wheelwright/report/run_material.hpp"
+
+namespace wheelwright::tools {
+
+// Calibration A: the light bumper over ticks, and the period found (PAPER.md eq. 13).
+std::string encoder_scale_section(const CalibrationMaterial& material);
+// Calibration B: step responses and the four transfer functions (eq. 2-10).
+std::string response_section(const CalibrationMaterial& material);
+// Calibration C: random sequence, weights with intervals, poles, free run (eq. 12). With `sweep` also the
+// order against the error on held-out data, which takes some seconds.
+std::string arma_section(const CalibrationMaterial& material, bool sweep);
+// A model that was made elsewhere: its responses and, for ARMA, its weights and poles.
+std::string model_section(const RobotModel& model);
+
+}  // namespace wheelwright::tools

@@ -1,0 +1,18 @@
+// What a model answers to a step and to an impulse, beside what was measured.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "model/drive_log.hpp"
+#include "model/linear_model.hpp"
+#include "tools/wheelwright/report/plot.hpp"
+
+namespace wheelwright::tools {
+
+// Four pictures: step responses of v and of w to either motor, and the four transfer functions (PAPER.md eq.
+// 2-10). `actions` are the recordings of single steps from rest, one wheel each; with them the mean measured
+// step response is drawn with its 95 % interval.
+std::vector<Plot> response_plots(const LinearModel& model, std::span<const DriveLog> actions);
+
+}  // namespace wheelwright::tools

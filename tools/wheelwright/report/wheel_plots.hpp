@@ -1,0 +1,35 @@
+// Commands, wheel speeds and wheel travel of a drive log, beside what models make of it.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/drive_log.hpp"
+#include "model/free_run.hpp"
+#include "tools/wheelwright/report/plot.hpp"
+
+namespace wheelwright::tools {
+
+// A model's free run over a log, as it is to be drawn.
+struct DrawnRun {
+  std::string name;
+  Ink ink;
+  const std::vector<PredictedMotion>* motion;  // one entry per row of the log
+};
+
+// One picture per wheel: command, measured speed, and the model's, over the first `longest_s` seconds.
+// Measured is the mean over about 0.1 s: one period is a handful of ticks.
+std::vector<Plot> sequence_plots(const DriveLog& log, const std::vector<PredictedMotion>& motion,
+                                 double longest_s);
+
+// Predicted minus measured travel of each wheel: solid the left, dashed the right. The log has counts.
+Plot travel_error_plot(const DriveLog& log, std::span<const DrawnRun> runs);
+
+// The path on the floor by each model, beside the reference poses of the log.
+Plot path_plot(const DriveLog& log, std::span<const DrawnRun> runs);
+
+// Whether a log has enough reference poses for a path.
+bool has_path(const DriveLog& log);
+
+}  // namespace wheelwright::tools
