@@ -1,5 +1,6 @@
 // wheelwrightd: a robot on a serial port that calibrates a model of itself and drives from it.
 #include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 #include <CLI/CLI.hpp>
 
@@ -62,7 +63,10 @@ void set_up_messages(const Options& options, const wheelwright::config::DaemonCo
       return;
     }
   }
-  spdlog::set_default_logger(spdlog::stderr_color_mt("wheelwrightd"));
+  const char* no_colour = std::getenv("NO_COLOR");
+  const bool plain = no_colour != nullptr && *no_colour != '\0';
+  spdlog::set_default_logger(plain ? spdlog::stderr_logger_mt("wheelwrightd")
+                                   : spdlog::stderr_color_mt("wheelwrightd"));
   spdlog::set_pattern("%H:%M:%S.%e %^%l%$ %v");
 }
 

@@ -46,7 +46,7 @@ void describe(CLI::App& app, Options& options) {
       "\n"
       "Example:\n"
       "  roomba-sim --config config/robots/default.yaml --link /tmp/roomba --truth /tmp/truth.csv &\n"
-      "  wheelwrightd --config config/roomba560.yaml --device /tmp/roomba");
+      "  wheelwrightd --config config/wheelwright.yaml --device /tmp/roomba");
 }
 
 // The shipped robot: next to an installed program, else in the source tree.
