@@ -72,11 +72,10 @@ ExitStatus run_evaluate(const EvaluateOptions& options, Streams streams) {
     plan.gap = learned->models;
     found = learned->found;
   }
-  const auto outcomes =
-      run_attempts(plan, options.runs, options.threads, [&](std::size_t done) {
-        say(std::to_string(done) + " of " + std::to_string(options.runs) + " attempts",
-            static_cast<double>(done) / static_cast<double>(options.runs));
-      });
+  const auto outcomes = run_attempts(plan, options.runs, options.threads, [&](std::size_t done) {
+    say(std::to_string(done) + " of " + std::to_string(options.runs) + " attempts",
+        static_cast<double>(done) / static_cast<double>(options.runs));
+  });
   progress.clear();
   const auto rows = offset_rows(outcomes, options.seed);
   const nlohmann::ordered_json json{{"robot", plan.robot.name}, {"route", plan.route.name},

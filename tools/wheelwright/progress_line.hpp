@@ -8,8 +8,9 @@
 
 namespace wheelwright::tools {
 
-// "[########            ]  40 %  fitting, about 12 s left": a bar, the share done so far (0 to 1), a word for the
-// work at hand, and the time that is left at this pace, once that can be said. Plain characters, no colour.
+// "[########            ]  40 %  fitting, about 12 s left": a bar, the share done so far (0 to 1), a word for
+// the work at hand, and the time that is left at this pace, once that can be said. Plain characters, no
+// colour.
 std::string progress_text(const std::string& what, double share, double passed_s);
 
 class ProgressLine {

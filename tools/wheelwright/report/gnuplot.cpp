@@ -55,8 +55,8 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
   }
 }
 
-// gnuplot writes a colour in one of three ways, and has ideas of its own where none is asked for; what it calls
-// the current colour has to be the page's.
+// gnuplot writes a colour in one of three ways, and has ideas of its own where none is asked for; what it
+// calls the current colour has to be the page's.
 void give_page_colours(std::string& svg) {
   replace_all(svg, "color:black", "color:inherit");
   replace_all(svg, " color=\"black\"", " color=\"inherit\"");
