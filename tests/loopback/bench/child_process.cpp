@@ -85,6 +85,13 @@ int ChildProcess::end() {
   return wait(std::chrono::seconds(5));
 }
 
+double ChildProcess::resident_mb() const {
+  long total = 0;
+  long resident = 0;
+  std::ifstream("/proc/" + std::to_string(pid_) + "/statm") >> total >> resident;
+  return 1e-6 * static_cast<double>(resident) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+}
+
 std::string ChildProcess::out() const {
   return text_of(out_);
 }

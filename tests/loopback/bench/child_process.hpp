@@ -35,6 +35,8 @@ class ChildProcess {
   // Asks for the end (SIGTERM) and waits for it.
   int end();
 
+  // Memory that it has in use, in megabytes.
+  double resident_mb() const;
   // What it has printed so far.
   std::string out() const;
   std::string err() const;
