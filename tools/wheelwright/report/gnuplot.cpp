@@ -61,6 +61,8 @@ void give_page_colours(std::string& svg) {
   replace_all(svg, "color:black", "color:inherit");
   replace_all(svg, " color=\"black\"", " color=\"inherit\"");
   replace_all(svg, " color=\"white\"", " color=\"var(--page)\"");
+  replace_all(svg, " color='white'", " color='var(--page)'");
+  replace_all(svg, " stroke='white'", " stroke='var(--page)'");
   replace_all(svg, "stroke=\"black\"", "stroke=\"currentColor\"");
   for (const Colour& colour : colours) {
     replace_all(svg, colour.dense, colour.page);
