@@ -1,5 +1,6 @@
 #include "tools/wheelwright/export/plain_csv.hpp"
 
+#include <optional>
 #include <vector>
 
 #include "config/load/drive_log_file.hpp"
@@ -8,15 +9,6 @@ namespace wheelwright::tools {
 namespace {
 
 using config::CsvTable;
-
-// Columns of `table` that `other` has not.
-std::vector<std::size_t> columns_beside(const CsvTable& table, const CsvTable* other) {
-  std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < table.columns().size(); ++i) {
-    if (other == nullptr || !other->has(table.columns()[i])) kept.push_back(i);
-  }
-  return kept;
-}
 
 // The row of `table` that belongs to each row of `times`; rows() where there is none.
 std::vector<std::size_t> partners(const std::vector<double>& times, const CsvTable& table) {
@@ -30,27 +22,48 @@ std::vector<std::size_t> partners(const std::vector<double>& times, const CsvTab
   return rows;
 }
 
+// What the pose log adds to each row of the drive log.
+class Beside {
+ public:
+  Beside(const CsvTable& table, const CsvTable& first)
+      : table_(table), rows_(partners(first.numbers("t"), table)) {
+    for (std::size_t i = 0; i < table.columns().size(); ++i) {
+      if (!first.has(table.columns()[i])) columns_.push_back(i);
+    }
+  }
+  void add_names(std::string& text) const {
+    for (const auto column : columns_) text += "," + table_.columns()[column];
+  }
+  void add_fields(std::size_t row, std::string& text) const {
+    for (const auto column : columns_) {
+      text += ',';
+      if (rows_[row] < table_.rows()) text += table_.text(rows_[row], column);
+    }
+  }
+
+ private:
+  const CsvTable& table_;
+  std::vector<std::size_t> rows_;
+  std::vector<std::size_t> columns_;
+};
+
 }  // namespace
 
 std::string to_plain_csv(const RecordedRun& run) {
   const CsvTable& first = run.drive ? *run.drive : *run.poses;
-  const CsvTable* second = run.drive && run.poses ? &*run.poses : nullptr;
-  const auto second_columns = second ? columns_beside(*second, &first) : std::vector<std::size_t>{};
-  const auto second_rows = second ? partners(first.numbers("t"), *second) : std::vector<std::size_t>{};
+  std::optional<Beside> beside;
+  if (run.drive && run.poses) beside.emplace(*run.poses, first);
 
   std::string text;
   for (const auto& column : first.columns()) text += (text.empty() ? "" : ",") + column;
-  for (const auto column : second_columns) text += "," + second->columns()[column];
+  if (beside) beside->add_names(text);
   text += '\n';
   for (std::size_t row = 0; row < first.rows(); ++row) {
     for (std::size_t column = 0; column < first.columns().size(); ++column) {
       if (column > 0) text += ',';
       text += first.text(row, column);
     }
-    for (const auto column : second_columns) {
-      text += ',';
-      if (second_rows[row] < second->rows()) text += second->text(second_rows[row], column);
-    }
+    if (beside) beside->add_fields(row, text);
     text += '\n';
   }
   return text;
