@@ -8,8 +8,8 @@
 // until the wheels stand, leaves the robot in Passive mode, and ends. A daemon that goes on finds has_acted()
 // true and stops the run.
 //
-// Its patience counts its own looks at the counter, not the time between them, so a machine that stood still
-// as a whole, the guardian with it, is no silence.
+// Its patience counts the time between two of its own looks at the counter only up to 20 ms: a machine that
+// stood still as a whole, the guardian with it, is no silence.
 #pragma once
 
 #include <sys/types.h>

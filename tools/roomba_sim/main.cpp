@@ -10,6 +10,7 @@
 #include <string>
 
 #include "config/load/drive_log_file.hpp"
+#include "config/load/shipped_folder.hpp"
 #include "config/load/simulation_config.hpp"
 #include "drivers/simulation/recording.hpp"
 #include "drivers/simulation/simulated_robot.hpp"
@@ -49,14 +50,6 @@ void describe(CLI::App& app, Options& options) {
       "  wheelwrightd --config config/wheelwright.yaml --device /tmp/roomba");
 }
 
-// The shipped robot: next to an installed program, else in the source tree.
-std::filesystem::path default_config() {
-  std::error_code ignored;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored);
-  const auto installed = program.parent_path().parent_path() / "share/wheelwright/robots/default.yaml";
-  return std::filesystem::exists(installed, ignored) ? installed : ROOMBA_SIM_DEFAULT_CONFIG;
-}
-
 simulation::SimulatedRobot make_robot(const simulation::SimulationConfig& robot, const std::string& replay) {
   if (replay.empty()) return simulation::SimulatedRobot(robot);
   return {robot, simulation::recording_of(config::load_drive_log(replay))};
@@ -70,8 +63,9 @@ void take_precedence() {
 }
 
 int run(const Options& options) {
-  auto robot_config = config::load_simulation_config(
-      options.config.empty() ? default_config() : std::filesystem::path(options.config));
+  auto robot_config =
+      config::load_simulation_config(options.config.empty() ? config::shipped_folder() / "robots/default.yaml"
+                                                            : std::filesystem::path(options.config));
   if (!options.room.empty()) robot_config.room = config::load_room(options.room);
   if (options.seed) robot_config.seed = *options.seed;
   auto robot = make_robot(robot_config, options.replay);

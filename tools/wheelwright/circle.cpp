@@ -12,6 +12,7 @@
 #include "config/load/drive_log_file.hpp"
 #include "config/load/model_file.hpp"
 #include "config/load/route_file.hpp"
+#include "config/load/shipped_folder.hpp"
 #include "config/load/simulation_config.hpp"
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/circle/circle_report.hpp"
@@ -30,8 +31,8 @@ struct CircleOptions {
   std::uint64_t seed = 1;
   std::size_t drives = 6;
   std::size_t laps = 5;
-  std::string robot = WHEELWRIGHT_CONFIG_FOLDER "/robots/perfect.yaml";
-  std::string route = WHEELWRIGHT_CONFIG_FOLDER "/routes/paper_loop.yaml";
+  std::string robot = config::shipped_folder() / "robots/perfect.yaml";
+  std::string route = config::shipped_folder() / "routes/paper_loop.yaml";
   std::string output;
 };
 

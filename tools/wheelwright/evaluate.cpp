@@ -9,6 +9,7 @@
 
 #include "config/load/atomic_file.hpp"
 #include "config/load/route_file.hpp"
+#include "config/load/shipped_folder.hpp"
 #include "config/load/simulation_config.hpp"
 #include "tools/wheelwright/commands.hpp"
 #include "tools/wheelwright/evaluation/attempts.hpp"
@@ -27,8 +28,8 @@ struct EvaluateOptions {
   std::size_t runs = 30;
   std::uint64_t seed = 1;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
-  std::string robot = WHEELWRIGHT_CONFIG_FOLDER "/robots/table2.yaml";
-  std::string route = WHEELWRIGHT_CONFIG_FOLDER "/routes/paper_loop.yaml";
+  std::string robot = config::shipped_folder() / "robots/table2.yaml";
+  std::string route = config::shipped_folder() / "routes/paper_loop.yaml";
   std::string output;
   Calibrate calibrate = Calibrate::each;
   bool json = false;
