@@ -89,7 +89,15 @@ std::string usual_output(const std::string& log) {
   return (path.parent_path() / (path.stem().string() + ".html")).string();
 }
 
+void refuse_gap_folder(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder / "gap.json", ignored)) return;
+  throw UsageError(folder.string() + ": is of wheelwright gap, whose page is there already: " +
+                   (folder / "report.html").string());
+}
+
 ExitStatus run_report(const ReportOptions& options, Streams streams) {
+  refuse_gap_folder(options.log);
   const std::string output = options.output.empty() ? usual_output(options.log) : options.output;
   check_output(output, {options.log, options.model, options.truth});
   const ProgressLine progress(streams.err);

@@ -46,6 +46,7 @@ TEST_CASE("The shipped configuration holds every key at its default") {
   CHECK(shipped.real_time.priority == empty.real_time.priority);
   CHECK(shipped.calibration_type == empty.calibration_type);
   CHECK(shipped.adapt == empty.adapt);
+  CHECK(shipped.mcap_log == empty.mcap_log);
   CHECK(shipped.random_drive.duration_s == empty.random_drive.duration_s);
   CHECK(shipped.random_drive.spread_m_s == empty.random_drive.spread_m_s);
   CHECK(shipped.random_drive.shortest_hold_s == empty.random_drive.shortest_hold_s);

@@ -101,6 +101,15 @@ TEST_CASE("A folder without logs, or a file that is none, is no report") {
   CHECK_THAT(other.err, ContainsSubstring("is no drive log"));
 }
 
+TEST_CASE("The page of the gap workflow is pointed at, not overwritten") {
+  const auto folder = empty_folder("wheelwright_report_gap");
+  std::ofstream(folder / "gap.json") << "{}";
+  const Outcome outcome = command({"report", folder.string()});
+  CHECK(outcome.status == ExitStatus::bad_input);
+  CHECK_THAT(outcome.err, ContainsSubstring("report.html"));
+  CHECK_FALSE(std::filesystem::exists(folder / "report.html"));
+}
+
 TEST_CASE("A thinned line keeps its peaks") {
   tools::PlotPoints points;
   for (int k = 0; k < 100000; ++k) points.push_back({0.001 * k, k == 54321 ? 7.0 : k == 200 ? -7.0 : 0.0});
