@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "config/load/text_format.hpp"
 #include "config/load/yaml_reader.hpp"
 
 namespace wheelwright::daemon {
@@ -21,10 +22,12 @@ const ExtraColumn& column_of(const DriveLog& log, const std::string& name) {
   throw ConfigError(log.name + ": has no column '" + name + "', which a drive log of the daemon has");
 }
 
-// Of the milliamperes that the robot reports, by the same product as then.
-double amperes(double logged) {
-  return 1e-3 * std::round(1e3 * logged);
-}
+// What the columns of a daemon's log can hold.
+constexpr double most_ticks = 1e9;  // half a year of them
+constexpr double most_travel_ticks = 9e15;
+constexpr double most_amperes = 1e3;
+constexpr double largest_byte = 255.0;
+constexpr double largest_word = 65535.0;
 
 }  // namespace
 
@@ -46,15 +49,23 @@ RecordedFrames::RecordedFrames(const DriveLog& log)
   const std::array names{"light_left",         "light_front_left",  "light_center_left",
                          "light_center_right", "light_front_right", "light_right"};
   for (std::size_t s = 0; s < names.size(); ++s) light_.at(s) = &column_of(log, names.at(s));
+  for (const ExtraColumn* words : {&activity_, &stop_}) {
+    if (words->texts.size() != size())
+      throw ConfigError(log.name + ": '" + words->name + "' must hold words");
+  }
+  for (std::size_t row = 1; row < size(); ++row) {
+    if (tick(row) <= tick(row - 1)) throw ConfigError(place(row) + "'tick' must rise from row to row");
+  }
 }
 
 std::int64_t RecordedFrames::tick(std::size_t row) const {
-  return std::llround(tick_.values[row]);
+  return whole(row, tick_, 0.0, most_ticks);
 }
 
 std::uint16_t RecordedFrames::model_version(std::size_t row) const {
-  return model_version_ == nullptr ? std::uint16_t{1}
-                                   : static_cast<std::uint16_t>(model_version_->values[row]);
+  return model_version_ == nullptr
+             ? std::uint16_t{1}
+             : static_cast<std::uint16_t>(whole(row, *model_version_, 0.0, largest_word));
 }
 
 SensorFrame RecordedFrames::frame(std::size_t row) const {
@@ -69,11 +80,11 @@ SensorFrame RecordedFrames::frame(std::size_t row) const {
   frame.after_gap = after_gap_.values[row] > 0.0;
   frame.doubtful_sign = doubtful_sign_.values[row] > 0.0;
   frame.wheel_drop = wheel_drop_.values[row] > 0.0;
-  frame.overcurrents = static_cast<std::uint8_t>(overcurrents_.values[row]);
-  frame.motor_current_a = {amperes(current_left_.values[row]), amperes(current_right_.values[row])};
+  frame.overcurrents = static_cast<std::uint8_t>(whole(row, overcurrents_, 0.0, largest_byte));
+  frame.motor_current_a = {amperes(row, current_left_), amperes(row, current_right_)};
   frame.battery_v = sample.battery_v.value_or(0.0);
   for (std::size_t s = 0; s < light_.size(); ++s) {
-    frame.light_bumper.at(s) = static_cast<std::uint16_t>(light_.at(s)->values[row]);
+    frame.light_bumper.at(s) = static_cast<std::uint16_t>(whole(row, *light_.at(s), 0.0, largest_word));
   }
   return frame;
 }
@@ -82,7 +93,7 @@ SensorFrame RecordedFrames::frame_with_command(std::size_t row) const {
   SensorFrame result = frame(row);
   result.command.tick = result.tick;
   result.command.speed_m_s = command(row);
-  result.command.repetition = static_cast<std::uint16_t>(repetition_.values[row]);
+  result.command.repetition = static_cast<std::uint16_t>(whole(row, repetition_, 0.0, largest_word));
   for (int code = 0; code <= static_cast<int>(Activity::stopped); ++code) {
     result.command.activity = static_cast<Activity>(code);
     if (name_of(result.command.activity) == activity(row)) return result;
@@ -101,7 +112,25 @@ SensorFrame RecordedFrames::before_start() const {
 }
 
 WheelTicks RecordedFrames::travel(std::size_t row) const {
-  return {std::llround(travel_left_.values[row]), std::llround(travel_right_.values[row])};
+  return {whole(row, travel_left_, -most_travel_ticks, most_travel_ticks),
+          whole(row, travel_right_, -most_travel_ticks, most_travel_ticks)};
+}
+
+double RecordedFrames::number(std::size_t row, const ExtraColumn& column, double least, double most) const {
+  const double value = column.values[row];
+  if (value >= least && value <= most) return value;
+  throw ConfigError(place(row) + "'" + column.name + "' must be a number from " +
+                    config::plain_number(least) + " to " + config::plain_number(most));
+}
+
+std::int64_t RecordedFrames::whole(std::size_t row, const ExtraColumn& column, double least,
+                                   double most) const {
+  return std::llround(number(row, column, least, most));
+}
+
+// Of the milliamperes that the robot reports, by the same product as then.
+double RecordedFrames::amperes(std::size_t row, const ExtraColumn& column) const {
+  return 1e-3 * std::round(1e3 * number(row, column, -most_amperes, most_amperes));
 }
 
 StopReason RecordedFrames::stop_reason(std::size_t row) const {

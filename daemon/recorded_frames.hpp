@@ -12,7 +12,8 @@ namespace wheelwright::daemon {
 
 class RecordedFrames {
  public:
-  // Keeps a reference to the log. Throws ConfigError where it lacks a column that the daemon writes.
+  // Keeps a reference to the log. Throws ConfigError where it lacks a column that the daemon writes; so do
+  // the functions below, for a value that no daemon writes.
   explicit RecordedFrames(const DriveLog& log);
 
   std::size_t size() const { return log_.samples.size(); }
@@ -33,6 +34,9 @@ class RecordedFrames {
 
  private:
   WheelTicks travel(std::size_t row) const;
+  double number(std::size_t row, const ExtraColumn& column, double least, double most) const;
+  std::int64_t whole(std::size_t row, const ExtraColumn& column, double least, double most) const;
+  double amperes(std::size_t row, const ExtraColumn& column) const;
   StopReason stop_reason(std::size_t row) const;
   std::string place(std::size_t row) const;
 
