@@ -5,7 +5,7 @@
 # virtual console as well, and plugging is an event for that: what follows, from the device unit on, is the system's
 # own. systemd listens to udev in a container only once it has been started anew (daemon-reexec).
 
-cache=/var/cache/wheelwright-booted/$(. /etc/os-release && echo "$VERSION_CODENAME")
+caches=/var/cache/wheelwright-booted
 console=/sys/class/tty/tty40
 
 skip() { echo "SKIPPED: $*"; exit 77; }
@@ -19,16 +19,29 @@ can_boot() {
   [[ -e $console ]] || skip "the booted system needs a virtual console as stand-in for an adapter"
 }
 
+# The package of a name that may be one which others provide.
+real_package() {
+  if [[ $(apt-cache show "$1" 2>/dev/null) ]]; then
+    echo "$1"
+  else
+    apt-cache showpkg "$1" | awk 'found { print $1; exit } /^Reverse Provides/ { found = 1 }'
+  fi
+}
+
+# make_base PACKAGE: the base system with what the package depends on, made once for each set of that.
 make_base() {
+  local release mirror needs
+  release=$(. /etc/os-release && echo "$VERSION_CODENAME")
+  needs=$(dpkg-deb -f "$1" Depends | tr ',' '\n' | sed -E 's/[(|].*//; s/ //g' | sort -u |
+    while read -r name; do real_package "$name"; done | paste -sd ,)
+  cache=$caches/$release-$(sha256sum <<<"$needs" | head -c 8)
   [[ -e $cache/.done ]] && return
-  local mirror
   mirror=$(cat /etc/apt/sources.list /etc/apt/sources.list.d/*.{list,sources} 2>/dev/null | grep -v '^#' |
     grep -oE 'https?://[^ ]*debian[^ ]*' | grep -v security | head -n 1 || true)
-  rm -rf "$cache"
+  rm -rf "$caches"
   mkdir -p "$cache"
-  debootstrap --variant=minbase \
-    --include=systemd,systemd-sysv,dbus,udev,init-system-helpers,libfmt9,libspdlog1.10,libyaml-cpp0.7 \
-    "$(basename "$cache")" "$cache" "$mirror" >"$cache.log" 2>&1 || skip "debootstrap failed: $(tail -n 1 "$cache.log")"
+  debootstrap --variant=minbase --include="systemd,systemd-sysv,dbus,udev,$needs" "$release" "$cache" "$mirror" \
+    >"$cache.log" 2>&1 || skip "debootstrap failed: $(tail -n 1 "$cache.log")"
   touch "$cache/.done"
 }
 

@@ -1,6 +1,7 @@
 // Whatever happens to the daemon, the wheels come to rest. Each case prints how long that took.
 #include <cmath>
 #include <csignal>
+#include <fstream>
 
 #include "tests/loopback/bench/bench.hpp"
 #include "tests/loopback/bench/held_thread.hpp"
@@ -108,6 +109,21 @@ TEST_CASE("A sensor loop that hangs loses the wheels within 300 ms") {
   std::this_thread::sleep_for(1s);
   drive.robot->end();
   check_rest("the loop hung", ms_to_rest(drive.bench.truth(), at_ms));
+}
+
+TEST_CASE("A daemon whose guardian is killed stops the wheels itself and ends") {
+  Drive drive;
+  const std::string pid = std::to_string(drive.daemon->pid());
+  std::ifstream children("/proc/" + pid + "/task/" + pid + "/children");
+  pid_t guardian = 0;
+  children >> guardian;
+  if (guardian <= 0) return skip("this kernel does not tell the children of a process");
+  const double at_ms = unix_ms_now();
+  ::kill(guardian, SIGKILL);
+  CHECK(drive.daemon->wait(5s) == 1);
+  CHECK_THAT(drive.daemon->out(), ContainsSubstring("the guardian process has ended"));
+  drive.robot->end();
+  check_rest("the guardian was killed", ms_to_rest(drive.bench.truth(), at_ms));
 }
 
 TEST_CASE("A run that was stopped for less than the guardian's patience goes on") {

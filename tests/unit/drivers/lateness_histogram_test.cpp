@@ -77,3 +77,19 @@ TEST_CASE("Quantiles rise with the share") {
     last = histogram.quantile(share);
   }
 }
+
+TEST_CASE("Steps for people double, hold every wake-up, and are no wider than what was seen") {
+  LatenessHistogram histogram;
+  for (const int microseconds : {3, 15, 16, 900}) histogram.add(std::chrono::microseconds(microseconds));
+  const auto steps = coarse(histogram);
+  REQUIRE_FALSE(steps.empty());
+  std::uint64_t all = 0;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    all += steps[i].count;
+    if (i > 0) CHECK(std::abs((steps[i].upper_edge - 2 * steps[i - 1].upper_edge).count()) <= 2);
+  }
+  CHECK(all == 4);
+  CHECK(steps.back().upper_edge >= std::chrono::microseconds(900));
+  CHECK(steps.back().upper_edge < std::chrono::microseconds(1800));
+  CHECK(coarse(LatenessHistogram()).empty());
+}
