@@ -42,6 +42,7 @@ void run_predictor(Brain& brain, Wiring& wiring) {
       entry.record = brain.take(entry.frame);
       while (const auto command = brain.next_command()) wiring.push(wiring.commands, *command);
       wiring.push(wiring.entries, entry);
+      if (wiring.has_telemetry) wiring.telemetry.push(wiring.telemetry.entries, entry);
       // Freed by the thread that made it; where its ring is full it is kept for good, which is better than a
       // free here.
       if (auto retired = brain.take_retired_model()) wiring.push(wiring.old_models, retired.release());

@@ -24,6 +24,7 @@
 #include "daemon/status_board.hpp"
 #include "daemon/summary.hpp"
 #include "daemon/supervisor.hpp"
+#include "daemon/telemetry/live_view.hpp"
 
 namespace wheelwright::daemon {
 namespace {
@@ -105,6 +106,8 @@ RunOutcome run_once(const config::DaemonConfig& config, const ProcessOptions& op
   StatusBoard board;
   LogThread log(config, folder, plan.limits.metres_per_tick, *wiring, board);
 
+  telemetry::LiveView live_view(config, session, *wiring);
+
   // The real-time rights are settled before anything moves.
   std::atomic<int> scheduled{0};  // 0 not yet, 1 go, -1 refused
   std::thread loop([&] {
@@ -143,6 +146,10 @@ RunOutcome run_once(const config::DaemonConfig& config, const ProcessOptions& op
     name_thread("ww-log");
     log.run();
   });
+  std::thread live_view_thread([&] {
+    name_thread("ww-live-view");
+    live_view.run();
+  });
 
   RunOutcome outcome =
       Supervisor({config, options, session, guardian, *wiring, board, real_time, folder}, service)
@@ -156,6 +163,10 @@ RunOutcome run_once(const config::DaemonConfig& config, const ProcessOptions& op
   predictor_thread.join();
   calibrator_thread.join();
   log_thread.join();
+  live_view.end(outcome.finished() ? "finished"
+                : outcome.reload   ? "the configuration is loaded anew"
+                                   : "stopped, " + outcome.stopped);
+  live_view_thread.join();
 
   std::fputs(
       summary(config, outcome, calibrator.report(), log.report(), session, real_time, wiring->dropped.load())

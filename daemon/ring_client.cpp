@@ -26,4 +26,9 @@ void RingClient::on_event(const roomba::Event& event) {
   wiring_.push(wiring_.events, event);
 }
 
+void RingClient::on_wake_up(std::chrono::steady_clock::time_point due, std::chrono::nanoseconds late) {
+  if (!wiring_.has_telemetry) return;
+  wiring_.telemetry.push(wiring_.telemetry.wake_ups, WakeUp{due, late});
+}
+
 }  // namespace wheelwright::daemon

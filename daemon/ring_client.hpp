@@ -12,6 +12,7 @@ class RingClient final : public roomba::LoopClient {
   std::optional<Command> command_for(std::int64_t tick) override;
   void on_frame(const SensorFrame& frame) override;
   void on_event(const roomba::Event& event) override;
+  void on_wake_up(std::chrono::steady_clock::time_point due, std::chrono::nanoseconds late) override;
 
  private:
   Wiring& wiring_;

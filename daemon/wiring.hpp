@@ -3,11 +3,13 @@
 //   sensor loop --frames--> predictor  --commands--> sensor loop
 //               --frames--> calibrator --deliveries--> predictor --old models--> calibrator
 //               --events--> log        <--entries--   predictor
+//               --wake-ups--> telemetry <--entries--  predictor
 //
 // A full ring drops what is new and counts it; the tick numbers make the gap visible.
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <semaphore>
@@ -38,6 +40,23 @@ struct Delivery {
   std::uint16_t version = 1;   // adaptation
 };
 
+struct WakeUp {
+  std::chrono::steady_clock::time_point due;
+  std::chrono::nanoseconds late{0};
+};
+
+// What the live view is fed with. Nobody misses what it loses.
+struct TelemetryFeed {
+  Ring<LogEntry, 256> entries;
+  Ring<WakeUp, 256> wake_ups;
+  std::atomic<std::uint64_t> dropped{0};
+
+  template <typename Queue, typename Item>
+  void push(Queue& queue, const Item& item) {
+    if (!queue.push(item)) dropped.fetch_add(1, std::memory_order_relaxed);
+  }
+};
+
 struct Wiring {
   Ring<SensorFrame, 256> frames_to_predictor;
   Ring<SensorFrame, 1024> frames_to_calibrator;  // a fit may take seconds
@@ -46,6 +65,8 @@ struct Wiring {
   Ring<roomba::Event, 128> events;
   Ring<Delivery, 8> deliveries;
   Ring<DrivingModel*, 8> old_models;
+  TelemetryFeed telemetry;
+  bool has_telemetry = false;  // settled before any thread starts
 
   std::counting_semaphore<> frame_arrived{0};
   std::atomic<bool> ending{false};

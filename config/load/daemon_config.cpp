@@ -1,5 +1,10 @@
 #include "config/load/daemon_config.hpp"
 
+#include <arpa/inet.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <charconv>
 #include <system_error>
 
@@ -193,6 +198,45 @@ void read_real_time(YamlReader& file, DaemonConfig& config) {
   section->finish();
 }
 
+bool is_loopback(const std::string& address) {
+  return address == "::1" || address.starts_with("127.");
+}
+
+bool is_address(const std::string& text) {
+  std::array<unsigned char, sizeof(in6_addr)> ignored{};
+  return ::inet_pton(AF_INET, text.c_str(), ignored.data()) == 1 ||
+         ::inet_pton(AF_INET6, text.c_str(), ignored.data()) == 1;
+}
+
+// A token travels in an address line, and nobody is to guess it.
+bool is_token(const std::string& text) {
+  constexpr std::size_t shortest = 16;
+  const auto is_plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; };
+  return text.size() >= shortest && std::all_of(text.begin(), text.end(), is_plain);
+}
+
+void read_live_view(YamlReader& file, DaemonConfig& config) {
+  auto section = file.section("live_view");
+  if (!section) return;
+  auto& to = config.live_view;
+  to.port = static_cast<int>(section->integer("port", {0, 65535}, to.port));
+  to.address = section->text("address", to.address);
+  to.token = section->text("token", to.token);
+  to.truth = section->text("truth", to.truth.string());
+  if (!is_address(to.address)) {
+    section->fail("address", "is '" + to.address + "', but must be an address, such as 127.0.0.1 or 0.0.0.0");
+  }
+  if (!to.token.empty() && !is_token(to.token)) {
+    section->fail("token",
+                  "must be 16 or more letters, digits, - or _, such as 'openssl rand -hex 16' prints");
+  }
+  if (to.port != 0 && to.token.empty() && !is_loopback(to.address)) {
+    section->fail("address",
+                  "is '" + to.address + "', where others can call: it needs a token beside it, or 127.0.0.1");
+  }
+  section->finish();
+}
+
 }  // namespace
 
 DaemonConfig load_daemon_config(const std::filesystem::path& path) {
@@ -205,6 +249,7 @@ DaemonConfig load_daemon_config(const std::filesystem::path& path) {
   read_calibration(file, config);
   read_run(file, config);
   read_real_time(file, config);
+  read_live_view(file, config);
   file.finish();
 
   config.limits.period_s = config.link.period_s;

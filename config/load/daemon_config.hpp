@@ -30,6 +30,14 @@ struct RealTimeConfig {
   bool lock_memory = true;
 };
 
+// Who may watch the robot, and stop it, through a browser.
+struct LiveViewConfig {
+  int port = 8765;                    // 0: off
+  std::string address = "127.0.0.1";  // of the interface to listen at, IPv4 or IPv6
+  std::string token;                  // what a caller has to show; empty only where nobody else can call
+  std::filesystem::path truth;        // of a simulated robot, to be shown beside; empty: unknown
+};
+
 enum class AtEnd : std::uint8_t {
   exit,  // the process ends with the run
   stay,  // it keeps the link and waits to be armed again
@@ -57,6 +65,7 @@ struct DaemonConfig {
   std::filesystem::path log_folder = "runs";
   bool mcap_log = false;  // an MCAP file beside the CSV logs
   RealTimeConfig real_time;
+  LiveViewConfig live_view;
 };
 
 // Reads a configuration, its route included. File names in it are relative to its own folder, except those of
@@ -65,6 +74,7 @@ struct DaemonConfig {
 DaemonConfig load_daemon_config(const std::filesystem::path& path);
 
 // The whole configuration as one file that needs no other: what a run keeps of itself, and what replay reads.
+// Without live_view, which changes nothing in a run and holds a secret.
 std::string daemon_config_to_yaml(const DaemonConfig& config);
 
 }  // namespace wheelwright::config

@@ -99,13 +99,18 @@ void Session::on_timer() {
   }
   if (config_.link.transport == Transport::query) {
     sleep_until(deadline_);
-    lateness_.add(steady_clock::now() - deadline_);
+    note_lateness(steady_clock::now() - deadline_);
   }
   skip_missed_periods();
   tick();
   if (tick_open_ && config_.link.transport == Transport::stream) finish_tick(nullptr);
   deadline_ += period_;
   if (!ending_) wait_for_tick();
+}
+
+void Session::note_lateness(std::chrono::nanoseconds lateness) {
+  lateness_.add(lateness);
+  client_.on_wake_up(deadline_, lateness);
 }
 
 // After an overrun the loop goes on at the next whole period: phase is kept, what was missed is counted.
@@ -205,7 +210,7 @@ void Session::on_reading(const open_interface::Reading& reading) {
     return;
   }
   measure_stream_period();
-  lateness_.add(std::max(steady_clock::now() - deadline_, steady_clock::duration::zero()));
+  note_lateness(std::max(steady_clock::now() - deadline_, steady_clock::duration::zero()));
   tick();
   if (ending_) return;
   finish_tick(&reading);

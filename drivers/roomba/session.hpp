@@ -49,6 +49,8 @@ class LoopClient {
   virtual std::optional<Command> command_for(std::int64_t tick) = 0;
   virtual void on_frame(const SensorFrame& frame) = 0;
   virtual void on_event(const Event& event) = 0;
+  // The loop has woken up for a tick, or a frame of the stream has come, so much after it was due.
+  virtual void on_wake_up(std::chrono::steady_clock::time_point /*due*/, std::chrono::nanoseconds /*late*/) {}
 };
 
 // What the loop counted so far.
@@ -103,6 +105,7 @@ class Session {
   void tick();
   void begin_tick();
   void finish_tick(const open_interface::Reading* reading);
+  void note_lateness(std::chrono::nanoseconds lateness);
   void skip_missed_periods();
   void take_requests();
   void arm_if_there();

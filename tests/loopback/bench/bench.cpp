@@ -83,7 +83,8 @@ std::filesystem::path Bench::configure(const DaemonSetup& setup) const {
   const std::string calibration = setup.calibration + ", model_file: " + (folder_ / "model.yaml").string();
   return write("daemon.yaml", section("link", link) + section("limits", setup.limits) +
                                   section("calibration", calibration) + section("run", run) +
-                                  "real_time: {policy: prefer, lock_memory: false}\n");
+                                  "real_time: {policy: prefer, lock_memory: false}\n" +
+                                  section("live_view", setup.live_view));
 }
 
 std::unique_ptr<ChildProcess> Bench::start_daemon(const std::filesystem::path& config,

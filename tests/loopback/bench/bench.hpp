@@ -21,6 +21,7 @@ struct DaemonSetup {
   std::string limits = {};
   std::string calibration = "when: never";
   std::string run = {};
+  std::string live_view = "port: 0";
   bool has_model = true;              // one that says that a wheel follows within 0.13 s with gain 1
   std::string route = "[[0.25, 0]]";  // checkpoints; empty for none
   double speed_m_s = 0.2;

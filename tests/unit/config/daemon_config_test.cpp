@@ -108,3 +108,30 @@ TEST_CASE("What a run keeps of its configuration reads back the same, route incl
   REQUIRE(back.route);
   CHECK(back.route->checkpoints[0].y_m == 0.25);
 }
+
+TEST_CASE("The live view listens on this machine alone unless it is given a token") {
+  const auto shipped = load_daemon_config(std::string(WHEELWRIGHT_SOURCE_DIR) + "/config/wheelwright.yaml");
+  CHECK(shipped.live_view.address == "127.0.0.1");
+  CHECK(shipped.live_view.port == config::LiveViewConfig{}.port);
+  CHECK(shipped.live_view.token.empty());
+  CHECK_THAT(error_of("live_view: {address: 0.0.0.0}\n"),
+             ContainsSubstring("needs a token beside it, or 127.0.0.1"));
+  CHECK_THAT(error_of("live_view: {address: '::'}\n"), ContainsSubstring("needs a token beside it"));
+  CHECK(error_of("live_view: {address: 0.0.0.0, token: 0123456789abcdef}\n") == "no error");
+  CHECK(error_of("live_view: {address: '::1'}\n") == "no error");
+  CHECK(error_of("live_view: {port: 0, address: 0.0.0.0}\n") == "no error");
+}
+
+TEST_CASE("A live view that cannot be is refused with what would be right") {
+  CHECK_THAT(error_of("live_view: {address: robot.local}\n"), ContainsSubstring("must be an address"));
+  CHECK_THAT(error_of("live_view: {address: 127.evil}\n"), ContainsSubstring("must be an address"));
+  CHECK_THAT(error_of("live_view: {token: short}\n"), ContainsSubstring("16 or more letters"));
+  CHECK_THAT(error_of("live_view: {token: 'sixteen letters & more'}\n"),
+             ContainsSubstring("16 or more letters"));
+  CHECK_THAT(error_of("live_view: {port: 70000}\n"), ContainsSubstring("port"));
+}
+
+TEST_CASE("What a run keeps of its configuration does not hold the token") {
+  const auto config = load_daemon_config(written("live_view: {token: 0123456789abcdef}\n"));
+  CHECK(config::daemon_config_to_yaml(config).find("0123456789abcdef") == std::string::npos);
+}

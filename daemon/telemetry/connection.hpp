@@ -1,0 +1,64 @@
+// One caller: an HTTP request that is answered, or that becomes a WebSocket and stays.
+#pragma once
+
+#include <utility>  // Boost.Asio 1.74 needs it and does not say so
+
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/websocket.hpp>
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "daemon/telemetry/access.hpp"
+#include "daemon/telemetry/conversation.hpp"
+#include "daemon/telemetry/http_answer.hpp"
+#include "daemon/telemetry/server.hpp"
+
+namespace wheelwright::daemon::telemetry {
+
+class Connection : public std::enable_shared_from_this<Connection> {
+ public:
+  // `config` and `hooks` outlive the io_context's last handler.
+  Connection(boost::asio::ip::tcp::socket socket, const ServerConfig& config, const ServerHooks& hooks);
+
+  void start();
+  // Puts a message into the queue; where the queue is full the client is dropped.
+  void send(Outgoing message);
+  // Ends the conversation: politely where it is one, at once where not.
+  void close();
+
+  // The conversation, once it has begun; null before and for plain HTTP.
+  const Conversation* conversation() const { return is_open_ ? &*conversation_ : nullptr; }
+  bool is_closed() const { return is_closed_; }
+
+ private:
+  void read_request();
+  void on_request();
+  void answer(HttpResponse response);
+  void upgrade(Access access);
+  void greet();
+  void read_message();
+  void on_message();
+  void write_next();
+  void drop();
+
+  boost::beast::websocket::stream<boost::beast::tcp_stream> stream_;
+  const ServerConfig& config_;
+  const ServerHooks& hooks_;
+  std::string caller_;
+  boost::beast::flat_buffer input_;
+  std::optional<boost::beast::http::request_parser<boost::beast::http::string_body>> parser_;
+  HttpRequest request_;
+  std::optional<HttpResponse> response_;
+  std::optional<Conversation> conversation_;
+  std::deque<Outgoing> queue_;
+  std::size_t queued_bytes_ = 0;
+  bool is_open_ = false;     // as a WebSocket
+  bool is_closing_ = false;  // goodbye once the queue is empty
+  bool is_closed_ = false;
+};
+
+}  // namespace wheelwright::daemon::telemetry

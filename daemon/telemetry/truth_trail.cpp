@@ -1,0 +1,80 @@
+#include "daemon/telemetry/truth_trail.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+namespace wheelwright::daemon::telemetry {
+namespace {
+
+// While no start is known, so much of the past is kept: the start may lie in it.
+constexpr std::size_t most_unread = 2000;
+constexpr std::string_view start_key = "# started_unix_ms: ";
+
+// The first four numbers of a line: t, x, y, theta.
+bool read_numbers(std::string_view line, std::array<double, 4>& numbers) {
+  for (double& number : numbers) {
+    const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), number);
+    if (error != std::errc() || !std::isfinite(number)) return false;
+    line.remove_prefix(static_cast<std::size_t>(end - line.data()));
+    if (line.starts_with(',')) line.remove_prefix(1);
+  }
+  return true;
+}
+
+}  // namespace
+
+void TruthTrail::start_at(std::uint64_t time_ns) {
+  start_ns_ = time_ns;
+  origin_.reset();
+}
+
+std::vector<TimedPose> TruthTrail::read() {
+  read_lines();
+  std::vector<TimedPose> poses;
+  if (!start_ns_) return poses;
+  for (const TimedPose& sample : unread_) {
+    if (sample.time_ns < *start_ns_) continue;
+    if (!origin_) origin_ = sample.pose;
+    poses.push_back({sample.time_ns, relative_to(*origin_, sample.pose)});
+  }
+  unread_.clear();
+  return poses;
+}
+
+// Whole lines only: the last one may still be on its way. A file that has become shorter is another one.
+void TruthTrail::read_lines() {
+  std::error_code missing;
+  const auto size = static_cast<std::streamoff>(std::filesystem::file_size(file_, missing));
+  if (missing || size < position_) {
+    in_.close();
+    position_ = 0;
+    file_started_ns_.reset();
+    if (missing) return;
+  }
+  if (size == position_) return;
+  if (!in_.is_open()) in_.open(file_);
+  in_.clear();
+  in_.seekg(position_);
+  std::string line;
+  while (std::getline(in_, line) && !in_.eof()) {
+    position_ += static_cast<std::streamoff>(line.size()) + 1;
+    take_line(line);
+  }
+}
+
+void TruthTrail::take_line(const std::string& line) {
+  if (line.starts_with(start_key)) {
+    std::uint64_t unix_ms = 0;
+    std::from_chars(line.data() + start_key.size(), line.data() + line.size(), unix_ms);
+    file_started_ns_ = unix_ms * 1'000'000U;
+  }
+  std::array<double, 4> numbers{};
+  if (!file_started_ns_ || line.starts_with('#') || !read_numbers(line, numbers)) return;
+  const auto since_start_ns = static_cast<std::uint64_t>(std::llround(1e9 * numbers[0]));
+  unread_.push_back({*file_started_ns_ + since_start_ns, {numbers[1], numbers[2], numbers[3]}});
+  if (unread_.size() > most_unread) unread_.pop_front();
+}
+
+}  // namespace wheelwright::daemon::telemetry
