@@ -71,7 +71,8 @@ function drawLevel(context, width, y, label) {
   context.fillText(label, margin.left - 6, y);
 }
 
-// Speeds over time. `series` says for each value of a row how it is drawn: {ink, width, dash, steps}.
+// Speeds over time. `series` says for each value of a row how it is drawn: {ink, width, dash, steps, clip}. What is
+// clipped may leave the picture: a jump of a counter is not to make everything else small.
 function drawSpeeds(canvas, samples, series) {
   const { context, width, height } = prepared(canvas);
   const end = samples.latest;
@@ -79,11 +80,11 @@ function drawSpeeds(canvas, samples, series) {
   let largest = 0.05;
   let smallest = 0;
   for (const row of rows) {
-    for (const value of row.values) {
-      if (value === null) continue;
-      largest = Math.max(largest, value);
-      smallest = Math.min(smallest, value);
-    }
+    row.values.forEach((value, index) => {
+      if (value === null || series[index].clip) return;
+      largest = Math.max(largest, 1.25 * value);
+      smallest = Math.min(smallest, 1.25 * value);
+    });
   }
   const step = roundUp((largest - smallest) / 4);
   const top = Math.ceil(largest / step - 1e-6) * step;
@@ -96,6 +97,10 @@ function drawSpeeds(canvas, samples, series) {
     drawLevel(context, width, y(i * step), i === Math.round(top / step) ? text + ' m/s' : text);
   }
   drawTimeAxis(context, width, height, samples.span_s);
+  context.save();
+  context.beginPath();
+  context.rect(margin.left, margin.top - 2, width - margin.left - margin.right, height - margin.top - margin.bottom + 4);
+  context.clip();
   series.forEach((look, index) => {
     context.strokeStyle = ink[look.ink];
     context.lineWidth = look.width;
@@ -114,7 +119,7 @@ function drawSpeeds(canvas, samples, series) {
     }
     context.stroke();
   });
-  context.setLineDash([]);
+  context.restore();
 }
 
 // Lateness over time, on a logarithmic scale from 10 us to 100 ms; the period of the loop as a line.

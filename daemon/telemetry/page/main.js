@@ -10,7 +10,7 @@ const phases = {
   await_response: 'Calibration B: fitting the response', random_drive: 'Calibration C: random drive',
   await_arma: 'Calibration C: fitting the model', route: 'Driving', finished: 'Finished', stopped: 'Stopped',
 };
-const wheelSeries = [{ ink: 'quiet', width: 1.5, dash: [2, 3], steps: true }, { ink: 'text', width: 1.2 },
+const wheelSeries = [{ ink: 'quiet', width: 1.5, dash: [2, 3], steps: true }, { ink: 'text', width: 1.2, clip: true },
                      { ink: 'accent', width: 2.2 }];
 const bumperNames = ['left', 'front_left', 'center_left', 'center_right', 'front_right', 'right'];
 const bumperLabels = ['L', 'FL', 'CL', 'CR', 'FR', 'R'];
