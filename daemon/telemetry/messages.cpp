@@ -47,7 +47,8 @@ std::string transform_message(std::uint64_t time_ns, const Pose& pose) {
 }
 
 std::string wheels_message(std::uint64_t time_ns, const LogEntry& entry) {
-  const auto& [frame, record] = entry;
+  const SensorFrame& frame = entry.frame;
+  const PoseRecord& record = entry.record;
   // Nothing is known of a speed that nobody predicted or measured.
   const double unknown = std::nan("");
   const WheelPair predicted =
@@ -81,7 +82,8 @@ std::string loop_message(std::uint64_t time_ns, double lateness_s) {
 
 std::string state_message(std::uint64_t time_ns, const LogEntry& entry, const config::DaemonConfig& config,
                           const Surroundings& surroundings) {
-  const auto& [frame, record] = entry;
+  const SensorFrame& frame = entry.frame;
+  const PoseRecord& record = entry.record;
   std::string text = stamped(time_ns) + field("robot", json_quoted(config.robot_name)) +
                      field("run_s", number(record.t_s, 3)) +
                      field("activity", json_quoted(name_of(frame.command.activity))) +
