@@ -36,7 +36,7 @@ std::string number(double value) {
 
 }  // namespace
 
-Plot& Plot::axes(std::string x, std::string y) {
+Plot& Plot::axes(const std::string& x, const std::string& y) {
   settings_ += "set xlabel " + in_quotes(x) + "\nset ylabel " + in_quotes(y) + "\n";
   return *this;
 }
@@ -94,7 +94,7 @@ Plot& Plot::error_bars(std::string title, Ink ink, PlotPoints points) {
   return add(std::move(title), "with yerrorbars pt 7 ps 0.4 lw 1.2 " + colour(ink), std::move(points), true);
 }
 
-Plot& Plot::mark(double x, std::string word) {
+Plot& Plot::mark(double x, const std::string& word) {
   const std::string at = number(x);
   settings_ += "set arrow from first " + at + ", graph 0 to first " + at + ", graph 1 nohead lw 1 dt 2 " +
                colour(Ink::quiet) + "\nset label " + in_quotes(word) + " at first " + at +
@@ -109,7 +109,7 @@ Plot& Plot::circle(double x, double y, double radius, int dash) {
   return *this;
 }
 
-Plot& Plot::label(double x, double y, std::string word) {
+Plot& Plot::label(double x, double y, const std::string& word) {
   settings_ += "set label " + in_quotes(word) + " at first " + number(x) + ", first " + number(y) +
                " offset 0.5,0.5 textcolor rgb '" + std::string(placeholder(Ink::quiet)) + "'\n";
   return *this;

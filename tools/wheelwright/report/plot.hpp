@@ -30,7 +30,7 @@ class Plot {
   explicit Plot(std::string caption) : caption_(std::move(caption)) {}
 
   // Names of the axes, with units: "time [s]".
-  Plot& axes(std::string x, std::string y);
+  Plot& axes(const std::string& x, const std::string& y);
   Plot& height(int pixels);  // 300 unless told
   Plot& half();              // so wide that two stand side by side where there is room
   Plot& equal_scales();      // one metre is as long upwards as sideways
@@ -45,11 +45,11 @@ class Plot {
   Plot& dotted_line(std::string title, Ink ink, PlotPoints points);
   Plot& error_bars(std::string title, Ink ink, PlotPoints points);
   // A mark across the picture at one x, with a word beside it.
-  Plot& mark(double x, std::string word);
+  Plot& mark(double x, const std::string& word);
   // A circle about (x, y), in units of the axes.
   Plot& circle(double x, double y, double radius, int dash = 1);
   // A word at a point.
-  Plot& label(double x, double y, std::string word);
+  Plot& label(double x, double y, const std::string& word);
 
   bool empty() const { return series_.empty(); }
   const std::string& caption() const { return caption_; }

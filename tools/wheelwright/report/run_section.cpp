@@ -62,10 +62,25 @@ Plot route_plot(const RunMaterial& run, const Ticks& ticks, const PlotPoints& tr
 
 enum class Side : unsigned char { left, right };
 
+// The mean over a window around each point: a period holds a handful of ticks, and sometimes two refreshes.
+PlotPoints smoothed(const PlotPoints& points) {
+  constexpr double half_window_s = 0.063;  // seven periods in all, in which a Roomba's refreshes even out
+  PlotPoints result;
+  std::size_t first = 0;
+  std::size_t last = 0;
+  double sum = 0.0;
+  for (const PlotPoint& point : points) {
+    for (; last < points.size() && points[last].x <= point.x + half_window_s; ++last) sum += points[last].y;
+    for (; points[first].x < point.x - half_window_s; ++first) sum -= points[first].y;
+    result.push_back({point.x, sum / static_cast<double>(last - first)});
+  }
+  return result;
+}
+
 Plot speed_plot(const Ticks& ticks, Side side) {
   const bool left = side == Side::left;
   Plot plot(std::string(left ? "Left" : "Right") +
-            " wheel: commanded speed, measured by the encoder, and by the model.");
+            " wheel: commanded speed, measured by the encoder (mean over 0.13 s), and by the model.");
   plot.axes("time [s]", "speed [m/s]").height(260);
   const auto over_time = [&](auto pick) {
     PlotPoints points;
@@ -73,11 +88,12 @@ Plot speed_plot(const Ticks& ticks, Side side) {
       const std::optional<WheelPair>& pair = pick(tick);
       if (pair) points.push_back({tick.t_s, left ? pair->left : pair->right});
     }
-    return thinned(points);
+    return points;
   };
-  plot.line("measured", Ink::text, over_time([](const auto& tick) { return tick.measured_m_s; }));
-  plot.line("command", Ink::quiet, over_time([](const auto& tick) { return tick.command_m_s; }));
-  plot.line("model", Ink::accent, over_time([](const auto& tick) { return tick.predicted_m_s; }));
+  const auto measured = over_time([](const auto& tick) { return tick.measured_m_s; });
+  plot.line("measured", Ink::text, thinned(smoothed(measured)));
+  plot.line("command", Ink::quiet, thinned(over_time([](const auto& tick) { return tick.command_m_s; })));
+  plot.line("model", Ink::accent, thinned(over_time([](const auto& tick) { return tick.predicted_m_s; })));
   return plot;
 }
 
