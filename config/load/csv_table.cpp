@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -10,6 +11,8 @@
 
 namespace wheelwright::config {
 namespace {
+
+constexpr double largest_value = 1e12;  // of any column: what is larger is garbage
 
 std::string_view trim(std::string_view text) {
   constexpr std::string_view blanks = " \t\r";
@@ -96,8 +99,10 @@ std::optional<double> CsvTable::number(std::size_t row, std::size_t column) cons
   if (field.empty()) return std::nullopt;
   double value = 0.0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (error != std::errc() || end != field.data() + field.size()) {
-    fail(row, "'" + columns_[column] + "' is '" + std::string(field) + "', but must be a number");
+  const bool is_number = error == std::errc() && end == field.data() + field.size();
+  if (!is_number || !(std::abs(value) <= largest_value)) {
+    fail(row, "'" + columns_[column] + "' is '" + std::string(field) + "', but must be a number" +
+                  (is_number ? " of at most 1e12 in size" : ""));
   }
   return value;
 }

@@ -37,7 +37,8 @@ class CsvTable {
   std::string_view text(std::size_t row, std::size_t column) const {
     return fields_[row * columns_.size() + column];
   }
-  // A field as a number; nothing where it is empty. Throws LogError where it is something else.
+  // A field as a number; nothing where it is empty. Throws LogError where it is something else, or larger
+  // than 1e12 in size.
   std::optional<double> number(std::size_t row, std::size_t column) const;
   // A whole column; not-a-number where a field is empty. Throws LogError where there is no such column or a
   // field is no number.

@@ -12,6 +12,7 @@ constexpr int information = 2;
 constexpr int warning = 3;
 
 constexpr double route_frame_height_m = 0.0;
+constexpr double longest_s = 1e10;  // that nanoseconds can count
 
 void put_wheels(JsonObject& json, std::string_view left, std::string_view right,
                 const std::optional<WheelPair>& pair) {
@@ -62,7 +63,7 @@ RobotRecording::RobotRecording(Sink sink, const std::map<std::string, std::strin
     : writer_(std::move(sink), metadata, options), topics_(add_topics(writer_)), steering_(steering) {}
 
 void RobotRecording::add(const TickValues& tick) {
-  if (!(tick.t_s >= 0.0)) return;
+  if (!(tick.t_s >= 0.0 && tick.t_s < longest_s)) return;
   time_ns_ = static_cast<std::uint64_t>(std::llround(1e9 * tick.t_s));
   if (tick.state) add_state(*tick.state);
   if (!tick.events.empty()) say(warning, tick.events);

@@ -87,6 +87,16 @@ TEST_CASE("The plain CSV has its header first and the columns of both logs once"
         "0.036,0.1,0.1,3,4,3.14159265358979,route,7,8,0,7.5,8,0\n");
 }
 
+TEST_CASE("Numbers that are none, or beyond any robot, are refused by row") {
+  for (const char* garbage : {"nan", "inf", "1e300", "0x10"}) {
+    const std::string log = run_folder() + "/garbage.csv";
+    std::ofstream(log) << "t,x,y,theta\n0,1,2,3\n1," << garbage << ",2,3\n";
+    const Outcome outcome = command({"export", log, "--mcap", log + ".mcap"});
+    CHECK(outcome.status == ExitStatus::bad_input);
+    CHECK(outcome.err.find("garbage.csv:3: 'x' is '" + std::string(garbage)) != std::string::npos);
+  }
+}
+
 TEST_CASE("An export says what is wrong with its input") {
   CHECK(command({"export", run_folder()}).err.find("nothing to write; add --mcap") != std::string::npos);
   const std::string log = run_folder() + "/drive_log.csv";

@@ -1,5 +1,6 @@
 #include "tools/wheelwright/export/recorded_run.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -53,6 +54,10 @@ std::optional<double> alone(const std::optional<std::array<double, 1>>& value) {
   return (*value)[0];
 }
 
+int whole(double value) {
+  return static_cast<int>(std::clamp(std::round(value), -1e9, 1e9));
+}
+
 class DriveRows {
  public:
   explicit DriveRows(const CsvTable& table) : table_(table) {}
@@ -73,14 +78,14 @@ class DriveRows {
       sensors.bump = bump > 0.0;
       sensors.wheel_drop = drop > 0.0;
       sensors.cliff = cliff > 0.0;
-      sensors.overcurrents = static_cast<int>(overcurrents);
+      sensors.overcurrents = whole(overcurrents);
     }
     tick.sensors = sensors;
     if (!activity_) return;
     mcap::StateValues& state = tick.state.emplace();
     state.activity = table_.text(row, *activity_);
     if (stop_) state.stop = table_.text(row, *stop_);
-    if (const auto version = version_.at(row)) state.model_version = static_cast<int>((*version)[0]);
+    if (const auto version = version_.at(row)) state.model_version = whole((*version)[0]);
   }
 
  private:
@@ -115,7 +120,7 @@ class PoseRows {
     if (!activity_) return;
     if (!tick.state) tick.state.emplace().activity = text(row, activity_);
     mcap::StateValues& state = *tick.state;
-    if (const auto visited = visited_.at(row)) state.checkpoints_visited = static_cast<int>((*visited)[0]);
+    if (const auto visited = visited_.at(row)) state.checkpoints_visited = whole((*visited)[0]);
     state.discarded = text(row, discarded_);
     state.fault_left = text(row, fault_left_);
     state.fault_right = text(row, fault_right_);
