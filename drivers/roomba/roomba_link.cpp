@@ -19,6 +19,7 @@ constexpr int start_settles_ticks = 3;  // the robot wants 20 ms after a change 
 constexpr int start_again_ticks = 50;   // a robot that was just switched on misses the first Start
 constexpr int ask_again_ticks = 10;
 constexpr int revive_ticks = 4;
+constexpr int readings_to_believe = 4;
 constexpr double arming_patience_s = 1.0;
 
 // No Roomba moves faster than 0.5 m/s, 1125 ticks/s; some room for slipping wheels and for sensor refreshes
@@ -56,6 +57,7 @@ void RoombaLink::port_opened() {
   ticks_since_open_ = 0;
   mode_offset_ = 0;
   asked_for_mode_ = false;
+  says_safe_unasked_ = 0;
   urgent_.clear();
   after_gap_ = true;
   first_counter_.rebase();
@@ -160,6 +162,7 @@ std::span<const std::uint8_t> RoombaLink::begin_tick(std::int64_t tick, double h
 
 void RoombaLink::write_tick_commands() {
   handshake();
+  if (state_ == LinkState::running && in_doubt_of_passive()) out_.start();
   if (arm_state_ == ArmState::asking) ask_for_mode();
   if (arm_state_ != ArmState::disarmed) {
     add_drive(out_, frame_.command.speed_m_s);
@@ -185,9 +188,13 @@ void RoombaLink::revive_stream() {
   out_.stream(stream_.packets());
 }
 
+bool RoombaLink::in_doubt_of_passive() const {
+  return says_safe_unasked_ > 0 && says_safe_unasked_ < readings_to_believe;
+}
+
 // Not before the robot has said what it calls Passive.
 void RoombaLink::ask_for_mode() {
-  if (state_ != LinkState::running) {
+  if (state_ != LinkState::running || in_doubt_of_passive()) {
     asking_since_tick_ = frame_.tick;
     return;
   }
@@ -301,9 +308,14 @@ void RoombaLink::take_counts(const Reading& reading, SensorFrame& frame) {
 }
 
 void RoombaLink::follow_mode(std::uint8_t reported_mode) {
-  // After Start the robot is in Passive; one that then says Safe counts its modes from one.
-  if (!asked_for_mode_) mode_offset_ = reported_mode == passive + 1 ? 1 : 0;
-  const bool obeys = reported_mode >= safe + mode_offset_;
+  // After Start the robot is in Passive; one that then says Safe counts its modes from one. So does one that
+  // a Start has not reached: it is told again, and believed only when it keeps saying so.
+  if (!asked_for_mode_) {
+    const bool says_safe = reported_mode == passive + 1;
+    says_safe_unasked_ = says_safe ? std::min(says_safe_unasked_ + 1, readings_to_believe) : 0;
+    mode_offset_ = says_safe_unasked_ == readings_to_believe ? 1 : 0;
+  }
+  const bool obeys = asked_for_mode_ && reported_mode >= safe + mode_offset_;
   if (arm_state_ == ArmState::asking) {
     if (obeys) {
       arm_state_ = ArmState::armed;

@@ -93,6 +93,7 @@ class RoombaLink {
   void handshake();
   void ask_for_mode();
   void revive_stream();
+  bool in_doubt_of_passive() const;
   void take_reading(const open_interface::Reading& reading, SensorFrame& frame);
   void take_counts(const open_interface::Reading& reading, SensorFrame& frame);
   void note_silence();
@@ -122,6 +123,7 @@ class RoombaLink {
   int standing_ticks_ = 0;
   int implausible_in_a_row_ = 0;
   int mode_offset_ = 0;          // some 600-series firmware reports the mode plus one
+  int says_safe_unasked_ = 0;    // readings in a row, since the port was opened
   bool asked_for_mode_ = false;  // Safe or Full, since the port was opened
   bool after_gap_ = true;
   bool last_reply_failed_ = false;

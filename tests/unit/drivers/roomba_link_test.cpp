@@ -250,3 +250,19 @@ TEST_CASE("After a reply that failed the robot is told not to stream, in case da
   bench.drive(0.1, 0.1);
   CHECK(!contains(bench.written, {150, 0}));
 }
+
+TEST_CASE("A robot still in Safe mode, which the first Start has not reached, is told again and can be armed") {
+  Bench bench;
+  bench.says[PacketId::oi_mode] = 2;
+  while (bench.link.state() != LinkState::running) bench.tick(std::nullopt);
+  bench.tick(std::nullopt);
+  REQUIRE(contains(bench.written, {128}));
+  bench.says[PacketId::oi_mode] = 1;  // it has heard it
+  bench.tick(std::nullopt);
+  bench.link.arm();
+  bench.tick(std::nullopt);
+  bench.says[PacketId::oi_mode] = 2;
+  bench.drive(0.0, 0.0);
+  bench.drive(0.0, 0.0);
+  CHECK(bench.link.armed());
+}
