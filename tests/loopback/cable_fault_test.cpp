@@ -27,6 +27,7 @@ struct WallSoak {
   int answered_within_1_s = 0;
   double longest_answer_s = 0.0;
   int armings = 0;
+  int batteries_out = 0;
   double memory_early_mb = 0.0;
   double memory_late_mb = 0.0;
   Replies replies;
@@ -39,13 +40,52 @@ std::size_t rows_in(const std::filesystem::path& log) {
   return rows == 0 ? 0 : rows - 1;  // without the header
 }
 
-// What the daemon said last: that the robot is armed, or that its run is over.
-bool wants_arming(const std::string& said) {
-  const auto last = [&](const char* text) { return static_cast<long>(said.rfind(text)); };
-  const long armed = last("armed: the robot obeys");
-  return last("the robot answers") >= 0 && (last("stopped at ") > armed || last("finished") > armed ||
-                                            last("does not answer any more") > armed);
+// Where `text` was said last; -1 where it was not.
+long last(const std::string& said, const char* text) {
+  return static_cast<long>(said.rfind(text));
 }
+
+bool answers(const std::string& said) {
+  return last(said, "the robot answers") > last(said, "does not answer any more");
+}
+
+bool run_is_over(const std::string& said) {
+  return std::max(last(said, "stopped at "), last(said, "finished")) > last(said, "armed: the robot obeys");
+}
+
+// Arms the robot again when its run is over. Damaged bytes can send a robot to sleep, or make it talk at
+// another speed: then no byte helps, and the battery is taken out and put in again.
+class Operator {
+ public:
+  Operator(const ChildProcess& daemon, const ChildProcess& robot) : daemon_(daemon), robot_(robot) {}
+
+  void look() {
+    const std::string said = daemon_.err();
+    const auto now = std::chrono::steady_clock::now();
+    if (answers(said)) last_answer_ = now;
+    if (answers(said) && run_is_over(said) && now - last_armed_ > 500ms) {
+      daemon_.signal(SIGUSR1);
+      last_armed_ = now;
+      ++armings;
+    }
+    if (now - last_answer_ > 6s) {
+      robot_.signal(SIGUSR1);
+      std::this_thread::sleep_for(200ms);
+      robot_.signal(SIGUSR1);
+      last_answer_ = now;
+      ++batteries_out;
+    }
+  }
+
+  int armings = 0;
+  int batteries_out = 0;
+
+ private:
+  const ChildProcess& daemon_;
+  const ChildProcess& robot_;
+  std::chrono::steady_clock::time_point last_answer_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point last_armed_;
+};
 
 double speed_at(const Table& truth, double unix_s) {
   const double t = unix_s - 1e-3 * std::stod(truth.metadata("started_unix_ms"));
@@ -105,6 +145,7 @@ WallSoak run_soak(int faults, int seed) {
   REQUIRE(daemon->says("the robot answers", 10s));
 
   WallSoak soak;
+  Operator person(*daemon, *robot);
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20 + 6 * faults);
   std::size_t known = 0;
   while (known < static_cast<std::size_t>(faults) && std::chrono::steady_clock::now() < deadline) {
@@ -113,14 +154,12 @@ WallSoak run_soak(int faults, int seed) {
     if (soak.memory_early_mb == 0.0 && known * 5 >= static_cast<std::size_t>(faults)) {
       soak.memory_early_mb = daemon->resident_mb();
     }
-    if (wants_arming(daemon->err())) {
-      daemon->signal(SIGUSR1);
-      ++soak.armings;
-      std::this_thread::sleep_for(500ms);
-    }
+    person.look();
   }
   std::this_thread::sleep_for(1500ms);
   soak.memory_late_mb = daemon->resident_mb();
+  soak.armings = person.armings;
+  soak.batteries_out = person.batteries_out;
   INFO(daemon->err());
   CHECK(daemon->end() < 2);  // 1 where the last run was stopped
   soak.replies = replies_of(daemon->out());
@@ -133,16 +172,17 @@ WallSoak run_soak(int faults, int seed) {
 std::string to_text(const WallSoak& soak) {
   std::array<char, 800> text{};
   const Replies& replies = soak.replies;
-  std::snprintf(text.data(), text.size(),
-                "%d faults on the wall clock, %d hit bytes, the run was armed %d times again\n"
-                "  replies: %d asked, %d sound, %d missing, %d incomplete, %d garbled\n"
-                "  blind for long: %d; could not hear the stop: %d; wheels not at rest: %d\n"
-                "  heard again after %d faults, %d of them within 1 s, longest %.2f s\n"
-                "  memory: %.1f MB after a fifth, %.1f MB at the end\n",
-                soak.faults, soak.hit, soak.armings, replies.asked, replies.sound, replies.missing,
-                replies.incomplete, replies.garbled, soak.blinding, soak.could_not_hear, soak.never_rested,
-                soak.answered, soak.answered_within_1_s, soak.longest_answer_s, soak.memory_early_mb,
-                soak.memory_late_mb);
+  std::snprintf(
+      text.data(), text.size(),
+      "%d faults on the wall clock, %d hit bytes; armed again %d times, battery out and in %d times\n"
+      "  replies: %d asked, %d sound, %d missing, %d incomplete, %d garbled\n"
+      "  blind for long: %d; could not hear the stop: %d; wheels not at rest: %d\n"
+      "  heard again after %d faults, %d of them within 1 s, longest %.2f s\n"
+      "  memory: %.1f MB after a fifth, %.1f MB at the end\n",
+      soak.faults, soak.hit, soak.armings, soak.batteries_out, replies.asked, replies.sound, replies.missing,
+      replies.incomplete, replies.garbled, soak.blinding, soak.could_not_hear, soak.never_rested,
+      soak.answered, soak.answered_within_1_s, soak.longest_answer_s, soak.memory_early_mb,
+      soak.memory_late_mb);
   return text.data();
 }
 
