@@ -54,12 +54,14 @@ void send_order(int socket, GuardianOrder order, int descriptor = -1) {
 
 }  // namespace
 
-std::chrono::milliseconds guardian_patience(double period_s) {
-  const std::chrono::duration<double> wanted(patience_periods * period_s);
+std::chrono::milliseconds guardian_patience(const roomba::LinkConfig& link, bool real_time) {
+  const std::chrono::duration<double> wanted(real_time ? patience_periods * link.period_s
+                                                       : std::max(link.blind_limit_s, 4.0 * link.period_s));
   return std::max(shortest_patience, std::chrono::ceil<std::chrono::milliseconds>(wanted));
 }
 
 Guardian::Guardian(const GuardianConfig& config) : board_(shared_board()) {
+  set_patience(config.patience);
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) {
     fail("no socket for the guardian");
@@ -84,6 +86,10 @@ void Guardian::port_opened(int descriptor) {
 
 void Guardian::port_closed() {
   send_order(socket_, GuardianOrder::let_go);
+}
+
+void Guardian::set_patience(std::chrono::milliseconds patience) {
+  board_->patience_ms.store(patience.count(), std::memory_order_relaxed);
 }
 
 bool Guardian::has_acted() {

@@ -25,18 +25,21 @@ namespace wheelwright::daemon {
 
 struct GuardianConfig {
   roomba::DriveMode drive_mode = roomba::DriveMode::direct;
-  std::chrono::milliseconds patience{54};  // without a beat
-  int priority = 0;                        // SCHED_FIFO, where it is to be had; 0: does not ask for it
+  std::chrono::milliseconds patience{250};  // without a beat; see Guardian::set_patience
+  int priority = 0;                         // SCHED_FIFO, where it is to be had; 0: does not ask for it
   bool lock_memory = false;
 };
 
-// Patience for a loop of this period: a few ticks, so that one or two late ones are no alarm.
-std::chrono::milliseconds guardian_patience(double period_s);
+// How long a sensor loop may stand still. One with real-time scheduling is never some ticks late unless it
+// hangs: three periods, and 50 ms at least. An ordinary thread of a busy machine may be: as long as the robot
+// may drive blind.
+std::chrono::milliseconds guardian_patience(const roomba::LinkConfig& link, bool real_time);
 
 // What daemon and guardian share. Lock-free, hence the same in both processes.
 struct GuardianBoard {
   std::atomic<std::uint64_t> beats{0};
   std::atomic<std::uint64_t> acts{0};
+  std::atomic<std::int64_t> patience_ms{0};
 };
 static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
 
@@ -54,6 +57,9 @@ class Guardian final : public roomba::PortGuard {
   void port_closed() override;
   void beat() override { board_->beats.fetch_add(1, std::memory_order_relaxed); }
   bool has_acted() override;
+
+  // Once it is known what scheduling the sensor loop got.
+  void set_patience(std::chrono::milliseconds patience);
 
   // False once the process has ended by itself or was ended by somebody.
   bool alive();

@@ -57,7 +57,7 @@ void say(std::string_view line) {
 class Process {
  public:
   Process(const GuardianConfig& config, int socket, GuardianBoard& board)
-      : config_(config), socket_(socket), board_(board), rest_(roomba::rest_bytes(config.drive_mode)) {}
+      : socket_(socket), board_(board), rest_(roomba::rest_bytes(config.drive_mode)) {}
 
   [[noreturn]] void run() {
     while (true) {
@@ -117,7 +117,8 @@ class Process {
     }
     silent_for_ += since_last;
     if (port_ < 0 || acts_ == acts_on_a_stall) return;
-    if (silent_for_ < config_.patience + acts_ * say_again_every) return;
+    const std::chrono::milliseconds patience(board_.patience_ms.load(std::memory_order_relaxed));
+    if (silent_for_ < patience + acts_ * say_again_every) return;
     if (acts_ == 0) say("<3>guardian: the sensor loop stands still; the wheels are told to stand\n");
     ++acts_;
     board_.acts.fetch_add(1, std::memory_order_relaxed);
@@ -148,7 +149,6 @@ class Process {
     }
   }
 
-  GuardianConfig config_;
   int socket_;
   GuardianBoard& board_;
   open_interface::CommandBytes rest_;

@@ -63,7 +63,7 @@ std::filesystem::path make_run_folder(const config::DaemonConfig& config) {
 
 GuardianConfig guardian_config(const config::DaemonConfig& config) {
   const bool real_time = config.real_time.policy != config::RealTimePolicy::off;
-  return {config.link.drive_mode, guardian_patience(config.link.period_s),
+  return {config.link.drive_mode, guardian_patience(config.link, false),
           real_time ? config.real_time.priority + 1 : 0, real_time && config.real_time.lock_memory};
 }
 
@@ -125,6 +125,7 @@ RunOutcome run_once(const config::DaemonConfig& config, const ProcessOptions& op
     throw StartFailure(EndCause::no_permission,
                        config.file.string() + ": real_time.policy is 'require', but " + real_time.shortfall);
   }
+  guardian.set_patience(guardian_patience(config.link, real_time.priority > 0));
   spdlog::info("{}: {}{}", config.device.string(), describe(real_time),
                port.low_latency ? ", low-latency port" : "");
   if (!real_time.shortfall.empty()) spdlog::warn("{}", real_time.shortfall);
