@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 import { test } from 'node:test';
-import { Bench, eventually, sleep } from './bench.mjs';
+import { eventually, onBench, sleep } from './bench.mjs';
 
 const require = createRequire(import.meta.url);
 const { FoxgloveClient } = require('@foxglove/ws-protocol');
@@ -39,41 +39,36 @@ function misfit(schema, value, at = '') {
 }
 
 for (const subprotocol of ['foxglove.websocket.v1', 'foxglove.sdk.v1']) {
-  test(`by ${subprotocol} every channel comes at its rate and by its schema, and the service stops the robot`, async () => {
-    const bench = await Bench.create();
-    try {
-      await bench.startDaemon();
-      await eventually('the robot drives', () => bench.daemon.said.includes('route: driving'));
-      const { client, seen } = connect(bench, subprotocol);
-      await eventually('the service is offered', () => seen.services.length);
-      await sleep(1500);
-      const begun = new Map([...seen.messages].map(([topic, list]) => [topic, list.length]));
-      await sleep(2000);
-      assert.deepEqual(seen.errors, []);
-      assert.equal(seen.info.name, 'test robot');
-      for (const channel of seen.topics.values()) {
-        const list = seen.messages.get(channel.topic) ?? [];
-        assert.ok(list.length, `nothing came on ${channel.topic}`);
-        for (const { message } of list) assert.equal(misfit(JSON.parse(channel.schema), message, channel.topic), '');
-        const rate_hz = (list.length - begun.get(channel.topic)) / 2;
-        const least_hz = { '/log': 0, '/scene': 2, '/state': 1 }[channel.topic] ?? 0.6 / 0.018;
-        assert.ok(rate_hz >= least_hz, `${channel.topic} came at ${rate_hz} Hz`);
-      }
-      const poses = seen.messages.get('/pose');
-      const now_ns = BigInt(Date.now()) * 1000000n;
-      assert.ok(now_ns - poses.at(-1).timestamp < 1000000000n, 'a pose is older than a second');
-      for (let i = 1; i < poses.length; ++i) assert.ok(poses[i].timestamp > poses[i - 1].timestamp, 'poses out of order');
-
-      const answered = new Promise(resolve => client.on('serviceCallResponse', resolve));
-      client.sendServiceCallRequest({ serviceId: seen.services[0].id, callId: 1, encoding: 'json',
-                                      data: new DataView(new TextEncoder().encode('{}').buffer) });
-      const answer = await answered;
-      assert.deepEqual(JSON.parse(new TextDecoder().decode(answer.data)), { stopped: true });
-      assert.equal(await bench.daemon.ended, 1);
-      assert.match(bench.daemon.said, /Result: stopped, requested/);
-      assert.deepEqual(await bench.trueSpeedAtEnd(), [0, 0]);
-    } finally {
-      await bench.end();
+  test(`by ${subprotocol} every channel comes at its rate and by its schema, and the service stops the robot`, t => onBench(t, {}, async bench => {
+    await bench.startDaemon();
+    await eventually('the robot drives', () => bench.daemon.said.includes('route: driving'));
+    const { client, seen } = connect(bench, subprotocol);
+    await eventually('the service is offered', () => seen.services.length);
+    await sleep(1500);
+    const begun = new Map([...seen.messages].map(([topic, list]) => [topic, list.length]));
+    await sleep(2000);
+    assert.deepEqual(seen.errors, []);
+    assert.equal(seen.info.name, 'test robot');
+    for (const channel of seen.topics.values()) {
+      const list = seen.messages.get(channel.topic) ?? [];
+      assert.ok(list.length, `nothing came on ${channel.topic}`);
+      for (const { message } of list) assert.equal(misfit(JSON.parse(channel.schema), message, channel.topic), '');
+      const rate_hz = (list.length - begun.get(channel.topic)) / 2;
+      const least_hz = { '/log': 0, '/scene': 2, '/state': 1 }[channel.topic] ?? 0.6 / 0.018;
+      assert.ok(rate_hz >= least_hz, `${channel.topic} came at ${rate_hz} Hz`);
     }
-  });
+    const poses = seen.messages.get('/pose');
+    const now_ns = BigInt(Date.now()) * 1000000n;
+    assert.ok(now_ns - poses.at(-1).timestamp < 1000000000n, 'a pose is older than a second');
+    for (let i = 1; i < poses.length; ++i) assert.ok(poses[i].timestamp > poses[i - 1].timestamp, 'poses out of order');
+
+    const answered = new Promise(resolve => client.on('serviceCallResponse', resolve));
+    client.sendServiceCallRequest({ serviceId: seen.services[0].id, callId: 1, encoding: 'json',
+                                    data: new DataView(new TextEncoder().encode('{}').buffer) });
+    const answer = await answered;
+    assert.deepEqual(JSON.parse(new TextDecoder().decode(answer.data)), { stopped: true });
+    assert.equal(await bench.daemon.ended, 1);
+    assert.match(bench.daemon.said, /Result: stopped, requested/);
+    assert.deepEqual(await bench.trueSpeedAtEnd(), [0, 0]);
+  }));
 }
