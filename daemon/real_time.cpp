@@ -15,7 +15,11 @@ namespace wheelwright::daemon {
 namespace {
 
 // Locked memory counts every stack in full; nothing here needs more than this.
+#ifdef __SANITIZE_THREAD__
+constexpr std::size_t stack_bytes = 4096UL * 1024UL;  // the sanitizer's own share of a stack is larger
+#else
 constexpr std::size_t stack_bytes = 512UL * 1024UL;
+#endif
 
 void add_shortfall(RealTimeStatus& status, const std::string& what) {
   status.shortfall += (status.shortfall.empty() ? "" : "; ") + what;
