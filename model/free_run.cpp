@@ -32,7 +32,7 @@ std::vector<PredictedMotion> free_run(const LinearModel& core, std::span<const E
   const double t0 = log.samples.front().t_s;
   const double period = core.period_s;
   ModelSimulation simulation(core, effects);
-  simulation.reset(simulation.axle_of(start_pose(log)));
+  simulation.reset(simulation.axle_of(start_pose(log)), log.rolled_before_m);
   double battery_v = battery_at(log, 0, std::numeric_limits<double>::quiet_NaN());
 
   motion.push_back({t0, {}, {}, {}, simulation.observed_pose()});
@@ -47,12 +47,12 @@ std::vector<PredictedMotion> free_run(const LinearModel& core, std::span<const E
     const double end_of_cell = to + 1e-4 * period;
     for (; row < log.samples.size() && log.samples[row].t_s <= end_of_cell; ++row) {
       const double t = log.samples[row].t_s;
-      motion.push_back(
-          {t,
-           now.floor_m_s,
-           now.twist,
-           {before.left + now.wheel_m_s.left * (t - from), before.right + now.wheel_m_s.right * (t - from)},
-           simulation.observed(move_along_arc(start, now.twist, t - from))});
+      motion.push_back({t,
+                        now.floor_m_s,
+                        now.twist,
+                        {before.left - log.rolled_before_m.left + now.wheel_m_s.left * (t - from),
+                         before.right - log.rolled_before_m.right + now.wheel_m_s.right * (t - from)},
+                        simulation.observed(move_along_arc(start, now.twist, t - from))});
       battery_v = battery_at(log, row, battery_v);
     }
   }

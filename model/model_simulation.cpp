@@ -74,11 +74,12 @@ Pose ModelSimulation::axle_of(const Pose& point) const {
   return {point.x_m - offset.x_m, point.y_m - offset.y_m, point.theta_rad};
 }
 
-void ModelSimulation::reset(const Pose& pose) {
+void ModelSimulation::reset(const Pose& pose, const WheelPair& rolled_before_m) {
   core_.reset();
   for (const auto& effect : effects_) effect->reset();
   around_.time_s = 0.0;
-  around_.command_m_s = around_.speed_m_s = around_.next_speed_m_s = around_.distance_m = {};
+  around_.command_m_s = around_.speed_m_s = around_.next_speed_m_s = {};
+  around_.distance_m = rolled_before_m;
   around_.pose = pose;
   motion_ = {};
 }

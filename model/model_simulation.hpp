@@ -46,13 +46,13 @@ class ModelSimulation {
   Pose observed(const Pose& axle) const;
   // The pose of the axle at which the reference measures `point`.
   Pose axle_of(const Pose& point) const;
-  // Rolled by the wheels since the start, as the encoders see it.
+  // Rolled by the wheels since the start (and before it, as reset was told), as the encoders see it.
   const WheelPair& distance_m() const { return around_.distance_m; }
 
   // Sets the pose, not the motion.
   void set_pose(const Pose& pose) { around_.pose = pose; }
-  // To rest at a pose, at the start of a run.
-  void reset(const Pose& pose);
+  // To rest at a pose, at the start of a run. `rolled_before_m` tells the angle at which the wheels stand.
+  void reset(const Pose& pose, const WheelPair& rolled_before_m = {});
   // Goes on in the place of another: pose, way and time are those of `before`; the motion is its own.
   void take_over(const ModelSimulation& before);
 

@@ -23,6 +23,14 @@ class CommandQuantization final : public EffectOf<CommandQuantization> {
   bool toward_zero_;
 };
 
+// A wrong step rounds other commands up than the right one: the search has to begin near it. Spaced so that a
+// command of 0.4 m/s is rounded the same way as by the step between two of them.
+std::vector<double> steps_to_try() {
+  std::vector<double> steps;
+  for (double per_m_s = 170.0; per_m_s > 9.0; per_m_s -= 1.25) steps.push_back(1.0 / per_m_s);
+  return steps;
+}
+
 }  // namespace
 
 EffectInfo command_quantization() {
@@ -32,13 +40,7 @@ EffectInfo command_quantization() {
       "The motor controller works in coarse units, e.g. whole encoder ticks per control period (28.5 mm/s on "
       "some Roombas). 'nearest' rounds, 'toward_zero' cuts off.",
       {{"nearest", EffectStage::command}, {"toward_zero", EffectStage::command}},
-      {{"step",
-        "m/s",
-        "distance of the speeds that can be had",
-        0.0,
-        0.2,
-        {0.008, 0.012, 0.016, 0.02, 0.024, 0.0285, 0.034, 0.04, 0.05, 0.06, 0.08},
-        0.002}},
+      {{"step", "m/s", "distance of the speeds that can be had", 0.0, 0.2, steps_to_try(), 0.002}},
       {.variety = true},
       [](const EffectArguments& arguments) { return std::make_unique<CommandQuantization>(arguments); }};
 }

@@ -115,6 +115,8 @@ struct EffectInfo {
   EffectNeeds needs;
   std::function<std::unique_ptr<Effect>(const EffectArguments&)> make;
   bool may_load_wheels = false;  // what it does to the body may show in the wheels: at_the_wheels.hpp
+  bool linear = false;           // a linear core can take it up, and then hides it
+  bool by_wheel_angle = false;   // hangs on the angle at which the wheels stood when a run began
 };
 
 // An effect as a model holds it.

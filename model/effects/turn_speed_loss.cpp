@@ -31,17 +31,22 @@ class TurnSpeedLoss final : public EffectOf<TurnSpeedLoss> {
 }  // namespace
 
 EffectInfo turn_speed_loss() {
-  return {
-      "turn_speed_loss",
-      "forward speed is lost while turning, in proportion to the size of the turn rate",
-      "Casters and tyres drag sideways in a curve. 'relative': a share of the speed; 'absolute': the "
-      "same at any "
-      "speed (unit: share of 0.2 m/s).",
-      {{"relative", EffectStage::body}, {"absolute", EffectStage::body}},
-      {{"loss", "s/rad", "share of the speed lost per rad/s", -0.5, 1.0, {0.02, 0.05, 0.1, 0.2, 0.4}, 0.003}},
-      {.reference = true, .place = true, .turning = true},
-      [](const EffectArguments& arguments) { return std::make_unique<TurnSpeedLoss>(arguments); },
-      true};
+  return {"turn_speed_loss",
+          "forward speed is lost while turning, in proportion to the size of the turn rate",
+          "Casters and tyres drag sideways in a curve. 'relative': a share of the speed; 'absolute': the "
+          "same at any "
+          "speed (unit: share of 0.2 m/s).",
+          {{"relative", EffectStage::body}, {"absolute", EffectStage::body}},
+          {{"loss",
+            "s/rad",
+            "share of the speed lost per rad/s",
+            -0.5,
+            4.0,
+            {0.02, 0.05, 0.1, 0.2, 0.4, 0.8, 1.6},
+            0.003}},
+          {.reference = true, .place = true, .turning = true},
+          [](const EffectArguments& arguments) { return std::make_unique<TurnSpeedLoss>(arguments); },
+          true};
 }
 
 }  // namespace wheelwright::effects

@@ -50,9 +50,10 @@ EffectInfo wheel_eccentricity() {
   return {
       "wheel_eccentricity",
       "speed ripples once per wheel turn",
-      "A wheel that is mounted off its centre or is not round. The wheel's angle is counted from the "
-      "start of "
-      "the run. 'floor': the wheel's radius changes, which its encoder does not see; 'wheel': the "
+      "A wheel that is mounted off its centre or is not round. The wheel's angle is counted from the start "
+      "of "
+      "the run, unless the runs show that the wheels began at angles of their own. 'floor': the wheel's "
+      "radius changes, which its encoder does not see; 'wheel': the "
       "encoder sees it.",
       {{"floor", EffectStage::floor}, {"wheel", EffectStage::wheel}},
       {ripple("left_sine", "relative ripple of the left wheel, in sine of its angle"),
@@ -61,7 +62,10 @@ EffectInfo wheel_eccentricity() {
        ripple("right_cosine", "in cosine"),
        {"circumference", "m", "of a wheel", 0.05, 2.0, {0.2042, 0.2199, 0.2262, 0.2356, 0.251}, 0.0, false}},
       {},
-      [](const EffectArguments& arguments) { return std::make_unique<WheelEccentricity>(arguments); }};
+      [](const EffectArguments& arguments) { return std::make_unique<WheelEccentricity>(arguments); },
+      false,
+      false,
+      true};
 }
 
 }  // namespace wheelwright::effects

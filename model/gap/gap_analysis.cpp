@@ -197,6 +197,12 @@ void Analysis::search() {
   test_problem_.emplace(test_.runs, test_.metres_per_tick, for_each_);
   result_.search = search_gap(*train_problem_, *test_problem_, start(), testability_.candidates,
                               options_.limits, for_each_, progress_);
+  for (std::size_t r = 0; r < train_.logs.size(); ++r) {
+    train_.logs[r].rolled_before_m = result_.search.train_rolled_m[r];
+  }
+  for (std::size_t r = 0; r < test_.logs.size(); ++r) {
+    test_.logs[r].rolled_before_m = result_.search.heldout_rolled_m[r];
+  }
 }
 
 RobotModel Analysis::model_of(const TrialModel& trial, bool with_effects) const {
@@ -392,8 +398,6 @@ void Analysis::conclude() {
     parameter += count;
     result_.found.push_back(std::move(found));
   }
-  // The strongest first.
-  std::ranges::stable_sort(result_.found, std::greater<>{}, &Finding::heldout_gain_nats);
   size_up();
   if (!result_.search.final.model.effects.empty() && !closes_the_gap()) {
     std::erase_if(result_.found,

@@ -23,8 +23,8 @@ Path simulate(ModelSimulation& simulation, const GapRun& run) {
   path.axle.reserve(periods + 1);
   path.odometry.reserve(periods);
   path.body.reserve(periods);
-  simulation.reset(first_pose(run, simulation));
-  path.distance_m.push_back({});
+  simulation.reset(first_pose(run, simulation), run.rolled_before_m);
+  path.distance_m.push_back(run.rolled_before_m);
   path.axle.push_back(simulation.pose());
   const double t = run.period_s;
   for (std::size_t k = 0; k < periods; ++k) {
@@ -210,7 +210,7 @@ double travel_gain(const TrialModel& model, const GapRun& run) {
 
 std::vector<ModelState> model_states(const TrialModel& model, const GapRun& run) {
   ModelSimulation simulation = model.simulation();
-  simulation.reset(first_pose(run, simulation));
+  simulation.reset(first_pose(run, simulation), run.rolled_before_m);
   std::vector<ModelState> states;
   states.reserve(run.commands_m_s.size());
   for (std::size_t k = 0; k < run.commands_m_s.size(); ++k) {

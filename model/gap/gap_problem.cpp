@@ -236,6 +236,21 @@ std::vector<double> GapProblem::residuals(const TrialModel& model, Part part) co
   return all;
 }
 
+std::optional<GapProblem::Innovations> GapProblem::innovations(std::size_t run, Channel channel,
+                                                               std::span<const double> errors) const {
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if (blocks_[b].run != run || blocks_[b].channel != static_cast<std::size_t>(channel)) continue;
+    Innovations result{blocks_[b].offset, std::vector<double>(errors.size())};
+    whiteners_[b].apply(errors, result.values.data());
+    return result;
+  }
+  return std::nullopt;
+}
+
+void GapProblem::set_rolled_before(std::span<const WheelPair> rolled_m) {
+  for (std::size_t r = 0; r < runs_.size(); ++r) runs_[r].rolled_before_m = rolled_m[r];
+}
+
 Eigen::MatrixXd GapProblem::jacobian(const TrialModel& model, const std::vector<double>& residuals,
                                      Part part) const {
   const std::size_t count = model.parameter_count();

@@ -67,6 +67,18 @@ class GapProblem {
   };
   const std::vector<Place>& places() const { return places_; }
 
+  // What errors in one channel of a run come to among the residuals, and where they stand there; nothing for
+  // a channel that the run does not have.
+  struct Innovations {
+    std::size_t first_residual = 0;
+    std::vector<double> values;
+  };
+  std::optional<Innovations> innovations(std::size_t run, Channel channel,
+                                         std::span<const double> errors) const;
+
+  // Sets where the wheels of each run stood at its start.
+  void set_rolled_before(std::span<const WheelPair> rolled_m);
+
   // One column per parameter, of the residuals; zero for parameters that do not belong to the part.
   Eigen::MatrixXd jacobian(const TrialModel& model, const std::vector<double>& residuals,
                            Part part = Part::all) const;

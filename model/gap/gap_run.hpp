@@ -54,6 +54,7 @@ struct GapRun {
   double start_s = 0.0;                 // time of the first row
   std::vector<WheelPair> commands_m_s;  // one per period
   std::vector<double> battery_v;        // one per period; not-a-number where unknown
+  WheelPair rolled_before_m;            // tells the angle at which the wheels stood at the start
   std::array<Series, channel_count> series;
   std::vector<Reference> references;  // with x, y and heading
   bool has_counts = false;

@@ -112,9 +112,25 @@ Eigen::MatrixXd basis_of(const Eigen::MatrixXd& columns) {
   return qr.householderQ() * Eigen::MatrixXd::Identity(scaled.rows(), qr.rank());
 }
 
-// For effects with one size: the response need not be linear in it, so only some stretching is believed.
-constexpr double least_stretch = 0.25;
-constexpr double most_stretch = 3.0;
+// For effects with one size: the response need not be linear in it, so only some stretching is believed, and
+// none beyond the next sizes that are tried themselves.
+struct Stretch {
+  double least = 0.25;
+  double most = 3.0;
+};
+
+Stretch stretch_of(const EffectInfo& info, const std::vector<double>& point) {
+  Stretch stretch;
+  for (std::size_t i = 0; i < info.parameters.size(); ++i) {
+    if (!info.parameters[i].scales_effect || point[i] == 0.0) continue;
+    for (const double size : info.parameters[i].sizes) {
+      const double ratio = size / point[i];
+      if (ratio > 0.0 && ratio < 1.0) stretch.least = std::max(stretch.least, ratio);
+      if (ratio > 1.0) stretch.most = std::min(stretch.most, ratio);
+    }
+  }
+  return stretch;
+}
 
 bool vanishes_at_zero(const ParameterInfo& parameter) {
   return parameter.lower <= 0.0 && parameter.upper >= 0.0;
@@ -137,7 +153,8 @@ Screened judged(const Probe& probe, const Eigen::MatrixXd& changes, const Eigen:
     return result;
   }
   const double power = changes.col(0).squaredNorm();
-  const double stretch = std::clamp(-left.dot(changes.col(0)) / power, least_stretch, most_stretch);
+  const auto [least, most] = stretch_of(*probe.info, probe.points[0]);
+  const double stretch = std::clamp(-left.dot(changes.col(0)) / power, least, most);
   result.gain_nats = 0.5 * (left.squaredNorm() - (left + stretch * changes.col(0)).squaredNorm());
   for (std::size_t i = 0; i < probe.info->parameters.size(); ++i) {
     const ParameterInfo& parameter = probe.info->parameters[i];

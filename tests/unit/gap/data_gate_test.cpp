@@ -86,3 +86,12 @@ TEST_CASE("Counts that stand still while their wheel turns are a dropout of the 
   CHECK_THAT(gated.dropouts.front().start_s, WithinAbs(log.samples[from].t_s, 0.1));
   CHECK_THAT(gated.dropouts.front().duration_s, WithinAbs(20 * log.period_s, 0.1));
 }
+
+TEST_CASE("An answer that comes late is an effect, not a fault of the data") {
+  test::GapCaseSpec spec;
+  spec.name = "transport_delay";
+  spec.severity = test::Severity::large;  // 0.6 s: longer than the windows that commands are compared in
+  spec.runs = 4;
+  spec.seconds = 60.0;
+  for (const auto& log : test::make_gap_case(spec).runs) CHECK(gate(log).faults.empty());
+}

@@ -1,0 +1,166 @@
+#include "model/gap/gap_contest.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr double block_s = 2.0;  // longer than what is left hangs together
+constexpr double largest_inflation = 30.0;
+
+// By how much the variance of an effect's likelihood gain exceeds that of white residuals: sums over blocks
+// of time of residual times change, against the sum of squared changes.
+double inflation_of(const GapProblem& problem, const std::vector<double>& without,
+                    const std::vector<double>& with) {
+  std::map<std::pair<std::size_t, std::size_t>, double> blocks;
+  double power = 0.0;
+  const auto& places = problem.places();
+  for (std::size_t i = 0; i < with.size(); ++i) {
+    const double change = without[i] - with[i];
+    const double period_s = problem.runs()[places[i].run].period_s;
+    const auto block = static_cast<std::size_t>(static_cast<double>(places[i].period) * period_s / block_s);
+    blocks[{places[i].run, block}] += with[i] * change;
+    power += change * change;
+  }
+  if (!(power > 0.0)) return 1.0;
+  double variance = 0.0;
+  for (const auto& [key, sum] : blocks) variance += sum * sum;
+  return std::clamp(variance / power, 1.0, largest_inflation);
+}
+
+bool negligible(const TrialEffect& effect) {
+  for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
+    if (std::abs(effect.parameters[i]) < effect.info->parameters[i].negligible) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+double squares_of(const std::vector<double>& values) {
+  return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
+}
+
+double Contest::price_of_a_parameter() const {
+  return 0.5 * std::log(static_cast<double>(train_.readings() + heldout_.readings()));
+}
+
+double Contest::price(const TrialEffect& effect) const {
+  auto parameters = effect.parameters.size();
+  if (effect.info->by_wheel_angle && angles_differ_) {
+    parameters += 2 * (train_.runs().size() + heldout_.runs().size() - 1);
+  }
+  return price_of_a_parameter() * static_cast<double>(parameters);
+}
+
+double Contest::price(const TrialModel& model) const {
+  double sum = price_of_a_parameter() * static_cast<double>(model.core.size());
+  for (const auto& effect : model.effects) sum += price(effect);
+  return sum;
+}
+
+Contender Contest::judged(const GapFit& without, const std::vector<double>& heldout_without,
+                          GapFit fit) const {
+  Contender contender;
+  contender.effect = fit.model.effects.back();
+  contender.train_nats = 0.5 * (without.squares - fit.squares);
+  const std::vector<double> heldout_with = heldout_.residuals(fit.model);
+  contender.heldout_nats = 0.5 * (squares_of(heldout_without) - squares_of(heldout_with));
+  contender.inflation = std::max(inflation_of(train_, without.residuals, fit.residuals),
+                                 inflation_of(heldout_, heldout_without, heldout_with));
+  if (contender.effect.info->by_wheel_angle && angles_differ_) {
+    // Two angles were taken from each held-out run: that much they explain of mere noise.
+    contender.heldout_nats -= contender.inflation * static_cast<double>(heldout_.runs().size());
+  }
+  contender.fit = std::move(fit);
+  contender.heldout_residuals = heldout_with;
+  return contender;
+}
+
+void Contest::judge(Round& round) const {
+  const std::vector<double> heldout_without = heldout_.residuals(round.without.model);
+  round.heldout_squares = squares_of(heldout_without);
+  for (auto& contender : round.contenders) {
+    contender = judged(round.without, heldout_without, std::move(contender.fit));
+  }
+  rank(round.contenders);
+}
+
+double Contest::inflation_between(const Contender& worse, const Contender& better) const {
+  return std::max(inflation_of(train_, worse.fit.residuals, better.fit.residuals),
+                  inflation_of(heldout_, worse.heldout_residuals, better.heldout_residuals));
+}
+
+// By likelihood less the price of the parameters. The best one is measured against the model without it, the
+// others against the best one: how much correlation inflates a difference hangs on what the two differ in.
+void Contest::rank(std::vector<Contender>& contenders) const {
+  if (contenders.empty()) return;
+  const auto nats = [](const Contender& contender) { return contender.train_nats + contender.heldout_nats; };
+  const Contender& best = *std::ranges::max_element(contenders, {}, nats);
+  const double best_score = nats(best) / best.inflation - price(best.effect);
+  for (auto& contender : contenders) {
+    contender.score = best_score;
+    if (&contender == &best) continue;
+    contender.score -= (nats(best) - nats(contender)) / inflation_between(contender, best);
+    contender.score -= price(contender.effect) - price(best.effect);
+  }
+  std::ranges::sort(contenders, std::greater<>{}, &Contender::score);
+}
+
+double Contest::core_score(const Round& round, const GapFit& richer) const {
+  const double train_nats = 0.5 * (round.without.squares - richer.squares);
+  const double heldout_nats = 0.5 * (round.heldout_squares - squares_of(heldout_.residuals(richer.model)));
+  const double inflation = std::max(inflation_of(train_, round.without.residuals, richer.residuals),
+                                    round.contenders.empty() ? 1.0 : round.contenders.front().inflation);
+  if (heldout_nats / inflation < limits_.least_core_nats) return 0.0;
+  return (train_nats + heldout_nats) / inflation - price(richer.model) + price(round.without.model);
+}
+
+double Contest::advantage(const GapFit& one, const GapFit& other) const {
+  const std::vector<double> heldout_one = heldout_.residuals(one.model);
+  const std::vector<double> heldout_other = heldout_.residuals(other.model);
+  const double nats =
+      0.5 * (other.squares - one.squares + squares_of(heldout_other) - squares_of(heldout_one));
+  const auto inflation = [&](const GapFit& worse, const std::vector<double>& heldout_worse,
+                             const GapFit& better, const std::vector<double>& heldout_better) {
+    return std::max(inflation_of(train_, worse.residuals, better.residuals),
+                    inflation_of(heldout_, heldout_worse, heldout_better));
+  };
+  const double deflated = nats / (nats > 0.0 ? inflation(other, heldout_other, one, heldout_one)
+                                             : inflation(one, heldout_one, other, heldout_other));
+  return deflated - price(one.model) + price(other.model);
+}
+
+bool Contest::good_enough(const Contender& contender) const {
+  return !negligible(contender.effect) &&
+         contender.heldout_nats / contender.inflation > limits_.least_heldout_nats &&
+         contender.train_nats / contender.inflation > limits_.least_train_nats && contender.score > 0.0;
+}
+
+bool Contest::worth_adding(const Contender& contender, const std::vector<Round>& so_far) const {
+  double largest = 0.0;
+  for (const auto& round : so_far) {
+    if (round.contenders.empty()) continue;
+    const Contender& first = round.contenders.front();
+    largest = std::max(largest, first.heldout_nats / first.inflation);
+  }
+  const double nats = contender.heldout_nats / contender.inflation;
+  return good_enough(contender) &&
+         (largest == 0.0 || nats > std::max(limits_.least_further_nats, limits_.least_share * largest));
+}
+
+bool Contest::stands_beside(const GapFit& both, const Contender& decoy) const {
+  const std::vector<double> heldout_without = heldout_.residuals(decoy.fit.model);
+  const std::vector<double> heldout_with = heldout_.residuals(both.model);
+  const double inflation = std::max(inflation_of(train_, decoy.fit.residuals, both.residuals),
+                                    inflation_of(heldout_, heldout_without, heldout_with));
+  const double train_nats = 0.5 * (decoy.fit.squares - both.squares);
+  const double heldout_nats = 0.5 * (squares_of(heldout_without) - squares_of(heldout_with));
+  return train_nats / inflation > limits_.least_further_nats &&
+         heldout_nats / inflation > limits_.least_further_nats;
+}
+
+}  // namespace wheelwright::gap

@@ -1,0 +1,85 @@
+// Who explains more: contenders for a place in a model, judged on runs that they were fitted to and on runs
+// that were held out.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "model/gap/gap_problem.hpp"
+
+namespace wheelwright::gap {
+
+// One effect that was tried beside others, fitted jointly with the core.
+struct Contender {
+  TrialEffect effect;
+  double train_nats = 0.0;    // gain of log likelihood over the model without it
+  double heldout_nats = 0.0;  // the same on the held-out runs, with nothing fitted there
+  double inflation = 1.0;     // by which correlation of what is left makes these gains look too large
+  double score = 0.0;         // both gains, deflated, less the price of the parameters
+  GapFit fit;
+  std::vector<double> heldout_residuals;
+};
+
+// One look at a model: who could be added to it, best first.
+struct Round {
+  GapFit without;
+  double heldout_squares = 0.0;  // of `without`
+  std::vector<Contender> contenders;
+};
+
+struct SearchLimits {
+  std::size_t most_effects = 4;
+  std::size_t most_fits = 9;        // per round
+  double least_heldout_nats = 9.0;  // deflated; the chance of a false one is at most exp(-9) each
+  double least_train_nats = 9.0;
+  std::size_t most_poles = 4;        // of the linear core
+  double least_core_nats = 3.0;      // held out, deflated, for a larger core
+  double least_further_nats = 20.0;  // held out, deflated, for a further effect
+  double least_share = 0.06;         // of what the strongest effect explains, for a further one
+  std::size_t most_paths = 3;        // first effects from each of which a search goes on
+  double least_path_score = 0.4;     // of the best one's, for a path of its own
+};
+
+double squares_of(const std::vector<double>& values);
+
+class Contest {
+ public:
+  Contest(const GapProblem& train, const GapProblem& heldout, const SearchLimits& limits)
+      : train_(train), heldout_(heldout), limits_(limits) {}
+
+  // Whether the wheels of each run began at angles of their own: that is paid for.
+  void set_angles_differ(bool differ) { angles_differ_ = differ; }
+
+  // Judges the fits of all contenders against the model without them, and puts the best first.
+  void judge(Round& round) const;
+
+  // Whether a richer core that was fitted to the same runs is worth its parameters; nothing or less if not.
+  double core_score(const Round& round, const GapFit& richer) const;
+
+  // By how much one whole model is better than another, in deflated nats less the price of the parameters.
+  // Both must have been fitted under the present noise.
+  double advantage(const GapFit& one, const GapFit& other) const;
+
+  bool good_enough(const Contender& contender) const;
+  // A second effect that explains next to nothing beside the first is more often the first one's shape than
+  // an effect.
+  bool worth_adding(const Contender& contender, const std::vector<Round>& so_far) const;
+  // A decoy that explains more does not speak against a name that explains something else: with the decoy in
+  // the model (`both`), the name must still gain what it takes to be named.
+  bool stands_beside(const GapFit& both, const Contender& decoy) const;
+
+ private:
+  Contender judged(const GapFit& without, const std::vector<double>& heldout_without, GapFit fit) const;
+  double inflation_between(const Contender& worse, const Contender& better) const;
+  void rank(std::vector<Contender>& contenders) const;
+  double price(const TrialModel& model) const;
+  double price(const TrialEffect& effect) const;
+  double price_of_a_parameter() const;
+
+  const GapProblem& train_;
+  const GapProblem& heldout_;
+  const SearchLimits& limits_;
+  bool angles_differ_ = false;
+};
+
+}  // namespace wheelwright::gap

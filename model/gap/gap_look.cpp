@@ -1,0 +1,118 @@
+#include "model/gap/gap_look.hpp"
+
+#include <algorithm>
+
+#include "model/gap/decoys.hpp"
+#include "model/gap/wheel_angles.hpp"
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr double least_screened_nats = 4.0;
+constexpr double least_screened_share = 0.08;  // of the best one's: less does not become the best by a fit
+
+}  // namespace
+
+void GapLook::set_noise_left_by(const TrialModel& model) {
+  const NoiseModel noise = train_.noise_left_by(model);
+  train_.set_noise(noise);
+  heldout_.set_noise(noise);
+}
+
+GapFit GapLook::settle(TrialModel model, int passes) {
+  GapFit fit;
+  for (int pass = 0; pass < passes; ++pass) {
+    set_noise_left_by(model);
+    fit = train_.fit(model, steps_of_a_fit);
+    model = fit.model;
+  }
+  return fit;
+}
+
+std::vector<const EffectInfo*> GapLook::absent_from(const TrialModel& model) const {
+  std::vector<const EffectInfo*> absent;
+  for (const EffectInfo* info : candidates_) {
+    const auto same = [info](const TrialEffect& effect) { return effect.info == info; };
+    if (std::ranges::none_of(model.effects, same)) absent.push_back(info);
+  }
+  return absent;
+}
+
+std::optional<TrialEffect> GapLook::align_wheels(const GapFit& without,
+                                                 const std::vector<const EffectInfo*>& candidates) {
+  const auto info = std::ranges::find_if(candidates, &EffectInfo::by_wheel_angle);
+  if (info == candidates.end()) return std::nullopt;
+  const auto angles = find_wheel_angles(train_, heldout_, without, **info, for_each_);
+  if (!angles) return std::nullopt;
+  contest_.set_angles_differ(angles->differ);
+  train_.set_rolled_before(angles->train_rolled_m);
+  heldout_.set_rolled_before(angles->heldout_rolled_m);
+  return angles->start;
+}
+
+// What a linear core has taken up, it does not give back step by step: a delay, say, that it holds as lag.
+// Such an effect is tried beside a bare core too.
+std::optional<TrialModel> GapLook::from_bare_core(const TrialModel& without,
+                                                  const std::vector<const EffectInfo*>& candidates) const {
+  const auto info = std::ranges::find_if(candidates, &EffectInfo::linear);
+  if (info == candidates.end()) return std::nullopt;
+  const double period_s = without.period_s;
+  std::vector<TrialModel> models;
+  for (const double lag_s : {0.03, 0.06, 0.15}) {
+    const TrialModel bare = first_guess(without.shape, period_s, without.wheel_base_m, lag_s, 2.0 * period_s);
+    for (const double size : (*info)->parameters.front().sizes) {
+      models.push_back(without);
+      models.back().core = bare.core;
+      models.back().effects.push_back({*info, 0, {size}});
+    }
+  }
+  std::vector<double> squares(models.size());
+  for_each_(models.size(), [&](std::size_t i) { squares[i] = squares_of(train_.residuals(models[i])); });
+  return models[static_cast<std::size_t>(std::ranges::min_element(squares) - squares.begin())];
+}
+
+std::vector<TrialModel> GapLook::starts(const GapFit& without, std::vector<TrialEffect> more_starts) {
+  const std::vector<const EffectInfo*> absent = absent_from(without.model);
+  if (const auto rippling = align_wheels(without, absent)) more_starts.push_back(*rippling);
+  const Screening screening = screen(train_, without, absent, for_each_);
+  for (const auto& screened : screening.best) {
+    if (more_starts.size() >= limits_.most_fits || screened.gain_nats < least_screened_nats) break;
+    if (screened.gain_nats < least_screened_share * screening.best.front().gain_nats) break;
+    more_starts.push_back(screened.start);
+  }
+  std::vector<TrialModel> all;
+  for (const auto& effect : more_starts) {
+    all.push_back(without.model);
+    all.back().effects.push_back(effect);
+  }
+  if (const auto bare = from_bare_core(without.model, absent)) all.push_back(*bare);
+  return all;
+}
+
+Round GapLook::look(const GapFit& without, std::vector<TrialEffect> more_starts) {
+  Round round{without, 0.0, {}};
+  const std::vector<TrialModel> tried = starts(without, std::move(more_starts));
+  round.contenders.resize(tried.size());
+  for_each_(tried.size(), [&](std::size_t i) {
+    round.contenders[i].fit = train_.fit(tried[i], steps_of_a_fit, train_.part_of(tried[i].effects.back()));
+  });
+  contest_.judge(round);
+  if (round.contenders.empty() || round.contenders.front().score < limits_.least_train_nats) return round;
+  set_noise_left_by(round.contenders.front().fit.model);
+  round.without = train_.fit(round.without.model, steps_of_a_refit);
+  for_each_(round.contenders.size(), [&](std::size_t i) {
+    const TrialModel& model = round.contenders[i].fit.model;
+    round.contenders[i].fit = train_.fit(model, steps_of_a_refit, train_.part_of(model.effects.back()));
+  });
+  contest_.judge(round);
+  return round;
+}
+
+const Contender* best_named(const Round& round) {
+  for (const auto& contender : round.contenders) {
+    if (!is_decoy(*contender.effect.info)) return &contender;
+  }
+  return nullptr;
+}
+
+}  // namespace wheelwright::gap

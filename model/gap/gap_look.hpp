@@ -1,0 +1,59 @@
+// One look at a model: which effects could be added to it, and how well each one would do.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "model/gap/gap_contest.hpp"
+#include "model/gap/screening.hpp"
+
+namespace wheelwright::gap {
+
+constexpr int steps_of_a_fit = 10;
+constexpr int steps_of_a_refit = 5;
+
+class GapLook {
+ public:
+  // `candidates` are the effects that the data can show at all, decoys among them.
+  GapLook(GapProblem& train, GapProblem& heldout, Contest& contest,
+          std::span<const EffectInfo* const> candidates, const SearchLimits& limits, const ForEach& for_each)
+      : train_(train),
+        heldout_(heldout),
+        contest_(contest),
+        candidates_(candidates.begin(), candidates.end()),
+        limits_(limits),
+        for_each_(for_each) {}
+
+  // Noise is what the model leaves; it holds from here on.
+  void set_noise_left_by(const TrialModel& model);
+  // Fit and noise depend on each other: both, as often as asked for.
+  GapFit settle(TrialModel model, int passes);
+
+  // Screens all that the model does not hold, fits the most promising ones beside the core and judges them.
+  // `more_starts` are tried in any case. The noise is then what the best one leaves, since before, it holds
+  // what is missing; and all are fitted again under it.
+  Round look(const GapFit& without, std::vector<TrialEffect> more_starts = {});
+
+  std::vector<const EffectInfo*> absent_from(const TrialModel& model) const;
+
+ private:
+  std::optional<TrialModel> from_bare_core(const TrialModel& without,
+                                           const std::vector<const EffectInfo*>& candidates) const;
+  std::optional<TrialEffect> align_wheels(const GapFit& without,
+                                          const std::vector<const EffectInfo*>& candidates);
+  std::vector<TrialModel> starts(const GapFit& without, std::vector<TrialEffect> more_starts);
+
+  GapProblem& train_;
+  GapProblem& heldout_;
+  Contest& contest_;
+  std::vector<const EffectInfo*> candidates_;
+  SearchLimits limits_;
+  const ForEach& for_each_;
+};
+
+// The best contender that has a name; nothing where only decoys were left.
+const Contender* best_named(const Round& round);
+
+}  // namespace wheelwright::gap

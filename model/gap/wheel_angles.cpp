@@ -1,0 +1,229 @@
+#include "model/gap/wheel_angles.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr double smallest_wheel_m = 0.15;  // circumference
+constexpr double largest_wheel_m = 0.40;
+constexpr double least_nats_a_run = 6.0;
+constexpr double one_angle_explains = 0.7;  // of what an angle for each run explains: then one is enough
+
+// Sine and cosine of the left wheel, then of the right one.
+using Amounts = Eigen::Vector4d;
+
+// Normal equations of a run's residuals on the four templates.
+struct Normal {
+  Eigen::Matrix4d products = Eigen::Matrix4d::Zero();
+  Amounts right_side = Amounts::Zero();
+
+  Amounts solution() const {
+    const double little = 1e-9 * products.diagonal().maxCoeff() + 1e-30;
+    return (products + little * Eigen::Matrix4d::Identity()).ldlt().solve(right_side);
+  }
+  double nats() const { return 0.5 * right_side.dot(solution()); }
+};
+
+// How far the wheels have rolled at each reading of a channel.
+std::vector<WheelPair> rolled_at(const GapRun& run, const TrialModel& model, Channel channel) {
+  std::vector<WheelPair> grid{WheelPair{}};
+  if (run.has_counts) {
+    for (const auto& step : run.odometry) {
+      const double half = 0.5 * step.turn_rad * run.wheel_base_m;
+      grid.push_back({grid.back().left + step.forward_m - half, grid.back().right + step.forward_m + half});
+    }
+  } else {
+    for (const auto& state : model_states(model, run)) grid.push_back(state.distance_m);
+  }
+  std::vector<WheelPair> rolled;
+  for (const auto& at : run[channel].at) {
+    const WheelPair& a = grid[std::min(at.period, grid.size() - 1)];
+    const WheelPair& b = grid[std::min(at.period + 1, grid.size() - 1)];
+    rolled.push_back({a.left + at.share * (b.left - a.left), a.right + at.share * (b.right - a.right)});
+  }
+  return rolled;
+}
+
+struct Watched {
+  Channel channel;
+  WheelPair share;  // of each wheel's travel in this channel
+};
+
+// Where a ripple shows: in the counts, or in what the body does.
+std::vector<Watched> watched(const GapRun& run, EffectStage stage) {
+  if (stage == EffectStage::wheel && run.has_counts) {
+    return {{Channel::left, {1.0, 0.0}}, {Channel::right, {0.0, 1.0}}};
+  }
+  const double turn = 1.0 / run.wheel_base_m;
+  return {{Channel::forward, {0.5, 0.5}}, {Channel::turn, {-turn, turn}}};
+}
+
+struct RunTravel {
+  std::size_t run;
+  std::vector<Watched> channels;
+  std::vector<std::vector<WheelPair>> rolled_m;  // of each channel
+};
+
+std::vector<RunTravel> travels(const GapProblem& problem, const TrialModel& model, EffectStage stage) {
+  std::vector<RunTravel> all;
+  for (std::size_t r = 0; r < problem.runs().size(); ++r) {
+    const GapRun& run = problem.runs()[r];
+    RunTravel travel{r, {}, {}};
+    for (const auto& channel : watched(run, stage)) {
+      if (run[channel.channel].empty()) continue;
+      travel.channels.push_back(channel);
+      travel.rolled_m.push_back(rolled_at(run, model, channel.channel));
+    }
+    all.push_back(std::move(travel));
+  }
+  return all;
+}
+
+// A speed of 1 + s sin(angle) + c cos(angle) adds s (-cos) + c sin to the travel, over the angle per metre.
+Eigen::Matrix<double, Eigen::Dynamic, 4> templates(const std::vector<WheelPair>& rolled_m,
+                                                   const WheelPair& share, double per_metre) {
+  Eigen::Matrix<double, Eigen::Dynamic, 4> columns(static_cast<Eigen::Index>(rolled_m.size()), 4);
+  columns.setZero();
+  for (std::size_t i = 0; i < rolled_m.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    if (share.left != 0.0) {
+      columns(row, 0) = -share.left / per_metre * std::cos(per_metre * rolled_m[i].left);
+      columns(row, 1) = share.left / per_metre * std::sin(per_metre * rolled_m[i].left);
+    }
+    if (share.right != 0.0) {
+      columns(row, 2) = -share.right / per_metre * std::cos(per_metre * rolled_m[i].right);
+      columns(row, 3) = share.right / per_metre * std::sin(per_metre * rolled_m[i].right);
+    }
+  }
+  return columns;
+}
+
+Normal normal_equations(const GapProblem& problem, const RunTravel& travel,
+                        const std::vector<double>& residuals, double circumference_m) {
+  const double per_metre = 2.0 * std::numbers::pi / circumference_m;
+  Normal normal;
+  for (std::size_t c = 0; c < travel.channels.size(); ++c) {
+    const auto& [channel, share] = travel.channels[c];
+    auto columns = templates(travel.rolled_m[c], share, per_metre);
+    const Eigen::Index count = columns.rows();
+    std::size_t first_residual = 0;
+    for (Eigen::Index amount = 0; amount < 4; ++amount) {
+      if ((amount < 2 ? share.left : share.right) == 0.0) continue;
+      const std::span<const double> pattern(columns.col(amount).data(), static_cast<std::size_t>(count));
+      const auto white = problem.innovations(travel.run, channel, pattern);
+      if (!white) return {};
+      first_residual = white->first_residual;
+      columns.col(amount) = Eigen::Map<const Eigen::VectorXd>(white->values.data(), count);
+    }
+    const Eigen::Map<const Eigen::VectorXd> left_over(residuals.data() + first_residual, count);
+    normal.products += columns.transpose() * columns;
+    normal.right_side += columns.transpose() * left_over;
+  }
+  return normal;
+}
+
+// So fine that the angle is right from one end of the longest way to the other.
+std::vector<double> circumferences(const std::vector<RunTravel>& travels) {
+  double longest = 1.0;
+  for (const auto& travel : travels) {
+    for (const auto& rolled : travel.rolled_m) {
+      const auto [least, most] = std::ranges::minmax(rolled, {}, &WheelPair::left);
+      longest = std::max(longest, most.left - least.left);
+    }
+  }
+  std::vector<double> all;
+  const double step = 1.0 / (2.0 * longest);
+  for (double turns = 1.0 / largest_wheel_m; turns < 1.0 / smallest_wheel_m; turns += step) {
+    all.push_back(1.0 / turns);
+  }
+  return all;
+}
+
+struct Ripple {
+  double circumference_m = 0.0;
+  double nats = 0.0;  // with an angle for each run
+  double nats_of_one_angle = 0.0;
+  std::vector<Amounts> of_run;
+  Amounts of_all = Amounts::Zero();
+};
+
+Ripple ripple_of(const GapProblem& problem, const std::vector<RunTravel>& travels,
+                 const std::vector<double>& residuals, double circumference_m) {
+  Ripple ripple;
+  ripple.circumference_m = circumference_m;
+  Normal sum;
+  for (const auto& travel : travels) {
+    const Normal normal = normal_equations(problem, travel, residuals, circumference_m);
+    ripple.nats += normal.nats();
+    ripple.of_run.push_back(normal.solution());
+    sum.products += normal.products;
+    sum.right_side += normal.right_side;
+  }
+  ripple.nats_of_one_angle = sum.nats();
+  ripple.of_all = sum.solution();
+  return ripple;
+}
+
+Ripple strongest_ripple(const GapProblem& problem, const std::vector<RunTravel>& travels,
+                        const std::vector<double>& residuals, const ForEach& for_each) {
+  const std::vector<double> tried = circumferences(travels);
+  std::vector<Ripple> ripples(tried.size());
+  for_each(tried.size(),
+           [&](std::size_t i) { ripples[i] = ripple_of(problem, travels, residuals, tried[i]); });
+  return *std::ranges::max_element(ripples, {}, &Ripple::nats);
+}
+
+// The way after which a pure sine has the angle of these amounts.
+std::vector<WheelPair> ways_before(const Ripple& ripple) {
+  const double per_metre = 2.0 * std::numbers::pi / ripple.circumference_m;
+  std::vector<WheelPair> ways;
+  for (const Amounts& a : ripple.of_run) {
+    ways.push_back({std::atan2(a(1), a(0)) / per_metre, std::atan2(a(3), a(2)) / per_metre});
+  }
+  return ways;
+}
+
+double mean_size(const Ripple& ripple, Eigen::Index sine) {
+  double sum = 0.0;
+  for (const Amounts& a : ripple.of_run) sum += std::hypot(a(sine), a(sine + 1));
+  return sum / static_cast<double>(ripple.of_run.size());
+}
+
+}  // namespace
+
+std::optional<WheelAngles> find_wheel_angles(const GapProblem& train, const GapProblem& heldout,
+                                             const GapFit& fit, const EffectInfo& info,
+                                             const ForEach& for_each) {
+  Ripple best;
+  std::size_t best_variant = 0;
+  for (std::size_t variant = 0; variant < info.variants.size(); ++variant) {
+    const auto travel = travels(train, fit.model, info.variants[variant].stage);
+    const Ripple ripple = strongest_ripple(train, travel, fit.residuals, for_each);
+    if (ripple.nats <= best.nats) continue;
+    best = ripple;
+    best_variant = variant;
+  }
+  if (best.nats < least_nats_a_run * static_cast<double>(train.runs().size())) return std::nullopt;
+
+  WheelAngles found{{&info, best_variant, {}},
+                    std::vector<WheelPair>(train.runs().size()),
+                    std::vector<WheelPair>(heldout.runs().size()),
+                    best.nats_of_one_angle < one_angle_explains * best.nats};
+  if (!found.differ) {
+    const Amounts& a = best.of_all;
+    found.start.parameters = {a(0), a(1), a(2), a(3), best.circumference_m};
+    return found;
+  }
+  const auto travel = travels(heldout, fit.model, info.variants[best_variant].stage);
+  found.train_rolled_m = ways_before(best);
+  found.heldout_rolled_m =
+      ways_before(ripple_of(heldout, travel, heldout.residuals(fit.model), best.circumference_m));
+  found.start.parameters = {mean_size(best, 0), 0.0, mean_size(best, 2), 0.0, best.circumference_m};
+  return found;
+}
+
+}  // namespace wheelwright::gap

@@ -1,0 +1,40 @@
+#include "model/gap/gap_analysis.hpp"
+
+#include <algorithm>
+
+#include "tests/support/catch.hpp"
+#include "tests/support/gap_plant/gap_case.hpp"
+
+using namespace wheelwright;
+using namespace wheelwright::gap;
+
+namespace {
+
+GapAnalysis analysed(const std::string& hidden, test::Severity severity, double seconds) {
+  test::GapCaseSpec spec;
+  spec.name = hidden;
+  spec.severity = severity;
+  spec.channels = test::Channels::ticks;
+  spec.runs = 3;
+  spec.seconds = seconds;
+  const auto logs = test::make_gap_case(spec).runs;
+  auto analysis = analyse_gap(std::span(logs).first(2), std::span(logs).last(1), {}, for_each_in_turn,
+                              [](const std::string&, double) {});
+  REQUIRE(analysis);
+  return std::move(*analysis);
+}
+
+}  // namespace
+
+TEST_CASE("A delay that the linear core has taken for lag is given back to the delay") {
+  const auto analysis = analysed("transport_delay", test::Severity::small, 25.0);
+  REQUIRE(analysis.verdict == Verdict::named);
+  CHECK(analysis.found.front().setting.name == "transport_delay");
+}
+
+TEST_CASE("Steps of the command are found though only the right step rounds the commands rightly") {
+  const auto analysis = analysed("command_quantization", test::Severity::large, 25.0);
+  REQUIRE(analysis.verdict == Verdict::named);
+  CHECK(analysis.found.front().setting.name == "command_quantization");
+  CHECK_THAT(analysis.found.front().setting.parameters[0], WithinRel(0.035, 0.01));
+}

@@ -1,0 +1,94 @@
+#include "model/gap/wheel_angles.hpp"
+
+#include <cmath>
+
+#include "model/effect_library.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gap_plant/gap_case.hpp"
+
+using namespace wheelwright;
+using namespace wheelwright::gap;
+
+namespace {
+
+// Three runs to fit and one held out, and the linear model of them.
+struct Fitted {
+  GapProblem train;
+  GapProblem heldout;
+  GapFit fit;
+};
+
+GapProblem problem_of(std::span<const DriveLog> logs) {
+  std::vector<GapRun> runs;
+  std::vector<WheelPair> metres_per_tick;
+  for (const auto& log : logs) {
+    runs.push_back(make_gap_run(log, {}, log.period_s));
+    measure_motion(runs.back());
+    metres_per_tick.push_back(*log.metres_per_tick);
+  }
+  return {std::move(runs), std::move(metres_per_tick), for_each_in_turn};
+}
+
+Fitted fitted(const std::vector<DriveLog>& logs) {
+  Fitted all{problem_of(std::span(logs).first(3)), problem_of(std::span(logs).subspan(3)), {}};
+  const auto& log = logs.front();
+  const TrialModel guess = first_guess({}, log.period_s, log.wheel_base_m, 0.06, 0.036);
+  all.fit = all.train.fit(guess, 8);
+  const NoiseModel noise = all.train.noise_left_by(all.fit.model);
+  all.train.set_noise(noise);
+  all.heldout.set_noise(noise);
+  all.fit = all.train.fit(all.fit.model, 8);
+  return all;
+}
+
+std::vector<DriveLog> plant_runs(const std::string& hidden) {
+  test::GapCaseSpec spec;
+  spec.name = hidden;
+  spec.runs = 4;
+  spec.seconds = 40.0;
+  return test::make_gap_case(spec).runs;
+}
+
+std::optional<WheelAngles> angles_of(const Fitted& all) {
+  return find_wheel_angles(all.train, all.heldout, all.fit, *find_effect("wheel_eccentricity"),
+                           for_each_in_turn);
+}
+
+}  // namespace
+
+TEST_CASE("Wheels that began each run at another angle give their circumference, and an angle for each run") {
+  const auto found = angles_of(fitted(plant_runs("wheel_eccentricity")));
+  REQUIRE(found);
+  CHECK(found->differ);
+  CHECK(found->train_rolled_m.size() == 3);
+  CHECK(found->heldout_rolled_m.size() == 1);
+  CHECK_THAT(found->start.parameters[4], WithinRel(0.226, 0.02));  // of the wheel, 72 mm across
+}
+
+TEST_CASE("Round wheels ripple nowhere") {
+  const auto found = angles_of(fitted(plant_runs("clean")));
+  if (found) {
+    CHECK(std::hypot(found->start.parameters[0], found->start.parameters[1]) < 0.01);
+    CHECK(std::hypot(found->start.parameters[2], found->start.parameters[3]) < 0.01);
+  }
+}
+
+TEST_CASE("Where every run begins at the same angle, one angle serves all") {
+  // The library's own ripple, counted from the start of each run, laid into logs of round wheels.
+  auto logs = plant_runs("clean");
+  const double per_metre = 2.0 * 3.14159265358979 / 0.22;
+  for (auto& log : logs) {
+    const WheelTicks first = *log.samples.front().ticks;
+    for (auto& sample : log.samples) {
+      const double rolled_m =
+          static_cast<double>(sample.ticks->left - first.left) * log.metres_per_tick->left;
+      const double ripple_m = 0.05 / per_metre * (1.0 - std::cos(per_metre * rolled_m));
+      sample.ticks->left += std::lround(ripple_m / log.metres_per_tick->left);
+    }
+  }
+  const auto found = angles_of(fitted(logs));
+  REQUIRE(found);
+  CHECK_FALSE(found->differ);
+  CHECK_THAT(found->start.parameters[4], WithinRel(0.22, 0.01));
+  CHECK_THAT(found->start.parameters[0], WithinRel(0.05, 0.3));
+}
