@@ -46,6 +46,7 @@ class Analysis {
   TrialModel start();
   void search();
   void conclude();
+  void mention_wheel_angles();
   void add_dropouts();
   void describe_where();
   void size_up();
@@ -386,6 +387,17 @@ bool Analysis::closes_the_gap() const {
          falls(value(before.heading_rms_rad), value(after.heading_rms_rad));
 }
 
+// What was found holds for a run whose wheels begin at a known angle: that has to be said.
+void Analysis::mention_wheel_angles() {
+  const auto& effects = result_.search.final.model.effects;
+  const bool rippling =
+      std::ranges::any_of(effects, [](const TrialEffect& effect) { return effect.info->by_wheel_angle; });
+  const auto apart = [](const WheelPair& way) { return way.left != 0.0 || way.right != 0.0; };
+  if (!rippling || std::ranges::none_of(result_.search.train_rolled_m, apart)) return;
+  result_.summary +=
+      " The wheels began each run at another angle; the figures take the angles that each run showed.";
+}
+
 void Analysis::conclude() {
   add_dropouts();
   const auto intervals = parameter_intervals(*train_problem_, result_.search.final);
@@ -406,6 +418,7 @@ void Analysis::conclude() {
     size_up();
   }
   set_verdict();
+  mention_wheel_angles();
   describe_where();
   result_.not_testable = testability_.untestable;
   const double inflation = 1.5;  // what is usual of a search that ended well
