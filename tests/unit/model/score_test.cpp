@@ -15,7 +15,7 @@ constexpr double period_s = 0.1;
 // A robot that really drives straight at 0.2 m/s, seen by encoders of 0.1 mm and by an outside reference, and
 // a prediction whose wheels are wrong by `error_m_s`.
 struct Example {
-  DriveLog log{"run", 0.25, period_s, WheelPair{1e-4, 1e-4}, {}, {}, {}, 1};
+  DriveLog log{"run", 0.25, period_s, WheelPair{1e-4, 1e-4}, {}, {}, {}, {}, 1};
   std::vector<PredictedMotion> predicted;
 };
 

@@ -52,7 +52,7 @@ DriveLog plant_run(unsigned seed) {
   test::PublishedPlant left;
   test::PublishedPlant right;
   constexpr double metres_per_tick = 0.000444565;
-  DriveLog log{"plant", 0.235, 0.018, WheelPair{metres_per_tick, metres_per_tick}, {{"robot", "plant"}},
+  DriveLog log{"plant", 0.235, 0.018, WheelPair{metres_per_tick, metres_per_tick}, {}, {{"robot", "plant"}},
                {},      {},    1};
   WheelPair travelled;
   WheelPair command;
