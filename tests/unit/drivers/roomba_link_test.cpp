@@ -251,7 +251,8 @@ TEST_CASE("After a reply that failed the robot is told not to stream, in case da
   CHECK(!contains(bench.written, {150, 0}));
 }
 
-TEST_CASE("A robot still in Safe mode, which the first Start has not reached, is told again and can be armed") {
+TEST_CASE(
+    "A robot still in Safe mode, which the first Start has not reached, is told again and can be armed") {
   Bench bench;
   bench.says[PacketId::oi_mode] = 2;
   while (bench.link.state() != LinkState::running) bench.tick(std::nullopt);
