@@ -2,6 +2,7 @@
 // most its own sample.
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 #include "tests/loopback/bench/bench.hpp"
 #include "tests/loopback/bench/line_tap.hpp"
@@ -63,13 +64,20 @@ TEST_CASE("Counters that roll over in mid-run, up and down, do not show in the l
   robot->end();
   const Table log = bench.drive_log();
   double lowest = 0.0;
-  for (std::size_t row = 1; row < log.rows(); ++row) {
+  std::optional<std::size_t> last;  // a busy machine may cost a row its reply
+  for (std::size_t row = 0; row < log.rows(); ++row) {
+    if (log.empty(row, "ticks_left")) continue;
     lowest = std::min(lowest, log.number(row, "ticks_left"));
-    CHECK(std::abs(log.number(row, "ticks_left") - log.number(row - 1, "ticks_left")) < 40.0);
-    CHECK(std::abs(log.number(row, "ticks_right") - log.number(row - 1, "ticks_right")) < 40.0);
+    if (last) {
+      const double most = 40.0 * static_cast<double>(row - *last);
+      CHECK(std::abs(log.number(row, "ticks_left") - log.number(*last, "ticks_left")) < most);
+      CHECK(std::abs(log.number(row, "ticks_right") - log.number(*last, "ticks_right")) < most);
+    }
+    last = row;
   }
+  REQUIRE(last);
   CHECK(lowest < -200.0);
-  CHECK(log.number(log.rows() - 1, "ticks_right") > 136.0);
+  CHECK(log.number(*last, "ticks_right") > 136.0);
   check_counts_are_the_travel(log, bench.truth());
 }
 
