@@ -88,7 +88,7 @@ test('the stop button stops the wheels, and the run ends by that name', options,
   assert.equal(await bench.daemon.ended, 1);
   assert.match(bench.daemon.said, /live view: 127\.0\.0\.1:\d+ asks for a stop/);
   assert.match(bench.daemon.said, /Result: stopped, requested/);
-  assert.deepEqual(await bench.trueSpeedAtEnd(), [0, 0]);
+  for (const speed of await bench.trueSpeedAtEnd()) assert.ok(Math.abs(speed) < 1e-4, `a wheel turns at ${speed} m/s`);
   assert.deepEqual(page.wrong, []);
 }));
 

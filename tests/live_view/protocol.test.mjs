@@ -69,6 +69,6 @@ for (const subprotocol of ['foxglove.websocket.v1', 'foxglove.sdk.v1']) {
     assert.deepEqual(JSON.parse(new TextDecoder().decode(answer.data)), { stopped: true });
     assert.equal(await bench.daemon.ended, 1);
     assert.match(bench.daemon.said, /Result: stopped, requested/);
-    assert.deepEqual(await bench.trueSpeedAtEnd(), [0, 0]);
+    for (const speed of await bench.trueSpeedAtEnd()) assert.ok(Math.abs(speed) < 1e-4, `a wheel turns at ${speed} m/s`);
   }));
 }

@@ -1,5 +1,6 @@
 // The daemon as a service manager sees it: notifications, watchdog, reload, exit status.
 #include <unistd.h>
+#include <algorithm>
 
 #include <csignal>
 #include <fstream>
@@ -84,7 +85,8 @@ TEST_CASE(
   }();
   std::ofstream(config) << good << "lnik: {}\n";
   daemon->signal(SIGHUP);
-  CHECK(daemon->says("not reloaded: " + config.string() + ":5:1", 2s));
+  const auto wrong_line = std::ranges::count(good, '\n') + 1;
+  CHECK(daemon->says("not reloaded: " + config.string() + ":" + std::to_string(wrong_line) + ":1", 2s));
   std::ofstream(config) << good << "robot: {name: renamed}\n";
   daemon->signal(SIGHUP);
   CHECK(daemon->says("loaded anew", 3s));
@@ -140,7 +142,7 @@ TEST_CASE("A service that takes over from one that was killed while driving does
   CHECK(second->end() == 0);
 }
 
-TEST_CASE("--rest stops a robot whose daemon and guardian are both gone") {
+TEST_CASE("The option --rest stops a robot whose daemon and guardian are both gone") {
   ServiceBench bench;
   const auto robot = bench.start_robot("default");
   const auto config = bench.configure({});
