@@ -374,17 +374,24 @@ void Analysis::size_up() {
 bool Analysis::closes_the_gap() const {
   constexpr double least_fall = 0.03;
   const GapFigures& figures = result_.tail_held_out ? result_.train : result_.test;
-  const auto falls = [](const std::optional<double>& before, const std::optional<double>& after) {
-    return before && after && *after < (1.0 - least_fall) * *before;
+  // A linear effect is no more than a better linear model, unless the gap was one to be seen above the noise.
+  constexpr double above_noise = 1.15;
+  const auto& effects = result_.search.final.model.effects;
+  const bool linear =
+      std::ranges::all_of(effects, [](const TrialEffect& effect) { return effect.info->linear; });
+  const auto falls = [&](const std::optional<double>& before, const std::optional<double>& after,
+                         const std::optional<double>& floor) {
+    if (!before || !after || (linear && floor && *before < above_noise * *floor)) return false;
+    return *after < (1.0 - least_fall) * *before;
   };
   const auto value = [](const std::optional<AtHorizon>& figure) -> std::optional<double> {
     return figure ? std::optional(figure->value) : std::nullopt;
   };
   const auto& [before, after, floor] = figures;
-  return falls(before.wheel_speed_rms_m_s, after.wheel_speed_rms_m_s) ||
-         falls(before.distance_rms_m, after.distance_rms_m) ||
-         falls(value(before.position_rms_m), value(after.position_rms_m)) ||
-         falls(value(before.heading_rms_rad), value(after.heading_rms_rad));
+  return falls(before.wheel_speed_rms_m_s, after.wheel_speed_rms_m_s, floor.wheel_speed_rms_m_s) ||
+         falls(before.distance_rms_m, after.distance_rms_m, floor.distance_rms_m) ||
+         falls(value(before.position_rms_m), value(after.position_rms_m), value(floor.position_rms_m)) ||
+         falls(value(before.heading_rms_rad), value(after.heading_rms_rad), value(floor.heading_rms_rad));
 }
 
 // What was found holds for a run whose wheels begin at a known angle: that has to be said.
