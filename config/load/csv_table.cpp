@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 #include "config/load/drive_log_file.hpp"
+#include "config/load/text_file.hpp"
 
 namespace wheelwright::config {
 namespace {
@@ -34,14 +33,7 @@ void for_each_field(std::string_view line, Take take) {
 }  // namespace
 
 CsvTable CsvTable::load(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::error_code ignored;
-  if (!stream || std::filesystem::is_directory(path, ignored)) {
-    throw LogError(path.string() + ": cannot be read; does the file exist?");
-  }
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return parse(std::move(text).str(), path.string());
+  return parse(read_text_or_throw<LogError>(path), path.string());
 }
 
 CsvTable CsvTable::parse(std::string text, std::string name) {

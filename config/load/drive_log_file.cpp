@@ -4,12 +4,11 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <sstream>
 #include <string_view>
 
 #include "config/load/atomic_file.hpp"
+#include "config/load/text_file.hpp"
 #include "config/load/text_format.hpp"
 
 namespace wheelwright::config {
@@ -295,14 +294,7 @@ std::vector<DriveLog> parse_drive_logs(const std::string& text, const std::strin
 }
 
 std::vector<DriveLog> load_drive_logs(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::error_code ignored;
-  if (!stream || std::filesystem::is_directory(path, ignored)) {
-    throw LogError(path.string() + ": cannot be read; does the file exist?");
-  }
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return parse_drive_logs(text.str(), path.string());
+  return parse_drive_logs(read_text_or_throw<LogError>(path), path.string());
 }
 
 DriveLog load_drive_log(const std::filesystem::path& path) {

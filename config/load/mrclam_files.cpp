@@ -4,11 +4,10 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
-#include <sstream>
 #include <string_view>
 
 #include "config/load/drive_log_file.hpp"
+#include "config/load/text_file.hpp"
 #include "config/load/text_format.hpp"
 
 namespace wheelwright::config {
@@ -160,14 +159,7 @@ MrclamRun join(const std::vector<Command>& commands, const std::vector<Reference
 }
 
 MrclamText read(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::error_code ignored;
-  if (!stream || std::filesystem::is_directory(path, ignored)) {
-    throw LogError(path.string() + ": cannot be read; does the file exist?");
-  }
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return {path.string(), std::move(text).str()};
+  return {path.string(), read_text_or_throw<LogError>(path)};
 }
 
 }  // namespace

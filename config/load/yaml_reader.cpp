@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numeric>
 #include <sstream>
+
+#include "config/load/text_file.hpp"
 
 namespace wheelwright::config {
 namespace {
@@ -97,14 +98,7 @@ YamlReader& YamlReader::operator=(YamlReader&&) noexcept = default;
 YamlReader::~YamlReader() = default;
 
 YamlReader YamlReader::load(const std::filesystem::path& path) {
-  std::ifstream stream(path);
-  std::error_code ignored;
-  if (!stream || std::filesystem::is_directory(path, ignored)) {
-    throw ConfigError(path.string() + ": cannot be read; does the file exist?");
-  }
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return parse(text.str(), path.string());
+  return parse(read_text_or_throw<ConfigError>(path), path.string());
 }
 
 YamlReader YamlReader::parse(const std::string& text, const std::string& name) {

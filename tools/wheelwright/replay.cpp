@@ -1,15 +1,13 @@
 // wheelwright replay: the daemon's brain over a recorded log.
 #include <filesystem>
-#include <fstream>
-#include <memory>
 #include <optional>
 #include <ostream>
-#include <sstream>
 
 #include "config/load/atomic_file.hpp"
 #include "config/load/daemon_config.hpp"
 #include "config/load/drive_log_file.hpp"
 #include "config/load/model_file.hpp"
+#include "config/load/text_file.hpp"
 #include "daemon/replay.hpp"
 #include "tools/wheelwright/commands.hpp"
 
@@ -24,14 +22,6 @@ struct ReplayOptions {
   std::string model;
   std::string output;
 };
-
-std::optional<std::string> contents(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) return std::nullopt;
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 // The files that the daemon left beside its log, unless others are named.
 fs::path beside(const std::string& log, const std::string& named, const char* usual) {
@@ -57,7 +47,7 @@ ExitStatus run_replay(const ReplayOptions& options, Streams streams) {
         " on the brain commands something else than was recorded; is it of this configuration and model?");
   }
   const fs::path recorded = fs::path(options.log).parent_path() / "pose_log.csv";
-  const auto recorded_text = contents(recorded);
+  const auto recorded_text = config::read_text(recorded);
   if (!recorded_text) return ExitStatus::done;
   if (*recorded_text != result.pose_log) throw DataRefusal(recorded.string() + ": differs from the replay");
   streams.out << "the pose log is the same to the byte: " << recorded.string() << "\n";
