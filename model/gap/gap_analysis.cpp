@@ -2,34 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numeric>
 
 #include "model/effect_library.hpp"
 #include "model/gap/decoys.hpp"
 #include "model/gap/gap_size.hpp"
-#include "model/gap/parameter_intervals.hpp"
 
 namespace wheelwright::gap {
 namespace {
 
-constexpr double least_run_s = 5.0;
-constexpr double smallest_p = 1e-300;  // a chance of zero is never claimed
-constexpr double sure = 0.9;           // posterior from which on a name stands
+constexpr double sure = 0.9;  // posterior from which on a name stands
 constexpr std::uint64_t floor_seed = 1;
 constexpr std::size_t most_regimes = 6;
-
-struct Runs {
-  std::vector<GapRun> runs;
-  std::vector<WheelPair> metres_per_tick;
-  std::vector<DriveLog> logs;  // as the gate left them
-
-  void add(GapRun run, const DriveLog& log) {
-    runs.push_back(std::move(run));
-    metres_per_tick.push_back(log.metres_per_tick.value_or(WheelPair{}));
-    logs.push_back(log);
-  }
-};
 
 class Analysis {
  public:
@@ -39,18 +22,13 @@ class Analysis {
   tl::expected<GapAnalysis, GapRefusal> run(std::span<const DriveLog> train, std::span<const DriveLog> test);
 
  private:
-  std::optional<GapRefusal> mismatch(std::span<const DriveLog> logs) const;
-  void gate_all(std::span<const DriveLog> logs, Runs& runs);
-  std::optional<GapRefusal> hold_out();
   bool nothing_to_see();
   TrialModel start();
   void search();
   void conclude();
   void mention_wheel_angles();
-  void add_dropouts();
   void describe_where();
   void size_up();
-  Finding finding(std::size_t index) const;
   RobotModel model_of(const TrialModel& trial, bool with_effects) const;
   void set_verdict();
   bool runs_differ();
@@ -59,80 +37,12 @@ class Analysis {
   const GapOptions& options_;
   const ForEach& for_each_;
   const Progress& progress_;
-  Runs train_;
-  Runs test_;
-  std::vector<Dropout> dropouts_;
-  double watched_s_ = 0.0;
+  GatheredRuns gathered_;
   std::optional<GapProblem> train_problem_;
   std::optional<GapProblem> test_problem_;
   Testability testability_;
   GapAnalysis result_;
 };
-
-std::optional<GapRefusal> Analysis::mismatch(std::span<const DriveLog> logs) const {
-  const DriveLog& first = logs.front();
-  for (const auto& log : logs) {
-    const std::string where = log.name + ":" + std::to_string(log.first_line) + ": ";
-    if (log.samples.size() < 20 || log.samples.back().t_s - log.samples.front().t_s < least_run_s) {
-      return GapRefusal{
-          where + "the run lasts " + std::to_string(log.samples.back().t_s - log.samples.front().t_s) +
-          " s, but at least " + std::to_string(static_cast<int>(least_run_s)) + " s are needed"};
-    }
-    if (std::abs(log.period_s - first.period_s) > 0.02 * first.period_s) {
-      return GapRefusal{where + "its period is " + std::to_string(log.period_s) + " s, but that of " +
-                        first.name + " is " + std::to_string(first.period_s) + " s; analyse them apart"};
-    }
-    if (std::abs(log.wheel_base_m - first.wheel_base_m) > 1e-6) {
-      return GapRefusal{where + "its wheel base is " + std::to_string(log.wheel_base_m) + " m, but that of " +
-                        first.name + " is " + std::to_string(first.wheel_base_m) +
-                        " m; are they of the same robot?"};
-    }
-    if (log.has_ticks() != first.has_ticks()) {
-      return GapRefusal{
-          where + (log.has_ticks() ? "it holds encoder counts, but " : "it holds no encoder counts, but ") +
-          first.name + (first.has_ticks() ? " does" : " does not") + "; analyse them apart"};
-    }
-  }
-  return std::nullopt;
-}
-
-void Analysis::gate_all(std::span<const DriveLog> logs, Runs& runs) {
-  for (const auto& log : logs) {
-    GatedLog gated = gate(log);
-    result_.data_faults.insert(result_.data_faults.end(), gated.faults.begin(), gated.faults.end());
-    dropouts_.insert(dropouts_.end(), gated.dropouts.begin(), gated.dropouts.end());
-    watched_s_ += log.samples.back().t_s - log.samples.front().t_s;
-    GapRun run = make_gap_run(gated.log, gated.flags, log.period_s);
-    measure_motion(run);
-    runs.add(std::move(run), gated.log);
-  }
-}
-
-// Whole runs where there are several: the last third of them, at least one.
-std::optional<GapRefusal> Analysis::hold_out() {
-  if (!test_.runs.empty()) return std::nullopt;
-  const std::size_t count = train_.runs.size();
-  if (count > 1) {
-    for (std::size_t kept = count - std::max<std::size_t>(1, count / 3); kept < train_.runs.size();) {
-      test_.add(train_.runs[kept], train_.logs[kept]);
-      train_.runs.erase(train_.runs.begin() + static_cast<std::ptrdiff_t>(kept));
-      train_.logs.erase(train_.logs.begin() + static_cast<std::ptrdiff_t>(kept));
-      train_.metres_per_tick.erase(train_.metres_per_tick.begin() + static_cast<std::ptrdiff_t>(kept));
-    }
-    return std::nullopt;
-  }
-  const GapRun whole = train_.runs.front();
-  if (whole.duration_s() < 3.0 * least_run_s) {
-    return GapRefusal{whole.name + ": a single run of " + std::to_string(whole.duration_s()) +
-                      " s is too short to hold a part of it out; give at least " +
-                      std::to_string(static_cast<int>(3.0 * least_run_s)) + " s or a second run"};
-  }
-  const std::size_t cut = whole.commands_m_s.size() * 2 / 3;
-  train_.runs.front() = part_of(whole, 0, cut);
-  test_.add(part_of(whole, cut, whole.commands_m_s.size() + 1), train_.logs.front());
-  result_.tail_held_out = true;
-  return std::nullopt;
-}
 
 bool Analysis::nothing_to_see() {
   const bool faulty = std::ranges::any_of(result_.data_faults, &DataFault::explains);
@@ -143,10 +53,10 @@ bool Analysis::nothing_to_see() {
     return true;
   }
   double largest = 0.0;
-  for (const auto& run : train_.runs) {
+  for (const auto& run : gathered_.train.runs) {
     for (const auto& u : run.commands_m_s) largest = std::max({largest, std::abs(u.left), std::abs(u.right)});
   }
-  const bool seen = std::ranges::any_of(train_.runs, [](const GapRun& run) {
+  const bool seen = std::ranges::any_of(gathered_.train.runs, [](const GapRun& run) {
     return run.has_counts || (run.references.size() > 50 && !run.sparse);
   });
   if (largest > 0.005 && seen) return false;
@@ -166,7 +76,7 @@ bool Analysis::nothing_to_see() {
 }
 
 TrialModel Analysis::start() {
-  const GapRun& run = train_.runs.front();
+  const GapRun& run = gathered_.train.runs.front();
   CoreShape shape;
   shape.shared = !train_problem_->has_counts();
   // A core that reaches back 90 ms holds what delay is usual of a serial line and a motor; more of it is an
@@ -194,15 +104,15 @@ TrialModel Analysis::start() {
 }
 
 void Analysis::search() {
-  train_problem_.emplace(train_.runs, train_.metres_per_tick, for_each_);
-  test_problem_.emplace(test_.runs, test_.metres_per_tick, for_each_);
+  train_problem_.emplace(gathered_.train.runs, gathered_.train.metres_per_tick, for_each_);
+  test_problem_.emplace(gathered_.test.runs, gathered_.test.metres_per_tick, for_each_);
   result_.search = search_gap(*train_problem_, *test_problem_, start(), testability_.candidates,
                               options_.limits, for_each_, progress_);
-  for (std::size_t r = 0; r < train_.logs.size(); ++r) {
-    train_.logs[r].rolled_before_m = result_.search.train_rolled_m[r];
+  for (std::size_t r = 0; r < gathered_.train.logs.size(); ++r) {
+    gathered_.train.logs[r].rolled_before_m = result_.search.train_rolled_m[r];
   }
-  for (std::size_t r = 0; r < test_.logs.size(); ++r) {
-    test_.logs[r].rolled_before_m = result_.search.heldout_rolled_m[r];
+  for (std::size_t r = 0; r < gathered_.test.logs.size(); ++r) {
+    gathered_.test.logs[r].rolled_before_m = result_.search.heldout_rolled_m[r];
   }
 }
 
@@ -212,7 +122,7 @@ RobotModel Analysis::model_of(const TrialModel& trial, bool with_effects) const 
     model.robot = options_.model->robot;
     model.encoder_scale = options_.model->encoder_scale;
   }
-  for (const auto& log : train_.logs) model.source.push_back(log.name);
+  for (const auto& log : gathered_.train.logs) model.source.push_back(log.name);
   model.core = trial.linear();
   if (!with_effects) return model;
   for (const auto& found : result_.found) {
@@ -225,60 +135,6 @@ RobotModel Analysis::model_of(const TrialModel& trial, bool with_effects) const 
     model.effects.push_back(std::move(added));
   }
   return model;
-}
-
-// Probability of each name in the place of an accepted effect, the others being there.
-Finding Analysis::finding(std::size_t index) const {
-  const GapSearch& search = result_.search;
-  Finding found;
-  found.setting = search.final.model.settings()[index];
-  if (index >= search.checks.size()) return found;
-  std::map<std::string, double> best_score;
-  const auto& contenders = search.checks[index].contenders;
-  for (const auto& contender : contenders) {
-    const std::string name = is_decoy(*contender.effect.info) ? "decoy" : contender.effect.info->name;
-    const auto entry = best_score.try_emplace(name, contender.score).first;
-    entry->second = std::max(entry->second, contender.score);
-    if (name == found.setting.name && found.heldout_gain_nats == 0.0) {
-      found.heldout_gain_nats = contender.heldout_nats / contender.inflation;
-      found.p_value = std::clamp(std::exp(-found.heldout_gain_nats), smallest_p, 1.0);
-    }
-  }
-  double largest = 0.0;  // the score of adding nothing
-  for (const auto& [name, score] : best_score) largest = std::max(largest, score);
-  double sum = std::exp(-largest);
-  for (const auto& [name, score] : best_score) sum += std::exp(score - largest);
-  for (const auto& [name, score] : best_score) {
-    const double posterior = std::exp(score - largest) / sum;
-    if (name == found.setting.name) {
-      found.posterior = posterior;
-    } else {
-      found.rivals.push_back({name, posterior});
-    }
-  }
-  std::ranges::sort(found.rivals, std::greater<>{}, &Rival::posterior);
-  return found;
-}
-
-// Counts that stood still are an effect of the library, but one that the data gate finds.
-void Analysis::add_dropouts() {
-  if (dropouts_.empty() || watched_s_ <= 0.0) return;
-  double lost_s = 0.0;
-  for (const auto& dropout : dropouts_) lost_s += dropout.duration_s;
-  Finding found;
-  found.setting = {"encoder_dropout",
-                   "",
-                   {std::min(1.0, lost_s / watched_s_), lost_s / static_cast<double>(dropouts_.size())}};
-  const double share = found.setting.parameters[0];
-  const double relative = 1.96 / std::sqrt(static_cast<double>(dropouts_.size()));
-  found.intervals = {{share * std::max(0.0, 1.0 - relative), std::min(1.0, share * (1.0 + relative))},
-                     {found.setting.parameters[1] * std::max(0.0, 1.0 - relative),
-                      found.setting.parameters[1] * (1.0 + relative)}};
-  // Each one alone is impossible for a wheel that turns, so what is left of doubt is whether it turned.
-  found.heldout_gain_nats = 5.0 * static_cast<double>(dropouts_.size());
-  found.p_value = std::exp(-found.heldout_gain_nats);
-  found.posterior = 1.0 - found.p_value;
-  result_.found.push_back(std::move(found));
 }
 
 void Analysis::set_verdict() {
@@ -329,13 +185,13 @@ bool Analysis::runs_differ() {
   const double test = result_.search.heldout_squares_after / static_cast<double>(test_problem_->readings());
   if (test < much_worse * train) return false;
   std::string changes;
-  for (const auto& run : test_.runs) {
+  for (const auto& run : gathered_.test.runs) {
     const double gain = travel_gain(result_.search.final.model, run);
     if (std::abs(gain - 1.0) < least_change) continue;
     changes += (changes.empty() ? "" : ", ") + run.name + " by " +
                std::to_string(static_cast<int>(std::lround(1000.0 * (gain - 1.0)))) + " per mille";
-    result_.where.push_back({"run " + run.name, 1.0 / static_cast<double>(test_.runs.size()),
-                             1.0 / static_cast<double>(test_.runs.size())});
+    result_.where.push_back({"run " + run.name, 1.0 / static_cast<double>(gathered_.test.runs.size()),
+                             1.0 / static_cast<double>(gathered_.test.runs.size())});
   }
   if (changes.empty()) return false;
   result_.verdict = Verdict::unnamed;
@@ -366,8 +222,8 @@ void Analysis::size_up() {
     return GapFigures{gap_size(result_.before, logs), gap_size(result_.after, logs),
                       noise_floor(result_.after, logs, noise, floor_seed)};
   };
-  result_.train = figures(train_.logs);
-  if (!result_.tail_held_out) result_.test = figures(test_.logs);
+  result_.train = figures(gathered_.train.logs);
+  if (!result_.tail_held_out) result_.test = figures(gathered_.test.logs);
 }
 
 // What is named has to show where a person looks: some figure of the held-out free runs must fall.
@@ -406,16 +262,9 @@ void Analysis::mention_wheel_angles() {
 }
 
 void Analysis::conclude() {
-  add_dropouts();
-  const auto intervals = parameter_intervals(*train_problem_, result_.search.final);
-  std::size_t parameter = result_.search.final.model.core.size();
-  for (std::size_t i = 0; i < result_.search.final.model.effects.size(); ++i) {
-    Finding found = finding(i);
-    const std::size_t count = found.setting.parameters.size();
-    found.intervals.assign(intervals.begin() + static_cast<std::ptrdiff_t>(parameter),
-                           intervals.begin() + static_cast<std::ptrdiff_t>(parameter + count));
-    parameter += count;
-    result_.found.push_back(std::move(found));
+  result_.found = findings_of(*train_problem_, result_.search);
+  if (auto dropout = dropout_finding(gathered_.dropouts, gathered_.watched_s)) {
+    result_.found.insert(result_.found.begin(), *std::move(dropout));
   }
   size_up();
   if (!result_.search.final.model.effects.empty() && !closes_the_gap()) {
@@ -435,15 +284,12 @@ void Analysis::conclude() {
 
 tl::expected<GapAnalysis, GapRefusal> Analysis::run(std::span<const DriveLog> train,
                                                     std::span<const DriveLog> test) {
-  std::vector<DriveLog> all(train.begin(), train.end());
-  all.insert(all.end(), test.begin(), test.end());
-  if (auto refusal = mismatch(all)) return tl::unexpected(*refusal);
-  gate_all(train, train_);
-  gate_all(test, test_);
+  if (auto refusal = gather_runs(train, test, gathered_)) return tl::unexpected(*refusal);
   testability_ = testability(train);
-  if (auto refusal = hold_out()) return tl::unexpected(*refusal);
-  result_.train_runs = train_.runs.size();
-  result_.test_runs = test_.runs.size();
+  result_.data_faults = gathered_.faults;
+  result_.tail_held_out = gathered_.tail_held_out;
+  result_.train_runs = gathered_.train.runs.size();
+  result_.test_runs = gathered_.test.runs.size();
   if (nothing_to_see()) return result_;
   search();
   conclude();

@@ -10,8 +10,9 @@
 #include <tl/expected.hpp>
 
 #include "model/drive_log.hpp"
-#include "model/gap/data_gate.hpp"
+#include "model/gap/finding.hpp"
 #include "model/gap/gap_search.hpp"
+#include "model/gap/gathered_runs.hpp"
 #include "model/gap/regimes.hpp"
 #include "model/gap/testability.hpp"
 #include "model/robot_model.hpp"
@@ -21,20 +22,6 @@ namespace wheelwright::gap {
 
 enum class Verdict { named, nothing_missing, unnamed, ambiguous, not_testable, bad_data };
 std::string_view verdict_name(Verdict verdict);
-
-struct Rival {
-  std::string effect;  // "decoy" for one without a name
-  double posterior = 0.0;
-};
-
-struct Finding {
-  EffectSetting setting;
-  std::vector<ParameterInterval> intervals;
-  double heldout_gain_nats = 0.0;  // deflated for correlation
-  double p_value = 1.0;
-  double posterior = 0.0;
-  std::vector<Rival> rivals;  // the most probable first
-};
 
 // Before, after and floor of one set of runs.
 struct GapFigures {
@@ -65,11 +52,6 @@ struct GapOptions {
   std::optional<RobotModel>
       model;  // whose gap is looked for; without it, that of the linear model fitted here
   SearchLimits limits;
-};
-
-// Where the logs themselves cannot be used.
-struct GapRefusal {
-  std::string reason;
 };
 
 // `test` may be empty: then the last runs of `train` are held out whole, or the last third of a single run.

@@ -1,0 +1,36 @@
+// What was found, and how sure that is.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/gap/data_gate.hpp"
+#include "model/gap/gap_search.hpp"
+#include "model/robot_model.hpp"
+
+namespace wheelwright::gap {
+
+struct Rival {
+  std::string effect;  // "decoy" for one without a name
+  double posterior = 0.0;
+};
+
+struct Finding {
+  EffectSetting setting;
+  std::vector<ParameterInterval> intervals;
+  double heldout_gain_nats = 0.0;  // deflated for correlation
+  double p_value = 1.0;
+  double posterior = 0.0;
+  std::vector<Rival> rivals;  // the most probable first
+};
+
+// All that a search accepted, in the order in which it was found. The posterior of a name is that in its
+// place, the others being there.
+std::vector<Finding> findings_of(const GapProblem& train, const GapSearch& search);
+
+// Counts that stood still are an effect of the library, but one that the data gate finds.
+std::optional<Finding> dropout_finding(std::span<const Dropout> dropouts, double watched_s);
+
+}  // namespace wheelwright::gap

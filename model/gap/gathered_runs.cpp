@@ -1,0 +1,100 @@
+#include "model/gap/gathered_runs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/gap/gap_errors.hpp"
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr double least_run_s = 5.0;
+
+std::optional<GapRefusal> mismatch(std::span<const DriveLog> logs) {
+  const DriveLog& first = logs.front();
+  for (const auto& log : logs) {
+    const std::string where = log.name + ":" + std::to_string(log.first_line) + ": ";
+    if (log.samples.size() < 20 || log.samples.back().t_s - log.samples.front().t_s < least_run_s) {
+      return GapRefusal{
+          where + "the run lasts " + std::to_string(log.samples.back().t_s - log.samples.front().t_s) +
+          " s, but at least " + std::to_string(static_cast<int>(least_run_s)) + " s are needed"};
+    }
+    if (std::abs(log.period_s - first.period_s) > 0.02 * first.period_s) {
+      return GapRefusal{where + "its period is " + std::to_string(log.period_s) + " s, but that of " +
+                        first.name + " is " + std::to_string(first.period_s) + " s; analyse them apart"};
+    }
+    if (std::abs(log.wheel_base_m - first.wheel_base_m) > 1e-6) {
+      return GapRefusal{where + "its wheel base is " + std::to_string(log.wheel_base_m) + " m, but that of " +
+                        first.name + " is " + std::to_string(first.wheel_base_m) +
+                        " m; are they of the same robot?"};
+    }
+    if (log.has_ticks() != first.has_ticks()) {
+      return GapRefusal{
+          where + (log.has_ticks() ? "it holds encoder counts, but " : "it holds no encoder counts, but ") +
+          first.name + (first.has_ticks() ? " does" : " does not") + "; analyse them apart"};
+    }
+  }
+  return std::nullopt;
+}
+
+void gate_all(std::span<const DriveLog> logs, RunSet& runs, GatheredRuns& gathered) {
+  for (const auto& log : logs) {
+    GatedLog gated = gate(log);
+    gathered.faults.insert(gathered.faults.end(), gated.faults.begin(), gated.faults.end());
+    gathered.dropouts.insert(gathered.dropouts.end(), gated.dropouts.begin(), gated.dropouts.end());
+    gathered.watched_s += log.samples.back().t_s - log.samples.front().t_s;
+    GapRun run = make_gap_run(gated.log, gated.flags, log.period_s);
+    measure_motion(run);
+    runs.add(std::move(run), gated.log);
+  }
+}
+
+std::optional<GapRefusal> hold_out(GatheredRuns& gathered) {
+  RunSet& train = gathered.train;
+  RunSet& test = gathered.test;
+  const std::size_t count = train.runs.size();
+  if (count > 1) {
+    const std::size_t kept = count - std::max<std::size_t>(1, count / 3);
+    while (train.runs.size() > kept) train.move_to(test, kept);
+    return std::nullopt;
+  }
+  const GapRun whole = train.runs.front();
+  if (whole.duration_s() < 3.0 * least_run_s) {
+    return GapRefusal{whole.name + ": a single run of " + std::to_string(whole.duration_s()) +
+                      " s is too short to hold a part of it out; give at least " +
+                      std::to_string(static_cast<int>(3.0 * least_run_s)) + " s or a second run"};
+  }
+  const std::size_t cut = whole.commands_m_s.size() * 2 / 3;
+  train.runs.front() = part_of(whole, 0, cut);
+  test.add(part_of(whole, cut, whole.commands_m_s.size() + 1), train.logs.front());
+  gathered.tail_held_out = true;
+  return std::nullopt;
+}
+
+}  // namespace
+
+void RunSet::add(GapRun run, const DriveLog& log) {
+  runs.push_back(std::move(run));
+  metres_per_tick.push_back(log.metres_per_tick.value_or(WheelPair{}));
+  logs.push_back(log);
+}
+
+void RunSet::move_to(RunSet& other, std::size_t index) {
+  const auto at = static_cast<std::ptrdiff_t>(index);
+  other.add(std::move(runs[index]), logs[index]);
+  runs.erase(runs.begin() + at);
+  logs.erase(logs.begin() + at);
+  metres_per_tick.erase(metres_per_tick.begin() + at);
+}
+
+std::optional<GapRefusal> gather_runs(std::span<const DriveLog> train, std::span<const DriveLog> test,
+                                      GatheredRuns& gathered) {
+  std::vector<DriveLog> all(train.begin(), train.end());
+  all.insert(all.end(), test.begin(), test.end());
+  if (auto refusal = mismatch(all)) return refusal;
+  gate_all(train, gathered.train, gathered);
+  gate_all(test, gathered.test, gathered);
+  return test.empty() ? hold_out(gathered) : std::nullopt;
+}
+
+}  // namespace wheelwright::gap

@@ -1,0 +1,45 @@
+// The logs of one analysis: whether they belong together, what the data gate leaves of them, and which runs
+// are held out.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/drive_log.hpp"
+#include "model/gap/data_gate.hpp"
+#include "model/gap/gap_run.hpp"
+
+namespace wheelwright::gap {
+
+// Where the logs themselves cannot be used: file, line, and what would be right.
+struct GapRefusal {
+  std::string reason;
+};
+
+// Runs beside the logs that they were made of, as the gate left them.
+struct RunSet {
+  std::vector<GapRun> runs;
+  std::vector<WheelPair> metres_per_tick;  // of each run; zero without counts
+  std::vector<DriveLog> logs;
+
+  void add(GapRun run, const DriveLog& log);
+  void move_to(RunSet& other, std::size_t index);
+};
+
+struct GatheredRuns {
+  RunSet train;
+  RunSet test;
+  bool tail_held_out = false;  // a single run: its last third stands in for a run of its own
+  std::vector<DataFault> faults;
+  std::vector<Dropout> dropouts;
+  double watched_s = 0.0;  // all runs together
+};
+
+// `test` may be empty: then the last third of the runs is held out whole, or the last third of a single run.
+// Refuses logs of different periods, wheel bases or sensors, and such as are too short.
+std::optional<GapRefusal> gather_runs(std::span<const DriveLog> train, std::span<const DriveLog> test,
+                                      GatheredRuns& gathered);
+
+}  // namespace wheelwright::gap
