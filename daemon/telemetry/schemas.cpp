@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "daemon/mcap/schemas.hpp"
+
 namespace wheelwright::daemon::telemetry::schema {
 namespace {
 
@@ -117,18 +119,12 @@ Json wheel() {
 }  // namespace
 
 std::string_view pose_in_frame() {
-  static const std::string schema =
-      object("foxglove.PoseInFrame", {{"timestamp", time()}, {"frame_id", text}, {"pose", pose()}}).dump();
+  static const std::string schema = mcap::pose_in_frame_schema();
   return schema;
 }
 
 std::string_view frame_transform() {
-  static const std::string schema = object("foxglove.FrameTransform", {{"timestamp", time()},
-                                                                       {"parent_frame_id", text},
-                                                                       {"child_frame_id", text},
-                                                                       {"translation", vector3()},
-                                                                       {"rotation", quaternion()}})
-                                        .dump();
+  static const std::string schema = mcap::frame_transform_schema();
   return schema;
 }
 
@@ -140,17 +136,7 @@ std::string_view scene_update() {
 }
 
 std::string_view log() {
-  static const std::string schema =
-      object(
-          "foxglove.Log",
-          {{"timestamp", time()},
-           {"level",
-            one_of({{0, "UNKNOWN"}, {1, "DEBUG"}, {2, "INFO"}, {3, "WARNING"}, {4, "ERROR"}, {5, "FATAL"}})},
-           {"message", text},
-           {"name", text},
-           {"file", text},
-           {"line", integer}})
-          .dump();
+  static const std::string schema = mcap::log_schema();
   return schema;
 }
 
