@@ -1,7 +1,5 @@
 #include "tests/loopback/bench/bench.hpp"
 
-#include <stdlib.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -35,23 +33,10 @@ std::string section(const std::string& name, const std::string& keys) {
   return keys.empty() ? "" : name + ": {" + keys + "}\n";
 }
 
-std::filesystem::path new_folder() {
-  std::string name = (std::filesystem::temp_directory_path() / "wheelwright_loopback_XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error(name + ": cannot be created");
-  return name;
-}
-
 }  // namespace
 
-Bench::Bench() : folder_(new_folder()) {}
-
-Bench::~Bench() {
-  std::error_code ignored;
-  std::filesystem::remove_all(folder_, ignored);
-}
-
 std::filesystem::path Bench::write(const std::string& name, const std::string& text) const {
-  const auto path = folder_ / name;
+  const auto path = folder() / name;
   std::ofstream(path) << text;
   return path;
 }
@@ -63,7 +48,7 @@ std::unique_ptr<ChildProcess> Bench::start_robot(const std::string& shipped, con
   std::vector<std::string> command{ROOMBA_SIM, "--config", config.string(),      "--link",
                                    device(),   "--truth",  truth_file().string()};
   command.insert(command.end(), options.begin(), options.end());
-  auto robot = std::make_unique<ChildProcess>(command, folder_ / "robot_said", Scheduling::like_hardware);
+  auto robot = std::make_unique<ChildProcess>(command, folder() / "robot_said", Scheduling::like_hardware);
   const bool there = eventually(5s, [this] { return std::filesystem::is_symlink(device()); });
   if (!there) throw std::runtime_error("roomba-sim did not start: " + robot->err());
   return robot;
@@ -71,7 +56,7 @@ std::unique_ptr<ChildProcess> Bench::start_robot(const std::string& shipped, con
 
 std::filesystem::path Bench::configure(const DaemonSetup& setup) const {
   if (setup.has_model) write("model.yaml", model);
-  std::string run = "log_folder: " + (folder_ / "runs").string();
+  std::string run = "log_folder: " + (folder() / "runs").string();
   if (!setup.route.empty()) {
     write("route.yaml", "name: test\nspeed: " + std::to_string(setup.speed_m_s) +
                             "\ntolerance: 0.02\ncheckpoints: " + setup.route + "\n");
@@ -79,8 +64,8 @@ std::filesystem::path Bench::configure(const DaemonSetup& setup) const {
   }
   if (!setup.run.empty()) run += ", " + setup.run;
   const std::string link =
-      "device: " + (folder_ / setup.device).string() + (setup.link.empty() ? "" : ", " + setup.link);
-  const std::string calibration = setup.calibration + ", model_file: " + (folder_ / "model.yaml").string();
+      "device: " + (folder() / setup.device).string() + (setup.link.empty() ? "" : ", " + setup.link);
+  const std::string calibration = setup.calibration + ", model_file: " + (folder() / "model.yaml").string();
   return write("daemon.yaml", section("link", link) + section("limits", setup.limits) +
                                   section("calibration", calibration) + section("run", run) +
                                   "real_time: {policy: prefer, lock_memory: false}\n" +
@@ -91,13 +76,13 @@ std::unique_ptr<ChildProcess> Bench::start_daemon(const std::filesystem::path& c
                                                   const std::vector<std::string>& wrapper) const {
   std::vector<std::string> command = wrapper;
   command.insert(command.end(), {WHEELWRIGHTD, "--config", config.string()});
-  return std::make_unique<ChildProcess>(command, folder_ / "daemon_said");
+  return std::make_unique<ChildProcess>(command, folder() / "daemon_said");
 }
 
 std::vector<std::filesystem::path> Bench::runs() const {
   std::vector<std::filesystem::path> found;
   std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "runs", ignored)) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder() / "runs", ignored)) {
     found.push_back(entry.path());
   }
   std::sort(found.begin(), found.end());

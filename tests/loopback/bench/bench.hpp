@@ -9,6 +9,7 @@
 #include "tests/loopback/bench/child_process.hpp"
 #include "tests/loopback/bench/eventually.hpp"
 #include "tests/loopback/bench/table.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace wheelwright::bench {
 
@@ -29,14 +30,9 @@ struct DaemonSetup {
 
 class Bench {
  public:
-  Bench();
-  Bench(const Bench&) = delete;
-  Bench& operator=(const Bench&) = delete;
-  ~Bench();
-
-  const std::filesystem::path& folder() const { return folder_; }
-  std::filesystem::path device() const { return folder_ / "robot"; }
-  std::filesystem::path truth_file() const { return folder_ / "truth.csv"; }
+  const std::filesystem::path& folder() const { return folder_.path(); }
+  std::filesystem::path device() const { return folder() / "robot"; }
+  std::filesystem::path truth_file() const { return folder() / "truth.csv"; }
 
   std::filesystem::path write(const std::string& name, const std::string& text) const;
 
@@ -57,7 +53,7 @@ class Bench {
   Table truth() const { return Table::load(truth_file()); }
 
  private:
-  std::filesystem::path folder_;
+  test::TemporaryFolder folder_{"loopback"};
 };
 
 // How the replies came, as the daemon's summary counts them.
