@@ -50,7 +50,7 @@ const coloursOf = (page, id) => page.evaluate(name => {
   return new Set(new Uint32Array(data.buffer)).size;
 }, id);
 
-test('the page shows the run as it goes, in both sizes and themes, and asks nothing of the network', options, t => onBench(t, { arm: 'by_signal', route: '[[0.4, 0], [3, 0], [0, 0]]' }, async bench => {
+test('the page shows the run as it goes, in both sizes and themes, and asks nothing of the network', options, () => onBench({ arm: 'by_signal', route: '[[0.4, 0], [3, 0], [0, 0]]' }, async bench => {
   await bench.startDaemon();
   const pages = [];
   for (const [name, viewport] of sizes) {
@@ -78,7 +78,7 @@ test('the page shows the run as it goes, in both sizes and themes, and asks noth
   for (const [, one] of pages) assert.deepEqual(one.wrong, []);
 }));
 
-test('the stop button stops the wheels, and the run ends by that name', options, t => onBench(t, { robot: 'default', route: '[[3, 0]]' }, async bench => {
+test('the stop button stops the wheels, and the run ends by that name', options, () => onBench({ robot: 'default', route: '[[3, 0]]' }, async bench => {
   await bench.startDaemon();
   const page = await open(bench, { viewport: sizes[1][1], hasTouch: true });
   await phase(page, /Driving/);
@@ -92,7 +92,7 @@ test('the stop button stops the wheels, and the run ends by that name', options,
   assert.deepEqual(page.wrong, []);
 }));
 
-test('the page comes back by itself when the daemon does, with the token in its address', options, t => onBench(t, { token: 'a-token-of-the-tests', route: '[[3, 0]]' }, async bench => {
+test('the page comes back by itself when the daemon does, with the token in its address', options, () => onBench({ token: 'a-token-of-the-tests', route: '[[3, 0]]' }, async bench => {
   await bench.startDaemon();
   const page = await open(bench);
   await phase(page, /Driving/);

@@ -39,7 +39,7 @@ function misfit(schema, value, at = '') {
 }
 
 for (const subprotocol of ['foxglove.websocket.v1', 'foxglove.sdk.v1']) {
-  test(`by ${subprotocol} every channel comes at its rate and by its schema, and the service stops the robot`, t => onBench(t, {}, async bench => {
+  test(`by ${subprotocol} every channel comes at its rate and by its schema, and the service stops the robot`, () => onBench({}, async bench => {
     await bench.startDaemon();
     await eventually('the robot drives', () => bench.daemon.said.includes('route: driving'));
     const { client, seen } = connect(bench, subprotocol);
