@@ -104,7 +104,7 @@ std::string to_text(const SoakFigures& figures) {
   text += line("  could not hear and rolled on: %lld; longest way to rest after the return %.2f s\n",
                number(figures.runaways), figures.longest_rest_after_return_s);
   text += recovery_line("link back after a fault:", figures.recovery);
-  text += recovery_line("after damaged bytes had the robot boot:", figures.recovery_of_reset_robot);
+  text += recovery_line("once booted, where damaged bytes did that:", figures.recovery_of_reset_robot);
   text += line("  had to be switched off and on: %lld; link not back: %lld\n",
                number(figures.switched_off_and_on), number(figures.failed_recoveries));
   return text;

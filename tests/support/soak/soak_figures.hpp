@@ -55,7 +55,7 @@ struct SoakFigures {
   double longest_rest_after_return_s = 0.0;
 
   Recovery recovery;
-  Recovery recovery_of_reset_robot;      // damaged bytes had it boot: its own time to boot is in it
+  Recovery recovery_of_reset_robot;      // damaged bytes had it boot: from when it listens again
   std::int64_t switched_off_and_on = 0;  // damaged bytes had it sleep or talk at another speed
   std::int64_t failed_recoveries = 0;    // none of the above within 10 s: must be none
 

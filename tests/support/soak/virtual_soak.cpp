@@ -301,10 +301,11 @@ class VirtualSoak {
     rest_.sound_reading(now_s());
     // What it said before it booted may still be on its way.
     const bool booted = booted_at_s_.has_value();
-    if (booted && now_s() >= *booted_at_s_ + config_.robot.link.boot_time_s) booted_at_s_.reset();
+    const double listens_since_s = booted ? *booted_at_s_ + config_.robot.link.boot_time_s : 0.0;
+    if (now_s() >= listens_since_s) booted_at_s_.reset();
     last_sound_s_ = now_s();
-    if (!recovering_since_s_) return;
-    const double took_s = now_s() - *recovering_since_s_;
+    if (!recovering_since_s_ || now_s() < listens_since_s) return;
+    const double took_s = now_s() - std::max(*recovering_since_s_, listens_since_s);
     if (battery_out_) {
       ++figures_.switched_off_and_on;
     } else {
