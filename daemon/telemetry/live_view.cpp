@@ -20,7 +20,7 @@ using std::chrono::steady_clock;
 constexpr auto look_every = milliseconds(40);
 constexpr auto scene_every = milliseconds(200);
 constexpr auto state_every = milliseconds(500);
-constexpr auto goodbye_patience = milliseconds(300);
+constexpr auto goodbye_patience = milliseconds(1500);
 constexpr std::size_t kept_messages = 200;
 // What all clients together get; beyond it, ticks are left out rather than sent late. About a fifth of one
 // core of a small board.
@@ -272,8 +272,20 @@ void LiveView::say_goodbye() {
   next_scene_ = {};
   look();
   server_->close();
-  timer_.expires_after(goodbye_patience);
-  timer_.async_wait([this](const boost::system::error_code& /*ignored*/) { context_.stop(); });
+  leave_by(steady_clock::now() + goodbye_patience);
+}
+
+// As soon as nobody is there any more: a slow client still gets what is on its way, a dead one does not keep
+// the process.
+void LiveView::leave_by(steady_clock::time_point deadline) {
+  timer_.expires_after(look_every);
+  timer_.async_wait([this, deadline](const boost::system::error_code& /*ignored*/) {
+    if (server_->clients() == 0 || steady_clock::now() >= deadline) {
+      context_.stop();
+    } else {
+      leave_by(deadline);
+    }
+  });
 }
 
 std::uint64_t LiveView::unix_ns(steady_clock::time_point time) const {

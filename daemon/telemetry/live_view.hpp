@@ -53,6 +53,7 @@ class LiveView {
   void publish_scene(std::chrono::steady_clock::time_point now);
   void publish_state(std::chrono::steady_clock::time_point now);
   void say_goodbye();
+  void leave_by(std::chrono::steady_clock::time_point deadline);
   std::vector<Message> history(ChannelId channel) const;
   std::optional<std::string> text_of(ChannelId channel, const LogEntry& entry) const;
   std::string state_text() const;

@@ -57,7 +57,7 @@ export class Bench {
     const at = name => join(bench.folder, name);
     writeFileSync(at('model.yaml'), model);
     writeFileSync(at('daemon.yaml'), `robot: {name: test robot}
-link: {device: ${at('robot')}, blind_limit_s: 2, lost_after_s: 10}
+link: {device: ${at('robot')}}
 calibration: {when: never, model_file: ${at('model.yaml')}}
 run:
   arm: ${arm}
@@ -107,20 +107,12 @@ live_view: {port: ${bench.port}, token: "${token}", truth: ${at('truth.csv')}}
   }
 }
 
-// Runs a test on a bench of its own. The kernel carries the bytes of the pseudo-terminal at ordinary priority: beside
-// a browser, or on a busy machine, they may come too late for the daemon, which then stops the robot. What the daemon
-// itself says of that is no finding about the live view: the test has another try, three in all.
+// Runs a test on a bench of its own.
 export async function onBench(options, body) {
-  for (let tries = 3; ; --tries) {
-    const bench = await Bench.create(options);
-    try {
-      return await body(bench);
-    } catch (error) {
-      const late = /stopped at .*: (no command in time|no valid sensor reading for too long|link lost)/.exec(bench.daemon?.said ?? '');
-      if (!late || tries === 1) throw error;
-      console.log(`once more: the machine was too busy for its robot (${late[1]})`);
-    } finally {
-      await bench.end();
-    }
+  const bench = await Bench.create(options);
+  try {
+    return await body(bench);
+  } finally {
+    await bench.end();
   }
 }

@@ -73,8 +73,10 @@ test('the page shows the run as it goes, in both sizes and themes, and asks noth
   const [, page] = pages[0];
   await phase(page, /[1-3] of 3 checkpoints/);
   bench.daemon.kill('SIGTERM');
-  await eventually('the page says how the run ended',
-                   async () => /The run has ended: stopped, ended by a signal/.test(await textOf(page, 'notice')));
+  await bench.daemon.ended;
+  const ended = /The run has ended: stopped, ended by a signal/;
+  await eventually('the page says how the run ended', async () => ended.test(await textOf(page, 'notice')))
+    .catch(async error => { throw new Error(`${error.message}, but: ${await textOf(page, 'notice')}`); });
   for (const [, one] of pages) assert.deepEqual(one.wrong, []);
 }));
 
