@@ -14,9 +14,18 @@ constexpr int warning = 3;
 constexpr double route_frame_height_m = 0.0;
 constexpr double longest_s = 1e10;  // that nanoseconds can count
 
-void put_wheels(JsonObject& json, std::string_view left, std::string_view right,
-                const std::optional<WheelPair>& pair) {
-  if (pair) json.number(left, pair->left).number(right, pair->right);
+void put_wheel(JsonObject& json, std::string_view key, const TickValues& tick, double WheelPair::*side,
+               std::int64_t WheelTicks::*ticks_side, const std::string* fault) {
+  json.open(key);
+  if (tick.command_m_s) json.number("command_m_s", (*tick.command_m_s).*side);
+  if (tick.predicted_m_s) json.number("predicted_m_s", (*tick.predicted_m_s).*side);
+  if (tick.measured_m_s) json.number("measured_m_s", (*tick.measured_m_s).*side);
+  if (tick.ticks) json.whole("ticks", (*tick.ticks).*ticks_side);
+  if (tick.sensors && tick.sensors->motor_current_a) {
+    json.number("motor_current_a", (*tick.sensors->motor_current_a).*side);
+  }
+  if (fault != nullptr && !fault->empty()) json.text("fault", *fault);
+  json.close();
 }
 
 // A turn about the vertical axis.
@@ -103,11 +112,12 @@ void RobotRecording::add_transform(const TickValues& tick) {
 
 void RobotRecording::add_wheels(const TickValues& tick) {
   if (!tick.command_m_s && !tick.predicted_m_s && !tick.measured_m_s && !tick.ticks) return;
+  const auto fault = [&](std::string StateValues::*side) {
+    return tick.state ? &((*tick.state).*side) : nullptr;
+  };
   json_.begin().time("timestamp", time_ns_);
-  put_wheels(json_, "command_left_m_s", "command_right_m_s", tick.command_m_s);
-  put_wheels(json_, "predicted_left_m_s", "predicted_right_m_s", tick.predicted_m_s);
-  put_wheels(json_, "measured_left_m_s", "measured_right_m_s", tick.measured_m_s);
-  if (tick.ticks) json_.whole("ticks_left", tick.ticks->left).whole("ticks_right", tick.ticks->right);
+  put_wheel(json_, "left", tick, &WheelPair::left, &WheelTicks::left, fault(&StateValues::fault_left));
+  put_wheel(json_, "right", tick, &WheelPair::right, &WheelTicks::right, fault(&StateValues::fault_right));
   writer_.add(topics_.wheels, time_ns_, json_.end());
 }
 
@@ -115,7 +125,6 @@ void RobotRecording::add_sensors(const SensorValues& sensors) {
   json_.begin().time("timestamp", time_ns_);
   if (sensors.battery_v) json_.number("battery_v", *sensors.battery_v);
   if (sensors.gyro_z_rad_s) json_.number("gyro_z_rad_s", *sensors.gyro_z_rad_s);
-  put_wheels(json_, "current_left_a", "current_right_a", sensors.motor_current_a);
   if (sensors.light_bumper) json_.array("light_bumper", *sensors.light_bumper);
   json_.flag("bump", sensors.bump).flag("wheel_drop", sensors.wheel_drop).flag("cliff", sensors.cliff);
   writer_.add(topics_.sensors, time_ns_, json_.whole("overcurrents", sensors.overcurrents).end());
@@ -141,8 +150,6 @@ void RobotRecording::add_state(const StateValues& state) {
       .whole("checkpoints_visited", state.checkpoints_visited)
       .whole("model_version", state.model_version)
       .text("discarded", state.discarded)
-      .text("fault_left", state.fault_left)
-      .text("fault_right", state.fault_right)
       .flag("recalibration_due", state.recalibration_due);
   writer_.add(topics_.state, time_ns_, json_.end());
 }

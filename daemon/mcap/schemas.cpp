@@ -24,12 +24,6 @@ std::string property(const std::string& name, const std::string& type, const std
          (description.empty() ? "" : R"(,"description":")" + description + "\"") + "}";
 }
 
-std::string of_both_wheels(const std::string& start, const std::string& end, const std::string& type,
-                           const std::string& description) {
-  return property(start + "left" + end, type, description) + "," +
-         property(start + "right" + end, type, description);
-}
-
 }  // namespace
 
 std::string pose_in_frame_schema() {
@@ -51,19 +45,20 @@ std::string log_schema() {
 }
 
 std::string wheels_schema() {
-  return message(
-      "wheelwright.Wheels",
-      of_both_wheels("command_", "_m_s", "number", "commanded wheel speed, m/s") + "," +
-          of_both_wheels("predicted_", "_m_s", "number", "by the model, from commands alone, m/s") + "," +
-          of_both_wheels("measured_", "_m_s", "number", "by the encoder, m/s") + "," +
-          of_both_wheels("ticks_", "", "integer", "encoder count, unwrapped"));
+  const std::string wheel =
+      object("wheel", property("command_m_s", "number", "commanded speed, m/s") + "," +
+                          property("predicted_m_s", "number", "by the model, from commands alone, m/s") +
+                          "," + property("measured_m_s", "number", "by the encoder, m/s") + "," +
+                          property("ticks", "integer", "encoder count, unwrapped") + "," +
+                          property("motor_current_a", "number", "A") + "," +
+                          property("fault", "string", "fault of the encoder that lasts"));
+  return message("wheelwright.Wheels", R"("left":)" + wheel + R"(,"right":)" + wheel);
 }
 
 std::string sensors_schema() {
   return message("wheelwright.Sensors",
                  property("battery_v", "number", "V") + "," +
-                     property("gyro_z_rad_s", "number", "turn rate by a gyro, rad/s") + "," +
-                     of_both_wheels("current_", "_a", "number", "motor current, A") +
+                     property("gyro_z_rad_s", "number", "turn rate by a gyro, rad/s") +
                      R"(,"light_bumper":{"type":"array","description":"from left to right, 0 to 4095",)"
                      R"("items":{"type":"number"}},)" +
                      property("bump", "boolean") + "," + property("wheel_drop", "boolean") + "," +
@@ -79,13 +74,22 @@ std::string covariance_schema() {
 
 std::string state_schema() {
   return message("wheelwright.State",
-                 property("activity", "string", "what the robot is doing") + "," +
+                 property("robot", "string") + "," + property("run_s", "number", "since the run began, s") +
+                     "," + property("activity", "string", "what the robot is doing") + "," +
+                     property("repetition", "integer") + "," + property("armed", "boolean") + "," +
+                     property("robot_answers", "boolean") + "," +
                      property("stop", "string", "why the wheels were put to rest") + "," +
-                     property("checkpoints_visited", "integer") + "," +
+                     property("pose_source", "string", "of the pose that steers") + "," +
+                     property("route", "string") + "," + property("checkpoints", "integer", "of the route") +
+                     "," + property("checkpoints_visited", "integer") + "," +
                      property("model_version", "integer", "of the model that is driven by; 1 is the first") +
                      "," + property("discarded", "string", "wheel whose reading the filter did not use") +
-                     "," + of_both_wheels("fault_", "", "string", "fault that lasts") + "," +
-                     property("recalibration_due", "boolean"));
+                     "," + property("recalibration_due", "boolean") + "," +
+                     property("battery_v", "number", "V") + "," +
+                     property("period_s", "number", "of the sensor loop, s") + "," +
+                     property("dropped", "integer", "ticks that the live view has lost") + "," +
+                     property("watchers", "integer", "clients of the live view") + "," +
+                     property("result", "string", "how the run came out"));
 }
 
 }  // namespace wheelwright::mcap

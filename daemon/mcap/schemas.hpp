@@ -1,5 +1,5 @@
-// JSON Schemas of the messages in a recording. Those named foxglove.* are the well-known ones; tools go by
-// their names.
+// JSON Schemas of the messages that recordings hold and that the live view shares. Those named foxglove.* are
+// the well-known ones; tools go by their names. What a message does not know is absent or null.
 #pragma once
 
 #include <string>

@@ -9,9 +9,9 @@ namespace wheelwright::daemon::telemetry {
 const std::array<Channel, channel_count>& channels() {
   static const std::array<Channel, channel_count> all{{
       {ChannelId::pose, "/pose", "foxglove.PoseInFrame", schema::pose_in_frame()},
-      {ChannelId::predicted, "/predicted", "foxglove.PoseInFrame", schema::pose_in_frame()},
-      {ChannelId::odometry, "/odometry", "foxglove.PoseInFrame", schema::pose_in_frame()},
-      {ChannelId::filtered, "/filtered", "foxglove.PoseInFrame", schema::pose_in_frame()},
+      {ChannelId::predicted, "/pose/model", "foxglove.PoseInFrame", schema::pose_in_frame()},
+      {ChannelId::odometry, "/pose/odometry", "foxglove.PoseInFrame", schema::pose_in_frame()},
+      {ChannelId::filtered, "/pose/hybrid", "foxglove.PoseInFrame", schema::pose_in_frame()},
       {ChannelId::transform, "/tf", "foxglove.FrameTransform", schema::frame_transform()},
       {ChannelId::scene, "/scene", "foxglove.SceneUpdate", schema::scene_update()},
       {ChannelId::log, "/log", "foxglove.Log", schema::log()},
@@ -19,7 +19,7 @@ const std::array<Channel, channel_count>& channels() {
       {ChannelId::light_bumper, "/light_bumper", "wheelwright.LightBumper", schema::light_bumper()},
       {ChannelId::loop, "/loop", "wheelwright.Loop", schema::loop()},
       {ChannelId::state, "/state", "wheelwright.State", schema::state()},
-      {ChannelId::truth, "/truth", "foxglove.PoseInFrame", schema::pose_in_frame()},
+      {ChannelId::truth, "/pose/truth", "foxglove.PoseInFrame", schema::pose_in_frame()},
   }};
   return all;
 }

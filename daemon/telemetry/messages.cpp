@@ -95,7 +95,7 @@ std::string state_message(std::uint64_t time_ns, const LogEntry& entry, const co
   if (config.route) {
     text += field("route", json_quoted(config.route->name)) +
             field("checkpoints", std::to_string(config.route->checkpoints.size())) +
-            field("visited", std::to_string(record.visited));
+            field("checkpoints_visited", std::to_string(record.visited));
   }
   text += field("model_version", std::to_string(record.model_version)) +
           field("recalibration_due", flag(record.hybrid && record.hybrid->recalibration_due));

@@ -12,7 +12,7 @@ namespace wheelwright::daemon::telemetry {
 
 // The frame that all poses are in: x forward and y left at the start of the route.
 constexpr std::string_view route_frame = "route";
-constexpr std::string_view robot_frame = "robot";
+constexpr std::string_view robot_frame = "base_link";
 
 // The pose that the robot steers by: that of the configured source, or odometry as long as there is no model.
 const Pose& steering_pose(const PoseRecord& record, PoseSource source);

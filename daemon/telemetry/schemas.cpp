@@ -108,14 +108,6 @@ Json deletion() {
                 {{"timestamp", time()}, {"type", one_of({{0, "MATCHING_ID"}, {1, "ALL"}})}, {"id", text}});
 }
 
-Json wheel() {
-  return object("wheel", {{"command_m_s", number},
-                          {"predicted_m_s", number},
-                          {"measured_m_s", number},
-                          {"motor_current_a", number},
-                          {"fault", text}});
-}
-
 }  // namespace
 
 std::string_view pose_in_frame() {
@@ -141,8 +133,7 @@ std::string_view log() {
 }
 
 std::string_view wheels() {
-  static const std::string schema =
-      object("wheelwright.Wheels", {{"timestamp", time()}, {"left", wheel()}, {"right", wheel()}}).dump();
+  static const std::string schema = mcap::wheels_schema();
   return schema;
 }
 
@@ -167,26 +158,7 @@ std::string_view loop() {
 }
 
 std::string_view state() {
-  static const std::string schema = object("wheelwright.State", {{"timestamp", time()},
-                                                                 {"robot", text},
-                                                                 {"run_s", number},
-                                                                 {"activity", text},
-                                                                 {"repetition", integer},
-                                                                 {"armed", boolean},
-                                                                 {"robot_answers", boolean},
-                                                                 {"stop", text},
-                                                                 {"pose_source", text},
-                                                                 {"route", text},
-                                                                 {"checkpoints", integer},
-                                                                 {"visited", integer},
-                                                                 {"model_version", integer},
-                                                                 {"recalibration_due", boolean},
-                                                                 {"battery_v", number},
-                                                                 {"period_s", number},
-                                                                 {"dropped", integer},
-                                                                 {"watchers", integer},
-                                                                 {"result", text}})
-                                        .dump();
+  static const std::string schema = mcap::state_schema();
   return schema;
 }
 

@@ -60,7 +60,7 @@ TEST_CASE("A client of the live view sees the robot drive its route, and how the
     if (message->binary) last = message->payload();
   }
   CHECK(last.at("result") == "finished");
-  CHECK(last.at("visited") == 1);
+  CHECK(last.at("checkpoints_visited") == 1);
 }
 
 TEST_CASE("The live view's stop has the wheels told to stand within 40 ms, and the run ends by that name") {

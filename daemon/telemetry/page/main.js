@@ -54,7 +54,7 @@ const handlers = {
     // Armed anew: what was stopped before is over.
     if (state && state.stop !== 'none' && message.stop === 'none') stopping = '';
     state = message;
-    floor.visited = message.visited;
+    floor.visited = message.checkpoints_visited;
   },
   '/log': message => addMessage(message),
 };
@@ -159,7 +159,7 @@ function showTexts() {
   if (!state) return;
   const phase = phases[state.activity] || state.activity;
   at('phase').textContent = state.activity === 'route'
-    ? `${phase} \u2018${state.route}\u2019, ${state.visited} of ${state.checkpoints} checkpoints` : phase;
+    ? `${phase} \u2018${state.route}\u2019, ${state.checkpoints_visited} of ${state.checkpoints} checkpoints` : phase;
   const facts = [['Run', `${Math.floor(state.run_s / 60)}:${String(Math.floor(state.run_s % 60)).padStart(2, '0')} min`],
                  ['Steered by', state.pose_source === 'fir' || state.pose_source === 'arma'
                    ? `model (${state.pose_source})` : state.pose_source],
