@@ -60,6 +60,7 @@ std::vector<Finding> findings_of(const GapProblem& train, const GapSearch& searc
     from = to;
     all.push_back(std::move(found));
   }
+  std::ranges::stable_sort(all, std::greater<>{}, &Finding::heldout_gain_nats);
   return all;
 }
 

@@ -9,6 +9,10 @@
 namespace wheelwright::gap {
 namespace {
 
+// A fit may end this share short of the best one: where two models lie closer together, the simpler one
+// stands.
+constexpr double resolution_of_a_fit = 1e-3;
+
 // One way through the effects: the rounds so far, and the model that they led to.
 struct Path {
   std::vector<Round> rounds;
@@ -38,6 +42,7 @@ class Search {
   Path best_path(const Round& first);
   bool preferred(const Path& one, const Path& other, double clear) const;
   enum class Swaps { made, only_looked_at };
+  GapFit in_place(const Contender& contender, std::size_t place) const;
   bool improve_by_swaps(GapSearch& result, Swaps swaps);
   void swap_while_better(GapSearch& result);
   void size_up(GapSearch& result);
@@ -148,6 +153,15 @@ bool Search::preferred(const Path& one, const Path& other, double clear) const {
   return contest_.advantage(one.model, other.model) > margin;
 }
 
+// What one effect does is what the next one gets: a rival takes the place of the effect that it replaces.
+GapFit Search::in_place(const Contender& contender, std::size_t place) const {
+  TrialModel model = contender.fit.model;
+  const auto to = model.effects.begin() + static_cast<std::ptrdiff_t>(place);
+  if (to + 1 == model.effects.end()) return contender.fit;
+  std::rotate(to, model.effects.end() - 1, model.effects.end());
+  return train_.fit(model, steps_of_a_fit);
+}
+
 // For each accepted effect: would another one do better in its place, now that the others are there?
 bool Search::improve_by_swaps(GapSearch& result, Swaps swaps) {
   bool changed = false;
@@ -161,7 +175,7 @@ bool Search::improve_by_swaps(GapSearch& result, Swaps swaps) {
     const Contender* best = best_named(round);
     const bool none = best == nullptr || !contest_.good_enough(*best);
     if (swaps == Swaps::made && (none || best->effect.info != present.info)) {
-      result.final = none ? round.without : best->fit;  // none: no longer needed beside the others
+      result.final = none ? round.without : in_place(*best, i);  // none: not needed beside the others
       changed = true;
     }
     result.checks.push_back(std::move(round));
@@ -178,7 +192,10 @@ void Search::swap_while_better(GapSearch& result) {
     if (result.final.model.effects.size() < before.model.effects.size()) continue;
     const GapFit kept = train_.fit(before.model, steps_of_a_refit);
     result.final = train_.fit(result.final.model, steps_of_a_refit);
-    if (contest_.advantage(result.final, kept) > 0.0) continue;
+    const bool simpler = result.final.model.parameter_count() < kept.model.parameter_count();
+    const double explained = result.checks.back().contenders.front().score;
+    const double margin = simpler ? -resolution_of_a_fit * explained : 0.0;
+    if (contest_.advantage(result.final, kept) > margin) continue;
     result.final = kept;
     break;
   }
