@@ -8,9 +8,9 @@
 
 namespace wheelwright::benchmarks {
 
-// A x = b in the sense of least squares.
+// A x = b in the sense of least squares. By rows, as both solvers read it.
 struct DenseSystem {
-  Eigen::MatrixXd a;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> a;
   Eigen::VectorXd b;
 };
 

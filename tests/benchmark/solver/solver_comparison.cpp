@@ -33,7 +33,7 @@ std::vector<RunPeriod> periods_of_run(std::size_t rows) {
 DenseSystem dense_system(const std::vector<RunPeriod>& periods) {
   const ArxLayout layout{order, 0};
   const auto count = static_cast<Eigen::Index>(periods.size());
-  DenseSystem system{Eigen::MatrixXd::Zero(count, layout.columns()), Eigen::VectorXd::Zero(count)};
+  DenseSystem system{decltype(DenseSystem::a)::Zero(count, layout.columns()), Eigen::VectorXd::Zero(count)};
   for (Eigen::Index k = 0; k < count; ++k) {
     const auto at = [&](Eigen::Index period) { return periods[static_cast<std::size_t>(period)]; };
     for (Eigen::Index i = 0; i <= static_cast<Eigen::Index>(order) && i <= k; ++i) {
@@ -87,7 +87,7 @@ Timed measure_accumulator(const DenseSystem& system) {
 bool compare(std::size_t rows) {
   const DenseSystem system = dense_system(periods_of_run(rows));
   const Timed ours = measure_accumulator(system);
-  print(rows, "wheelwright, QR by row", ours.residual, ours.seconds);
+  print(rows, "wheelwright, QR by blocks of rows", ours.residual, ours.seconds);
   bool met = true;
   if (OpenCvSolver theirs(system); theirs.available()) {
     const double seconds = seconds_of([&] { theirs.solve(); });
