@@ -1,7 +1,9 @@
 #include "model/gap/gap_look.hpp"
 
 #include <algorithm>
+#include <iterator>
 
+#include "model/gap/command_steps.hpp"
 #include "model/gap/decoys.hpp"
 #include "model/gap/wheel_angles.hpp"
 
@@ -74,6 +76,11 @@ std::optional<TrialModel> GapLook::from_bare_core(const TrialModel& without,
 std::vector<TrialModel> GapLook::starts(const GapFit& without, std::vector<TrialEffect> more_starts) {
   const std::vector<const EffectInfo*> absent = absent_from(without.model);
   if (const auto rippling = align_wheels(without, absent)) more_starts.push_back(*rippling);
+  const auto stepping = std::ranges::find(absent, "command_quantization", &EffectInfo::name);
+  if (stepping != absent.end()) {
+    std::ranges::copy(find_command_steps(train_, without, **stepping, for_each_),
+                      std::back_inserter(more_starts));
+  }
   const Screening screening = screen(train_, without, absent, for_each_);
   for (const auto& screened : screening.best) {
     if (more_starts.size() >= limits_.most_fits || screened.gain_nats < least_screened_nats) break;

@@ -1,0 +1,192 @@
+#include "model/gap/command_steps.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr double smallest_step_m_s = 0.0025;
+constexpr double largest_step_m_s = 0.1;
+constexpr double largest_shift_of_phase =
+    0.1;                            // of a step, at the fastest command, between two that are tried
+constexpr double stands_out = 6.0;  // standard deviations of what wrong steps show
+constexpr std::size_t response_periods = 80;
+constexpr std::size_t farthest_readings_periods = 3;
+
+struct WheelSeries {
+  std::vector<double> command_m_s;
+  std::vector<double> evidence;  // residual speed, turned round: what a change of each command would explain
+};
+
+// What the model leaves of a wheel's travel, per period. Empty where it is not known closely enough.
+std::vector<double> residual_increments(const Series& measured, const std::vector<double>& model_m) {
+  std::vector<double> increments(model_m.size(), 0.0);
+  for (std::size_t i = 1; i < measured.at.size(); ++i) {
+    const std::size_t from = measured.at[i - 1].period;
+    const std::size_t to = measured.at[i].period;
+    if (to <= from || to >= model_m.size() || measured.restarts[i] != 0) continue;
+    if (to - from > farthest_readings_periods) return {};
+    const double left = measured.value[i] - measured.value[i - 1] - (model_m[to] - model_m[from]);
+    for (std::size_t k = from; k < to; ++k) increments[k] = left / static_cast<double>(to - from);
+  }
+  return increments;
+}
+
+// Of both wheels, from counts or from what the body does.
+std::array<std::vector<double>, 2> residual_speeds(const GapRun& run, const TrialModel& model) {
+  const auto states = model_states(model, run);
+  std::vector<double> left;
+  std::vector<double> right;
+  for (const auto& state : states) {
+    left.push_back(state.distance_m.left);
+    right.push_back(state.distance_m.right);
+  }
+  if (run.has_counts) {
+    return {residual_increments(run[Channel::left], left), residual_increments(run[Channel::right], right)};
+  }
+  std::vector<double> forward(left.size());
+  std::vector<double> turn(left.size());
+  for (std::size_t k = 0; k < left.size(); ++k) {
+    forward[k] = 0.5 * (left[k] + right[k]);
+    turn[k] = (right[k] - left[k]) / run.wheel_base_m;
+  }
+  const auto ahead = residual_increments(run[Channel::forward], forward);
+  const auto round = residual_increments(run[Channel::turn], turn);
+  if (ahead.empty() || round.empty()) return {};
+  std::array<std::vector<double>, 2> wheels;
+  for (std::size_t k = 0; k < ahead.size(); ++k) {
+    const double half = 0.5 * round[k] * run.wheel_base_m;
+    wheels[0].push_back(ahead[k] - half);
+    wheels[1].push_back(ahead[k] + half);
+  }
+  return wheels;
+}
+
+std::vector<double> impulse_response(const TrialModel& model, bool right) {
+  const double* a = model.core.data() + (right && !model.shape.shared ? model.shape.per_wheel() : 0);
+  const double* b = a + model.shape.poles;
+  std::vector<double> response(response_periods, 0.0);
+  for (std::size_t k = 0; k < response.size(); ++k) {
+    if (k < model.shape.weights) response[k] = b[k];
+    for (std::size_t i = 1; i <= std::min(k, model.shape.poles); ++i)
+      response[k] += a[i - 1] * response[k - i];
+  }
+  return response;
+}
+
+std::vector<double> turned_round(const std::vector<double>& residuals, const std::vector<double>& response) {
+  std::vector<double> evidence(residuals.size(), 0.0);
+  for (std::size_t k = 0; k < residuals.size(); ++k) {
+    const std::size_t last = std::min(response.size(), residuals.size() - k);
+    for (std::size_t j = 0; j < last; ++j) evidence[k] += response[j] * residuals[k + j];
+  }
+  return evidence;
+}
+
+std::vector<WheelSeries> gathered(const GapProblem& problem, const TrialModel& model) {
+  std::vector<WheelSeries> all;
+  for (const auto& run : problem.runs()) {
+    if (!run.has_counts && run.sparse) continue;
+    const auto residuals = residual_speeds(run, model);
+    for (const bool right : {false, true}) {
+      const auto& of_wheel = residuals[right ? 1 : 0];
+      if (of_wheel.empty()) continue;
+      WheelSeries series;
+      for (const auto& command : run.commands_m_s) {
+        series.command_m_s.push_back(right ? command.right : command.left);
+      }
+      series.evidence = turned_round(of_wheel, impulse_response(model, right));
+      all.push_back(std::move(series));
+    }
+  }
+  return all;
+}
+
+std::vector<double> steps_to_try(const std::vector<WheelSeries>& wheels) {
+  double fastest = 0.0;
+  for (const auto& wheel : wheels) {
+    for (const double u : wheel.command_m_s) fastest = std::max(fastest, std::abs(u));
+  }
+  std::vector<double> steps;
+  if (fastest <= 0.0) return steps;
+  const double apart = largest_shift_of_phase / fastest;
+  for (double per_m_s = 1.0 / smallest_step_m_s; per_m_s > 1.0 / largest_step_m_s; per_m_s -= apart) {
+    steps.push_back(1.0 / per_m_s);
+  }
+  return steps;
+}
+
+// Correlation of the evidence with what the effect does to the commands, over the size of that. What a gain
+// or a loss by sign explains is no sign of steps.
+double likeness(const std::vector<WheelSeries>& wheels, const EffectInfo& info, std::size_t variant,
+                double step) {
+  const std::array parameters{step};
+  const auto effect = info.make({parameters, variant});
+  double agreement = 0.0;
+  double power = 0.0;
+  for (const auto& wheel : wheels) {
+    const std::size_t count = std::min(wheel.command_m_s.size(), wheel.evidence.size());
+    std::vector<double> change(count);
+    double by_command = 0.0;
+    double by_sign = 0.0;
+    double commands = 0.0;
+    double signs = 0.0;
+    double both = 0.0;
+    for (std::size_t k = 0; k < count; ++k) {
+      const double u = wheel.command_m_s[k];
+      if (u == 0.0) continue;
+      WheelPair acted{u, u};
+      effect->command(acted, {});
+      change[k] = acted.left - u;
+      const double sign = u > 0.0 ? 1.0 : -1.0;
+      by_command += change[k] * u;
+      by_sign += change[k] * sign;
+      commands += u * u;
+      signs += 1.0;
+      both += u * sign;
+    }
+    const double determinant = commands * signs - both * both;
+    if (!(determinant > 1e-9 * commands * signs)) continue;
+    const double gain = (by_command * signs - by_sign * both) / determinant;
+    const double loss = (by_sign * commands - by_command * both) / determinant;
+    for (std::size_t k = 0; k < count; ++k) {
+      const double u = wheel.command_m_s[k];
+      if (u == 0.0) continue;
+      const double left = change[k] - gain * u - loss * (u > 0.0 ? 1.0 : -1.0);
+      agreement += left * wheel.evidence[k];
+      power += left * left;
+    }
+  }
+  return power > 0.0 ? agreement / std::sqrt(power) : 0.0;
+}
+
+double median_size(std::vector<double> values) {
+  for (double& value : values) value = std::abs(value);
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+}  // namespace
+
+std::vector<TrialEffect> find_command_steps(const GapProblem& train, const GapFit& fit,
+                                            const EffectInfo& info, const ForEach& for_each) {
+  std::vector<TrialEffect> found;
+  const std::vector<WheelSeries> wheels = gathered(train, fit.model);
+  const std::vector<double> steps = steps_to_try(wheels);
+  if (steps.empty()) return found;
+  for (std::size_t variant = 0; variant < info.variants.size(); ++variant) {
+    std::vector<double> likenesses(steps.size());
+    for_each(steps.size(), [&](std::size_t i) { likenesses[i] = likeness(wheels, info, variant, steps[i]); });
+    const auto best = std::ranges::max_element(likenesses);
+    constexpr double deviations_of_median = 1.4826;
+    if (*best < stands_out * deviations_of_median * median_size(likenesses)) continue;
+    found.push_back({&info, variant, {steps[static_cast<std::size_t>(best - likenesses.begin())]}});
+  }
+  return found;
+}
+
+}  // namespace wheelwright::gap
