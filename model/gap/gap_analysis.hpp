@@ -11,6 +11,7 @@
 
 #include "model/drive_log.hpp"
 #include "model/gap/finding.hpp"
+#include "model/gap/gap_figures.hpp"
 #include "model/gap/gap_search.hpp"
 #include "model/gap/gathered_runs.hpp"
 #include "model/gap/regimes.hpp"
@@ -22,13 +23,6 @@ namespace wheelwright::gap {
 
 enum class Verdict { named, nothing_missing, unnamed, ambiguous, not_testable, bad_data };
 std::string_view verdict_name(Verdict verdict);
-
-// Before, after and floor of one set of runs.
-struct GapFigures {
-  Score before;
-  Score after;
-  Score floor;
-};
 
 struct GapAnalysis {
   Verdict verdict = Verdict::nothing_missing;

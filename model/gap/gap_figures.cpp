@@ -1,0 +1,53 @@
+#include "model/gap/gap_figures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr std::size_t figure_count = 4;
+constexpr std::array<std::string_view, figure_count> names{"wheel speed", "distance", "position", "heading"};
+constexpr std::size_t first_integrated = 1;  // of wheel speed, most is noise of single ticks
+
+using Values = std::array<std::optional<double>, figure_count>;
+
+Values values_of(const Score& score) {
+  const auto value = [](const std::optional<AtHorizon>& figure) -> std::optional<double> {
+    return figure ? std::optional(figure->value) : std::nullopt;
+  };
+  return {score.wheel_speed_rms_m_s, score.distance_rms_m, value(score.position_rms_m),
+          value(score.heading_rms_rad)};
+}
+
+double excess(const GapFigures& figures, std::size_t which) {
+  const auto after = values_of(figures.after).at(which);
+  const auto floor = values_of(figures.floor).at(which);
+  return after && floor && *floor > 0.0 ? *after / *floor : 0.0;
+}
+
+}  // namespace
+
+Excess largest_excess(const GapFigures& train, const GapFigures& test) {
+  Excess largest{names[first_integrated]};
+  for (std::size_t i = first_integrated; i < figure_count; ++i) {
+    const double times = std::min(excess(train, i), excess(test, i));
+    if (times > largest.times) largest = {names.at(i), times};
+  }
+  return largest;
+}
+
+bool some_figure_falls(const GapFigures& figures, double least_fall, double above_floor) {
+  const Values before = values_of(figures.before);
+  const Values after = values_of(figures.after);
+  const Values floor = values_of(figures.floor);
+  for (std::size_t i = 0; i < figure_count; ++i) {
+    if (!before.at(i) || !after.at(i)) continue;
+    if (floor.at(i) && *before.at(i) < above_floor * *floor.at(i)) continue;
+    if (*after.at(i) < (1.0 - least_fall) * *before.at(i)) return true;
+  }
+  return false;
+}
+
+}  // namespace wheelwright::gap

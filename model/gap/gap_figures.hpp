@@ -1,0 +1,31 @@
+// What the figures of a gap say: whether a model's free runs come closer to the measured ones than they were,
+// and whether noise explains what is left.
+#pragma once
+
+#include <string_view>
+
+#include "model/score.hpp"
+
+namespace wheelwright::gap {
+
+// Before, after and floor of one set of runs.
+struct GapFigures {
+  Score before;
+  Score after;
+  Score floor;
+};
+
+// A figure (distance, position or heading) of the model after the analysis, in multiples of its noise floor.
+struct Excess {
+  std::string_view figure;
+  double times = 0.0;
+};
+
+// The figure that lies furthest above its floor in both sets of runs; `times` is the smaller of the two.
+Excess largest_excess(const GapFigures& train, const GapFigures& test);
+
+// Whether any figure fell by `least_fall` of itself. Figures that lay below `above_floor` floors do not
+// count.
+bool some_figure_falls(const GapFigures& figures, double least_fall, double above_floor);
+
+}  // namespace wheelwright::gap
