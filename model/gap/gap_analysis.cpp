@@ -10,7 +10,8 @@
 namespace wheelwright::gap {
 namespace {
 
-constexpr double sure = 0.9;  // posterior from which on a name stands
+constexpr double sure = 0.9;             // posterior from which on a name stands
+constexpr double more_than_noise = 1.5;  // of a figure, in noise floors; clean logs stay below 1.15
 constexpr std::string_view dropout_name = "encoder_dropout";
 constexpr std::uint64_t floor_seed = 1;
 constexpr std::size_t most_regimes = 6;
@@ -108,8 +109,19 @@ TrialModel Analysis::start() {
 void Analysis::search() {
   train_problem_.emplace(gathered_.train.runs, gathered_.train.metres_per_tick, for_each_);
   test_problem_.emplace(gathered_.test.runs, gathered_.test.metres_per_tick, for_each_);
+  const auto still_missing = [this](const TrialModel& trial) {
+    RobotModel model = model_of(trial, false);
+    for (const auto& setting : trial.settings()) model.effects.push_back({setting, {}, {}, {}, {}, {}});
+    const auto figures = [&](const std::vector<DriveLog>& logs) {
+      return GapFigures{
+          {}, gap_size(model, logs), noise_floor(model, logs, train_problem_->noise(), floor_seed)};
+    };
+    const GapFigures train = figures(gathered_.train.logs);
+    return largest_excess(train, result_.tail_held_out ? train : figures(gathered_.test.logs)).times >=
+           more_than_noise;
+  };
   result_.search = search_gap(*train_problem_, *test_problem_, start(), testability_.candidates,
-                              options_.limits, for_each_, progress_);
+                              options_.limits, still_missing, for_each_, progress_);
   for (std::size_t r = 0; r < gathered_.train.logs.size(); ++r) {
     gathered_.train.logs[r].rolled_before_m = result_.search.train_rolled_m[r];
   }
@@ -191,7 +203,6 @@ void Analysis::set_verdict() {
 // That no effect was found does not mean that nothing is missing: where the free runs are off by more than
 // noise explains, in the runs that were fitted and in those that were not, something is.
 bool Analysis::gap_remains() {
-  constexpr double more_than_noise = 1.5;  // clean logs stay below 1.15
   const Excess excess = largest_excess(result_.train, result_.tail_held_out ? result_.train : result_.test);
   if (excess.times < more_than_noise) return false;
   result_.verdict = Verdict::unnamed;

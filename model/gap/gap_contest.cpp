@@ -140,6 +140,12 @@ bool Contest::good_enough(const Contender& contender) const {
          contender.train_nats / contender.inflation > limits_.least_train_nats && contender.score > 0.0;
 }
 
+bool Contest::clear(const Contender& contender) const {
+  return good_enough(contender) &&
+         contender.heldout_nats / contender.inflation > limits_.least_further_nats &&
+         contender.train_nats / contender.inflation > limits_.least_further_nats;
+}
+
 bool Contest::worth_adding(const Contender& contender, const std::vector<Round>& so_far) const {
   double largest = 0.0;
   for (const auto& round : so_far) {

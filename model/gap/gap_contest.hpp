@@ -61,6 +61,8 @@ class Contest {
   double advantage(const GapFit& one, const GapFit& other) const;
 
   bool good_enough(const Contender& contender) const;
+  // Good enough for a further effect, small as it may be beside the first.
+  bool clear(const Contender& contender) const;
   // A second effect that explains next to nothing beside the first is more often the first one's shape than
   // an effect.
   bool worth_adding(const Contender& contender, const std::vector<Round>& so_far) const;

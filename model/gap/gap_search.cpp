@@ -22,10 +22,12 @@ struct Path {
 class Search {
  public:
   Search(GapProblem& train, GapProblem& heldout, std::span<const EffectInfo* const> candidates,
-         const SearchLimits& limits, const ForEach& for_each, const Progress& progress)
+         const SearchLimits& limits, const StillMissing& still_missing, const ForEach& for_each,
+         const Progress& progress)
       : train_(train),
         heldout_(heldout),
         limits_(limits),
+        still_missing_(still_missing),
         for_each_(for_each),
         progress_(progress),
         contest_(train, heldout, limits_),
@@ -50,6 +52,7 @@ class Search {
   GapProblem& train_;
   GapProblem& heldout_;
   SearchLimits limits_;
+  const StillMissing& still_missing_;
   const ForEach& for_each_;
   const Progress& progress_;
   Contest contest_;
@@ -81,9 +84,10 @@ Round Search::first_round(const TrialModel& start) {
 }
 
 bool Search::accepted(const Contender* best, const Round& round, const std::vector<Round>& so_far) const {
-  if (best == nullptr || so_far.size() >= limits_.most_effects || !contest_.worth_adding(*best, so_far)) {
-    return false;
-  }
+  if (best == nullptr || so_far.size() >= limits_.most_effects) return false;
+  const bool worth =
+      contest_.worth_adding(*best, so_far) || (contest_.clear(*best) && still_missing_(round.without.model));
+  if (!worth) return false;
   if (best == round.contenders.data()) return true;
   TrialModel with_both = round.contenders.front().fit.model;
   with_both.effects.push_back(best->effect);
@@ -235,8 +239,8 @@ GapSearch Search::run(const TrialModel& start) {
 
 GapSearch search_gap(GapProblem& train, GapProblem& heldout, const TrialModel& start,
                      std::span<const EffectInfo* const> candidates, const SearchLimits& limits,
-                     const ForEach& for_each, const Progress& progress) {
-  return Search(train, heldout, candidates, limits, for_each, progress).run(start);
+                     const StillMissing& still_missing, const ForEach& for_each, const Progress& progress) {
+  return Search(train, heldout, candidates, limits, still_missing, for_each, progress).run(start);
 }
 
 }  // namespace wheelwright::gap

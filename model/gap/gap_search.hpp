@@ -28,9 +28,13 @@ struct GapSearch {
 // Called before each longer piece of work with a word for it and the share done.
 using Progress = std::function<void(const std::string& what, double share)>;
 
+// Whether free runs of a model are off by more than noise explains: then a further effect may be small beside
+// the first one.
+using StillMissing = std::function<bool(const TrialModel& model)>;
+
 // `candidates` are the effects that the data can show at all, decoys among them.
 GapSearch search_gap(GapProblem& train, GapProblem& heldout, const TrialModel& start,
                      std::span<const EffectInfo* const> candidates, const SearchLimits& limits,
-                     const ForEach& for_each, const Progress& progress);
+                     const StillMissing& still_missing, const ForEach& for_each, const Progress& progress);
 
 }  // namespace wheelwright::gap
