@@ -10,7 +10,7 @@ bool level(std::uint8_t sent, double at) {
   const int bit = static_cast<int>(std::floor(at));
   if (bit < 1) return false;
   if (bit > 8) return true;
-  return ((sent >> static_cast<unsigned>(bit - 1)) & 1U) != 0;
+  return ((static_cast<unsigned>(sent) >> static_cast<unsigned>(bit - 1)) & 1U) != 0;
 }
 
 }  // namespace
