@@ -32,7 +32,7 @@ struct LinkConfig {
   double blind_limit_s = 0.25;      // without a sound reading for longer, the wheels are stopped
   double lost_after_s = 1.0;        // without a sound reading for longer, the port is opened anew
   double lowest_battery_v = 12.0;
-  int late_commands_held = 3;  // ticks for which the last command stays where none came in time
+  int late_commands_held = 3;  // ticks with a reply for which the last command stays where none came in time
 };
 
 }  // namespace wheelwright::roomba

@@ -120,8 +120,12 @@ Command RoombaLink::obeyed_command(const std::optional<Command>& command) {
     obeyed = *command;
     late_in_a_row_ = 0;
   } else if (armed()) {
-    ++counts_.late_commands;
-    if (++late_in_a_row_ > config_.late_commands_held) stop(StopReason::late_command);
+    // A tick without a reply ends as the next one begins, which leaves no time for a command: that is not
+    // late, and how long it may go on is the blind limit's matter.
+    if (!last_reply_failed_) {
+      ++counts_.late_commands;
+      if (++late_in_a_row_ > config_.late_commands_held) stop(StopReason::late_command);
+    }
     obeyed = last_command_;
   }
   if (!armed()) {

@@ -196,6 +196,26 @@ TEST_CASE("A command that does not come is held for three ticks, then the wheels
   CHECK(bench.link.counts().late_commands == 4);
 }
 
+TEST_CASE(
+    "Lost replies leave no time for commands: the last one is held up to the blind limit, and none counts as "
+    "late") {
+  Bench bench;
+  bench.start();
+  bench.drive(0.2, 0.1);
+  bench.tick(std::nullopt, false);
+  for (int i = 0; i < 9; ++i) {
+    bench.tick(std::nullopt, false);
+    CHECK(contains(bench.written, {145, 0, 100, 0, 200}));
+  }
+  CHECK(bench.link.armed());
+  int more = 0;
+  while (bench.link.armed() && more < 20) {
+    bench.tick(std::nullopt, false);
+    ++more;
+  }
+  CHECK(bench.link.stop_reason() == StopReason::blind);
+}
+
 TEST_CASE("Whatever happens, nothing but zeros is sent while the link is not armed") {
   open_interface::Random random(51);
   for (int run = 0; run < 30; ++run) {
