@@ -36,6 +36,7 @@ class Analysis {
   bool runs_differ();
   bool gap_remains();
   bool closes_the_gap() const;
+  bool leave_out_linear_effects();
 
   const GapOptions& options_;
   const ForEach& for_each_;
@@ -44,6 +45,7 @@ class Analysis {
   std::optional<GapProblem> train_problem_;
   std::optional<GapProblem> test_problem_;
   Testability testability_;
+  bool linear_left_out_ = false;
   GapAnalysis result_;
 };
 
@@ -270,11 +272,13 @@ bool Analysis::closes_the_gap() const {
   constexpr double least_fall = 0.03;
   constexpr double beyond_doubt_nats = 30.0;
   const GapFigures& figures = result_.tail_held_out ? result_.train : result_.test;
-  // A linear effect is no more than a better linear model, unless the gap was one to be seen above the noise.
+  // A linear effect is no more than a better linear model, unless the gap was one to be seen above the noise;
+  // and what stands in for one that was left out is no more than that.
   constexpr double above_noise = 1.15;
   const auto& effects = result_.search.final.model.effects;
-  const bool linear =
-      std::ranges::all_of(effects, [](const TrialEffect& effect) { return effect.info->linear; });
+  const bool linear = linear_left_out_ || std::ranges::all_of(effects, [](const TrialEffect& effect) {
+                        return effect.info->linear;
+                      });
   const auto beyond_doubt = [](const Finding& found) {
     return found.heldout_gain_nats > beyond_doubt_nats && found.posterior > sure;
   };
@@ -293,6 +297,19 @@ void Analysis::mention_wheel_angles() {
       " The wheels began each run at another angle; the figures take the angles that each run showed.";
 }
 
+// A linear effect that is no more than a better linear model may stand before one that is: the search is made
+// again without it. False where there is none to leave out.
+bool Analysis::leave_out_linear_effects() {
+  const auto& effects = result_.search.final.model.effects;
+  const bool linear = std::ranges::any_of(effects, [](const TrialEffect& e) { return e.info->linear; });
+  const auto left_out =
+      std::erase_if(testability_.candidates, [](const EffectInfo* info) { return info->linear; });
+  if (!linear || left_out == 0) return false;
+  linear_left_out_ = true;
+  search();
+  return true;
+}
+
 void Analysis::conclude() {
   result_.found = findings_of(*train_problem_, result_.search);
   if (auto dropout = dropout_finding(gathered_.dropouts, gathered_.watched_s)) {
@@ -300,6 +317,7 @@ void Analysis::conclude() {
   }
   size_up();
   if (!result_.search.final.model.effects.empty() && !closes_the_gap()) {
+    if (leave_out_linear_effects()) return conclude();
     std::erase_if(result_.found, [](const Finding& found) { return found.setting.name != dropout_name; });
     result_.search.final = result_.search.baseline;
     size_up();

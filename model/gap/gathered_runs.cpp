@@ -37,6 +37,30 @@ std::optional<GapRefusal> mismatch(std::span<const DriveLog> logs) {
   return std::nullopt;
 }
 
+bool same_run(const DriveLog& one, const DriveLog& other) {
+  const auto same = [](const DriveSample& a, const DriveSample& b) {
+    const auto counts = [](const DriveSample& sample) { return sample.ticks.value_or(WheelTicks{}); };
+    return a.t_s == b.t_s && a.command_m_s.left == b.command_m_s.left &&
+           a.command_m_s.right == b.command_m_s.right && counts(a).left == counts(b).left &&
+           counts(a).right == counts(b).right && a.reference_x_m == b.reference_x_m &&
+           a.reference_y_m == b.reference_y_m;
+  };
+  return std::ranges::equal(one.samples, other.samples, same);
+}
+
+// A run that is there twice would be held out from itself.
+std::optional<GapRefusal> repetition(std::span<const DriveLog> logs) {
+  for (std::size_t i = 0; i < logs.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!same_run(logs[j], logs[i])) continue;
+      return GapRefusal{logs[i].name + ":" + std::to_string(logs[i].first_line) + ": the same run as " +
+                        logs[j].name + ":" + std::to_string(logs[j].first_line) +
+                        "; what is held out has to be another run"};
+    }
+  }
+  return std::nullopt;
+}
+
 void gate_all(std::span<const DriveLog> logs, RunSet& runs, GatheredRuns& gathered) {
   for (const auto& log : logs) {
     GatedLog gated = gate(log);
@@ -92,6 +116,7 @@ std::optional<GapRefusal> gather_runs(std::span<const DriveLog> train, std::span
   std::vector<DriveLog> all(train.begin(), train.end());
   all.insert(all.end(), test.begin(), test.end());
   if (auto refusal = mismatch(all)) return refusal;
+  if (auto refusal = repetition(all)) return refusal;
   gate_all(train, gathered.train, gathered);
   gate_all(test, gathered.test, gathered);
   return test.empty() ? hold_out(gathered) : std::nullopt;

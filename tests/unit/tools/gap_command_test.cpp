@@ -203,6 +203,13 @@ TEST_CASE("Logs that do not belong together, or are too short, are refused with 
   check_refused(gap(workspace("gap_single", {good[0]})), "run1.csv", "too short to hold a part of it out");
 }
 
+TEST_CASE("A run that is given twice is refused, since it would be held out from itself") {
+  auto runs = runs_with("clean", test::Program::mixed, 8.0);
+  runs.push_back(runs.front());
+  const std::string last = "run" + std::to_string(runs.size()) + ".csv:";
+  check_refused(gap(workspace("gap_twice", runs)), last, "the same run as");
+}
+
 TEST_CASE("The report stands alone, and shows what was found with its rivals and the search") {
   const auto at = workspace("gap_report", runs_with("dead_zone"));
   REQUIRE(gap(at).status == ExitStatus::done);
