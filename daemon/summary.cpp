@@ -60,7 +60,7 @@ std::string steered_by(PoseSource source) {
 }
 
 void add_faults(Table& table, const CalibrationReport& calibration, const LogReport& log) {
-  if (log.faults > 0) table.row("faults of wheels and encoders", "{}", log.faults);
+  if (log.faults > 0) table.row("wheel and encoder faults", "{}", log.faults);
   if (!calibration.adapted.empty()) {
     table.row("models adapted while driving", "{}", calibration.adapted.size());
   }

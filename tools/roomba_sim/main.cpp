@@ -38,7 +38,8 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--room", options.room, "put the robot into this room instead of its own");
   app.add_option("--link", options.link,
                  "make a symbolic link to the pseudo-terminal (default: print its path)");
-  app.add_option("--seed", options.seed, "replaces the seed of the description");
+  app.add_option("--seed", options.seed, "replaces the seed of the description")
+      ->check(CLI::NonNegativeNumber);
   app.add_option("--truth", options.truth, "write the true motion to this CSV file");
   app.add_option("--replay", options.replay,
                  "answer with the counts of this drive log, from the first drive command on");

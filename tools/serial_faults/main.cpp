@@ -45,7 +45,7 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--robot", options.robot, "the serial port of the robot, or the --link of roomba-sim")
       ->required();
   app.add_option("--link", options.link, "make a symbolic link here to the port for the host")->required();
-  app.add_option("--seed", options.cable.seed, "of the faults (1)");
+  app.add_option("--seed", options.cable.seed, "of the faults (1)")->check(CLI::NonNegativeNumber);
   app.add_option("--kinds", options.kinds, "only these, comma separated: " + known_kinds())->delimiter(',');
   app.add_option("--first", options.cable.first_after_s, "seconds until the first fault (2)");
   app.add_option("--shortest-pause", options.cable.shortest_pause_s, "seconds between faults, at least (2)")

@@ -154,7 +154,9 @@ Action add_circle(CLI::App& app) {
   const auto options = std::make_shared<CircleOptions>();
   CLI::App* command =
       app.add_subcommand("circle", "Hide imperfections in a simulated robot, find them, drive better");
-  command->add_option("--seed", options->seed, "Of the imperfections and all noise")->capture_default_str();
+  command->add_option("--seed", options->seed, "Of the imperfections and all noise")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   command->add_option("--robot", options->robot, "Simulated robot to hide them in")
       ->check(CLI::ExistingFile)
       ->capture_default_str();

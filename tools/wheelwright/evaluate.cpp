@@ -105,7 +105,9 @@ Action add_evaluate(CLI::App& app) {
   command->add_option("--runs", options->runs, "Attempts per model")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
-  command->add_option("--seed", options->seed, "Of starting errors and noise")->capture_default_str();
+  command->add_option("--seed", options->seed, "Of starting errors and noise")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   command->add_option("--robot", options->robot, "Simulated robot")->capture_default_str();
   command->add_option("--route", options->route, "Closed route")->capture_default_str();
   command->add_option("--calibrate", options->calibrate, "Before each attempt or once before all")

@@ -87,3 +87,17 @@ TEST_CASE("What is saved is read back the same") {
   CHECK(*back.samples[1].battery_v == 14.5);
   CHECK(back.metres_per_tick->left == log.metres_per_tick->left);
 }
+
+TEST_CASE("A file that cannot be read is refused with the reason that is there") {
+  const auto folder = test::temporary_folder();
+  const auto refusal = [](const std::filesystem::path& path) {
+    try {
+      config::load_drive_logs(path);
+    } catch (const config::LogError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(refusal(folder) == folder.string() + ": is a folder, but must be a file");
+  CHECK_THAT(refusal(folder / "none.csv"), ContainsSubstring("does the file exist?"));
+}
