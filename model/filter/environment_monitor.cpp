@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace wheelwright {
 namespace {
@@ -14,9 +15,11 @@ constexpr double excess_smoothing = 0.25;
 constexpr double allowance = 0.75;
 constexpr double most_of_one_block = 3.0;
 constexpr double usual_deviation = 0.8;  // mean size of a standard normal deviate
-constexpr double alarm = 9.0;
+constexpr double alarm = 10.0;
 constexpr double innovation_alarm = 16.0;  // its blocks hang together more than those of current
-constexpr double least_power = 0.5;        // less is no misfit, however unusual
+// Of the alarm, that the sum of each wheel alone has to reach.
+constexpr double share_of_each = 0.25;
+constexpr double least_power = 0.5;  // less is no misfit, however unusual
 constexpr double least_power_spread = 0.2;
 
 double added_up(double sum, double score) {
@@ -30,6 +33,7 @@ EnvironmentMonitor::EnvironmentMonitor(double period_s)
 
 void EnvironmentMonitor::recalibrated() {
   wheels_ = {};
+  both_ = {};
   due_ = false;
   ticks_ = 0;
 }
@@ -54,35 +58,51 @@ void EnvironmentMonitor::add_tick(Wheel& wheel, double speed, double other_speed
   excess_a += excess_smoothing * (excess - excess_a);
 }
 
-void EnvironmentMonitor::close_block(Wheel& wheel) {
+EnvironmentMonitor::BlockScore EnvironmentMonitor::close_block(Wheel& wheel) const {
   const double n = ticks_per_block_;
   const CurrentModel::Features features = wheel.features / n;
   const double current_a = wheel.current_a / n;
   const double power = std::log(wheel.innovation2 / n + least_power);
   const double direction = features[0] < 0.0 ? -1.0 : 1.0;
+  BlockScore score;
   if (wheel.model.ready()) {
-    const double score = direction * (current_a - wheel.model.expected_a(features)) / wheel.model.spread_a();
-    wheel.more = added_up(wheel.more, score);
-    wheel.less = added_up(wheel.less, -score);
-    wheel.other = added_up(wheel.other, std::abs(score) - usual_deviation);
+    score.current = direction * (current_a - wheel.model.expected_a(features)) / wheel.model.spread_a();
+    score.other = std::abs(score.current) - usual_deviation;
   }
   if (wheel.power.ready()) {
     const double spread = std::max(least_power_spread, wheel.power.spread());
-    wheel.rougher = added_up(wheel.rougher, (power - wheel.power.mean()) / spread);
+    score.power = (power - wheel.power.mean()) / spread;
   }
   wheel.model.take(features, current_a);
   wheel.power.take(power);
+  return score;
+}
+
+void EnvironmentMonitor::add_up(const BlockScore& left, const BlockScore& right) {
+  const BlockScore both{(left.current + right.current) / std::numbers::sqrt2,
+                        (left.other + right.other) / std::numbers::sqrt2, 0.0};
+  const auto add = [](Sums& sums, const BlockScore& score) {
+    sums.more = added_up(sums.more, score.current);
+    sums.less = added_up(sums.less, -score.current);
+    sums.other = added_up(sums.other, score.other);
+    sums.rougher = added_up(sums.rougher, score.power);
+  };
+  add(wheels_[0].sums, left);
+  add(wheels_[1].sums, right);
+  add(both_, both);
+}
+
+double EnvironmentMonitor::score_of(double Sums::*sum) const {
+  const double each = std::min(wheels_[0].sums.*sum, wheels_[1].sums.*sum);
+  return std::min(both_.*sum / alarm, each / (share_of_each * alarm));
 }
 
 double EnvironmentMonitor::current_score() const {
-  const auto& [left, right] = wheels_;
-  return std::max({std::min(left.more, right.more), std::min(left.less, right.less),
-                   std::min(left.other, right.other)}) /
-         alarm;
+  return std::max({score_of(&Sums::more), score_of(&Sums::less), score_of(&Sums::other)});
 }
 
 double EnvironmentMonitor::innovation_score() const {
-  return std::min(wheels_[0].rougher, wheels_[1].rougher) / innovation_alarm;
+  return std::min(wheels_[0].sums.rougher, wheels_[1].sums.rougher) / innovation_alarm;
 }
 
 bool EnvironmentMonitor::take(const DrivingEvidence& evidence) {
@@ -108,7 +128,8 @@ bool EnvironmentMonitor::take(const DrivingEvidence& evidence) {
     return due_ && !was_due;
   }
   if (++ticks_ == ticks_per_block_) {
-    for (Wheel& wheel : wheels_) close_block(wheel);
+    const BlockScore left = close_block(wheels_[0]);
+    add_up(left, close_block(wheels_[1]));
     drop_block();
     due_ = due_ || current_score() >= 1.0 || innovation_score() >= 1.0;
   }

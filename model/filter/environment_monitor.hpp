@@ -3,14 +3,14 @@
 //
 // Three signs, each of both wheels, since what concerns one wheel is a fault of that wheel:
 //   * motor currents against what the motion should need (current_model.hpp): cumulative sums
-//     (CUSUM) for each wheel over means of 0.25 s of driving, upwards, downwards, and of the size of the
-//     deviation (a floor that scrubs pulls at both wheels in turn); the smaller of both wheels counts. Where
-//     the robot controls its wheel speeds by itself, this is nearly all that a floor changes,
-//   * power of the travel innovations against its usual power, by CUSUM likewise: starting and stopping have
-//     become different,
+//     (CUSUM) over means of 0.25 s of driving, upwards, downwards, and of the size of the deviation (a floor
+//     that scrubs pulls at both wheels in turn). Both wheels are added up, and each alone has to show a
+//     quarter of it. Where the robot controls its wheel speeds by itself, this is nearly all that a floor
+//     changes,
+//   * power of the travel innovations against its usual power, by CUSUM for each wheel, of which the smaller
+//     counts (it hangs together between wheels): starting and stopping have become different,
 //   * a lasting drift or misfit of both encoders against the model alike, as the fault detector reports it,
-//   or
-//     another gain of both wheels than the model has (gain_misfit.hpp).
+//     or another gain of both wheels than the model has (gain_misfit.hpp).
 //
 // Only driving counts; while the robot stands, and while a wheel has a fault, nothing is added up and nothing
 // is learnt. The verdict stays until recalibrated() is called. Before about 12 s of driving the usual values
@@ -57,27 +57,39 @@ class EnvironmentMonitor {
   double innovation_score() const;
 
  private:
+  struct Sums {
+    double more = 0.0;  // of current, upwards and downwards
+    double less = 0.0;
+    double other = 0.0;    // of its deviation to either side
+    double rougher = 0.0;  // of innovation power
+  };
+  // Of one block, in standard deviations.
+  struct BlockScore {
+    double current = 0.0;
+    double other = 0.0;
+    double power = 0.0;
+  };
   struct Wheel {
     CurrentModel model;
     UsualLevel power;
     CurrentModel::Features features = CurrentModel::Features::Zero();  // sums over the block
     double current_a = 0.0;
     double innovation2 = 0.0;
-    double more = 0.0;  // CUSUM of current, upwards and downwards
-    double less = 0.0;
-    double other = 0.0;    // CUSUM of its deviation to either side
-    double rougher = 0.0;  // CUSUM of innovation power
+    Sums sums;
   };
 
   void add_tick(Wheel& wheel, double speed, double other_speed, double acceleration, double current_a,
                 double innovation, double& excess_a);
-  void close_block(Wheel& wheel);
+  BlockScore close_block(Wheel& wheel) const;
+  void add_up(const BlockScore& left, const BlockScore& right);
+  double score_of(double Sums::*sum) const;
   void drop_block();
 
   int ticks_per_block_;
   int settle_ticks_ = 0;  // after a fault, until its traces have gone
   int ticks_ = 0;
   std::array<Wheel, 2> wheels_;
+  Sums both_;
   WheelPair excess_a_;
   bool due_ = false;
 };

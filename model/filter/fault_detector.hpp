@@ -4,12 +4,13 @@
 // readings/s of both wheels:
 //   * gate on the travel innovation, 6 standard deviations but at least 4.5 mm: 8e-4 an hour; finds what
 //     happens at once (spike, freeze, stuck, stall, swap, lost counts),
+//   * gate on its mean over seven readings, 6 standard deviations but at least 3 mm; finds small jumps,
+//   * no count over 4.5 mm that the wheel was to roll; finds counts that are lost for a moment,
 //   * generalised likelihood ratio over windows up to 16 s (scale_drift_test.hpp), 7 standard deviations, 63
 //     windows four times a second: below 1e-4 an hour; finds what creeps.
-// What a linear model cannot know (motors that cannot brake) is not normal: fault_study found 2 false alarms
-// in 12 hours on the simulated robots, both of the gate, of 5 mm. Jumps of less than about 1 cm may stay
-// unseen in motion.
-// A name follows once it can be told: see MisfitRecord for what tells them apart.
+// What a linear model cannot know (motors that cannot brake) is not normal: both gates widen after changes of
+// speed, but where a reading jumps. Jumps of less than about 1 cm may stay unseen then, of 4 mm at steady
+// speed. A name follows once it can be told: see MisfitRecord for what tells them apart.
 //
 // Limits. Frozen and stuck differ by the jump; a counter that sticks within a few counts of where it was is
 // called frozen. Swapped encoders show, and matter, only while the wheels are told to turn differently. A

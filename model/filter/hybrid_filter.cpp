@@ -12,6 +12,10 @@ constexpr std::int64_t most_ticks_left_out = 200;
 // While the robot did not obey, its wheels may have done anything; the model forgets it within this time.
 constexpr std::int64_t believed_after_rest_ticks = 45;
 
+// For so long after a wheel stood or turned round the sign of its counts can be wrong; the frame does not say
+// of which wheel it is.
+constexpr std::int64_t turn_matters_ticks = 30;
+
 // Bits of packet 14.
 constexpr unsigned right_overcurrent = 8U;
 constexpr unsigned left_overcurrent = 16U;
@@ -70,18 +74,20 @@ void HybridFilter::advance_model(const SensorFrame& frame) {
   }
   set_prediction(left_, predicted_m.left, static_cast<double>(ticks));
   set_prediction(right_, predicted_m.right, static_cast<double>(ticks));
-  left_.counts_backwards = counts_backwards(left_, command_.left);
-  right_.counts_backwards = counts_backwards(right_, command_.right);
+  watch_turn(left_, command_.left, frame.tick);
+  watch_turn(right_, command_.right, frame.tick);
   if (!started_) last_not_driven_tick_ = frame.tick;  // nobody knows what was before
   started_ = true;
   tick_ = frame.tick;
   command_ = frame.command.speed_m_s;
 }
 
-// The wheel still turns against the direction in which a robot without quadrature counts by now.
-bool HybridFilter::counts_backwards(const Side& side, double command_m_s) {
+void HybridFilter::watch_turn(Side& side, double command_m_s, std::int64_t tick) {
   constexpr double turning_m_s = 0.003;
-  return std::abs(side.speed_m_s) > turning_m_s && (command_m_s < 0.0) != (side.speed_m_s < 0.0);
+  // The wheel still turns against the direction in which a robot without quadrature counts by now.
+  const bool turns = std::abs(side.speed_m_s) > turning_m_s;
+  side.counts_backwards = turns && (command_m_s < 0.0) != (side.speed_m_s < 0.0);
+  if (!turns || side.counts_backwards) side.turned_tick = tick;
 }
 
 void HybridFilter::step_wheel(Side& side, const SensorFrame& frame, std::int64_t ticks) {
@@ -89,7 +95,8 @@ void HybridFilter::step_wheel(Side& side, const SensorFrame& frame, std::int64_t
   reading.predicted_m = side.predicted_m;
   reading.gain_error = side.drift.gain_error();
   reading.gain_standard_error = side.drift.gain_standard_error();
-  reading.doubtful = frame.doubtful_sign || side.counts_backwards;
+  const bool turned = frame.tick - side.turned_tick < turn_matters_ticks;
+  reading.doubtful = side.counts_backwards || (frame.doubtful_sign && turned);
   reading.new_origin = frame.after_gap;
   reading.believed =
       frame.tick - last_not_driven_tick_ < believed_after_rest_ticks || side.stalled || model_is_off_;

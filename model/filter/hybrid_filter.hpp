@@ -102,6 +102,7 @@ class HybridFilter {
     double predicted_since_heard_m = 0.0;
     bool was_heard = false;
     bool counts_backwards = false;
+    std::int64_t turned_tick = 0;  // when it last stood or was to turn round
     bool stalled = false;
     bool distrusted = false;
     double taken_out_m = 0.0;  // by a verdict, still to be put into the pose
@@ -113,7 +114,7 @@ class HybridFilter {
 
   void advance_model(const SensorFrame& frame);
   void set_prediction(Side& side, double predicted_m, double ticks) const;
-  static bool counts_backwards(const Side& side, double command_m_s);
+  static void watch_turn(Side& side, double command_m_s, std::int64_t tick);
   void step_wheel(Side& side, const SensorFrame& frame, std::int64_t ticks);
   void gather(Side& side, const WheelReading& reading, const WheelEstimate& estimate);
   void judge(const SensorFrame& frame, HybridOutput& output);

@@ -36,7 +36,7 @@ class MisfitRecord {
     double counted_m = 0.0;
     double metres_per_tick = 0.0;
   };
-  static constexpr std::size_t hindsight = 3;
+  static constexpr std::size_t hindsight = 7;  // what a small jump needs to be seen
 
   void add(const Step& step);
   bool jumped() const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace wheelwright {
 namespace {
@@ -16,6 +17,17 @@ constexpr double ticks_per_change = 5.0;
 // A robot that brakes to rest coasts and rocks by some counts more than the noise figures of driving hold.
 constexpr double least_gate_m = 0.0045;
 constexpr double change_fades = 0.955;
+constexpr double unrest_fades = 0.98;
+// The mean over all ages of a robot that keeps its speed wanders by less than half of it.
+constexpr double least_mean_gate_m = 0.003;
+// Slower a wheel may stand, and a counter may wait for its next count.
+constexpr double rolling_m_s = 0.03;
+// No wheel makes such a step between two readings, beyond what their ages can differ by.
+constexpr double least_jump_m = 0.003;
+// A wheel that starts late stands for up to half of it.
+constexpr double no_count_m = 1e-6;
+constexpr int least_still_ticks = 3;
+constexpr double least_still_m = 0.0045;
 // The encoder has to follow the model over this distance before it is believed again ...
 constexpr double least_proof_m = 0.005;
 // ... within so many standard deviations of a reading. Twice the half-width of the age's uniform spread.
@@ -36,11 +48,13 @@ double WheelFilter::reading_variance_m2(double speed_m_s) const {
 
 double WheelFilter::predict(const WheelReading& reading, double speed_m_s) {
   model_m_ += reading.predicted_m;
+  since_heard_m_ += reading.predicted_m;
   offset_m_ += reading.gain_error * reading.predicted_m;
   const double distance_m = std::abs(reading.predicted_m);
   const double gain_m = reading.gain_standard_error * distance_m;
   const double late_m = (speed_m_s - last_speed_m_s_) * noise_.refresh_period_s;
   recent_change_m_s_ = change_fades * recent_change_m_s_ + speed_m_s - last_speed_m_s_;
+  unrest_m_s_ = unrest_fades * unrest_m_s_ + std::abs(speed_m_s - last_speed_m_s_);
   const double free_m = reading.believed ? unmodelled_m : 0.0;
   const double process_m2 = noise_.drift_m_per_sqrt_s * noise_.drift_m_per_sqrt_s * period_s_ +
                             ticks_per_change * late_m * late_m / 12.0;
@@ -48,14 +62,55 @@ double WheelFilter::predict(const WheelReading& reading, double speed_m_s) {
   variance_m2_ +=
       process_m2 + free_m * free_m + gain_m * gain_m + 2.0 * gain_m * reading.gain_standard_error * blind_m_;
   blind_m_ += distance_m;
+  return process_m2;
+}
+
+// A sign can only be wrong of what was counted while the wheel turned.
+void WheelFilter::note_doubt(const WheelReading& reading, double counted_step_m) {
   if (reading.doubtful) {
-    const double way_m = 2.0 * distance_m + (ticks_since_doubt_ > 0 ? doubtful_sign_m : 0.0);
+    const double turned_m = std::min(std::abs(counted_step_m), std::abs(since_heard_m_));
+    const double way_m = 2.0 * turned_m + (ticks_since_doubt_ > 0 ? doubtful_sign_m : 0.0);
     doubt_m_ = std::min(doubt_m_ + way_m, longest_coast_m);
     ticks_since_doubt_ = 0;
   } else if (++ticks_since_doubt_ > doubt_lasts_ticks) {
     doubt_m_ = 0.0;
   }
-  return process_m2;
+}
+
+bool WheelFilter::stands_still(const WheelReading& reading, double counted_step_m) {
+  const bool may_stand = std::abs(reading.predicted_m) < rolling_m_s * period_s_;
+  const bool still = std::abs(counted_step_m) < no_count_m && !may_stand;
+  still_ticks_ = still ? still_ticks_ + 1 : 0;
+  still_m_ = still ? still_m_ + std::abs(since_heard_m_) : 0.0;
+  return still_ticks_ >= least_still_ticks && still_m_ >= least_still_m;
+}
+
+// A model errs slowly; what comes at once is not the model, nor, where no sign is in doubt, the driver's
+// repair.
+void WheelFilter::note_jump(double step_less_model_m, double predicted_m) {
+  const double age_m = std::abs(predicted_m) / period_s_ * noise_.refresh_period_s;
+  const bool jumped = doubt_m_ == 0.0 && std::abs(step_less_model_m) > age_m + least_jump_m;
+  jump_matters_ticks_ = jumped ? age_cycle_ticks : std::max<std::size_t>(jump_matters_ticks_, 1) - 1;
+}
+
+double WheelFilter::unrest_m() const {
+  return jump_matters_ticks_ > 0 ? 0.0 : unrest_m_s_ * noise_.refresh_period_s;
+}
+
+double WheelFilter::mean_gate_m() const {
+  const double mean_sd_m =
+      std::sqrt(variance_m2_ + noise_.position_noise_m * noise_.position_noise_m + unrest_m() * unrest_m());
+  return std::max(least_mean_gate_m, noise_.gate * mean_sd_m);
+}
+
+bool WheelFilter::stays_off(double innovation_m) {
+  std::shift_right(innovation_m_.begin(), innovation_m_.end(), 1);
+  innovation_m_[0] = innovation_m;
+  innovations_ = std::min(innovations_ + 1, age_cycle_ticks);
+  if (innovations_ < age_cycle_ticks) return false;
+  const double mean_m =
+      std::accumulate(innovation_m_.begin(), innovation_m_.end(), 0.0) / static_cast<double>(age_cycle_ticks);
+  return std::abs(mean_m) > mean_gate_m();
 }
 
 void WheelFilter::weigh(double innovation_m, double variance_m2) {
@@ -75,6 +130,7 @@ void WheelFilter::discard_first() {
   }
   suspended_ = true;
   proofs_ = 0;
+  innovations_ = 0;
 }
 
 // An encoder without direction counts a coasting wheel the wrong way. That is no fault: the model says how
@@ -116,7 +172,7 @@ void WheelFilter::resynchronise(const WheelReading& reading, WheelEstimate& esti
   suspended_ = false;
   undone_m_ = {};
   estimate.resynchronised = true;
-  if (std::abs(found_m) <= noise_.gate * estimate.innovation_sd_m) {
+  if (std::abs(found_m) <= mean_gate_m()) {
     weigh(*reading.counted_m - origin_m_ - model_m_ - offset_m_, reading_m2);
     return;
   }
@@ -125,45 +181,60 @@ void WheelFilter::resynchronise(const WheelReading& reading, WheelEstimate& esti
   estimate.kept_out_m = found_m;
 }
 
+void WheelFilter::judge(const WheelReading& reading, double counted_step_m, WheelEstimate& estimate) {
+  const double residual_m = *reading.counted_m - origin_m_ - model_m_;
+  const double reading_m2 = estimate.reading_sd_m * estimate.reading_sd_m;
+  estimate.innovation_m = residual_m - offset_m_;
+  estimate.innovation_sd_m = std::sqrt(variance_m2_ + reading_m2);
+  const double gate_m =
+      std::max(least_gate_m, noise_.gate * std::hypot(estimate.innovation_sd_m, 0.5 * unrest_m()));
+  const bool still = stands_still(reading, counted_step_m);
+  note_doubt(reading, counted_step_m);
+  note_jump(counted_step_m - since_heard_m_, reading.predicted_m);
+  if (reading.distrusted) {
+    suspended_ = true;
+  } else if (reading.believed) {
+    suspended_ = false;
+    estimate.accepted = true;
+    weigh(estimate.innovation_m, reading_m2);
+    undone_m_ = {};
+    innovations_ = 0;
+  } else if (suspended_) {
+    if (proves_sound(residual_m, estimate.reading_sd_m, reading.predicted_m))
+      resynchronise(reading, estimate);
+  } else if (still) {
+    discard_first();
+  } else if (explained_by_sign(estimate.innovation_m, estimate.innovation_sd_m)) {
+    estimate.accepted = true;
+    innovations_ = 0;
+  } else if (std::abs(estimate.innovation_m) > gate_m || stays_off(estimate.innovation_m)) {
+    discard_first();
+  } else {
+    estimate.accepted = true;
+    weigh(estimate.innovation_m, reading_m2);
+  }
+}
+
 WheelEstimate WheelFilter::step(const WheelReading& reading) {
   WheelEstimate estimate;
   const double before_m = model_m_ + offset_m_;
   const double speed_m_s = reading.predicted_m / period_s_;
   const double variance_before_m2 = variance_m2_;
   estimate.process_variance_m2 = predict(reading, speed_m_s);
-  const double reading_m2 = reading_variance_m2(speed_m_s);
+  estimate.reading_sd_m = std::sqrt(reading_variance_m2(speed_m_s));
   last_speed_m_s_ = speed_m_s;
-  estimate.reading_sd_m = std::sqrt(reading_m2);
   if (reading.counted_m) {
     estimate.heard = true;
     if (reading.new_origin || !has_origin_) {
       origin_m_ = *reading.counted_m - model_m_ - offset_m_;
       has_origin_ = true;
       proofs_ = 0;
+      still_ticks_ = 0;
+      last_counted_m_ = *reading.counted_m;
     }
-    const double residual_m = *reading.counted_m - origin_m_ - model_m_;
-    estimate.innovation_m = residual_m - offset_m_;
-    estimate.innovation_sd_m = std::sqrt(variance_m2_ + reading_m2);
-    const bool fits =
-        std::abs(estimate.innovation_m) <= std::max(least_gate_m, noise_.gate * estimate.innovation_sd_m);
-    if (reading.distrusted) {
-      suspended_ = true;
-    } else if (reading.believed) {
-      suspended_ = false;
-      estimate.accepted = true;
-      weigh(estimate.innovation_m, reading_m2);
-      undone_m_ = {};
-    } else if (suspended_) {
-      if (proves_sound(residual_m, std::sqrt(reading_m2), reading.predicted_m))
-        resynchronise(reading, estimate);
-    } else if (explained_by_sign(estimate.innovation_m, estimate.innovation_sd_m)) {
-      estimate.accepted = true;
-    } else if (fits) {
-      estimate.accepted = true;
-      weigh(estimate.innovation_m, reading_m2);
-    } else {
-      discard_first();
-    }
+    judge(reading, *reading.counted_m - last_counted_m_, estimate);
+    last_counted_m_ = *reading.counted_m;
+    since_heard_m_ = 0.0;
   }
   estimate.suspended = suspended_;
   estimate.step_m = model_m_ + offset_m_ - before_m;

@@ -2,10 +2,14 @@
 //
 // The state is how far the wheel's travel has come off the model's. Travel, not speed, is compared: a lost or
 // added count stays in the innovation until it is dealt with, while the age of a polled counter (up to one
-// refresh of the robot, v * 15.6 ms) does not add up. A reading outside the gate is discarded and the model
-// stands in for it. After that the encoder has to prove itself: over a window in which the wheel was to move,
-// its increments have to be those of the model. If its position fits too, nothing was lost; otherwise the
-// encoder is given a new origin, and the fault's offset stays out for good.
+// refresh of the robot, v * 15.6 ms) does not add up. A reading is discarded, and the model stands in for it,
+//   * where it lies outside the gate,
+//   * where the mean of as many readings as go through all ages lies outside a gate of its own, which has no
+//     share for the age and is narrower for that: small jumps last, ages do not,
+//   * where the counter does not count although the wheel is to roll.
+// After that the encoder has to prove itself: over a window in which the wheel was to move, its increments
+// have to be those of the model. If its position fits too, nothing was lost; otherwise the encoder is given a
+// new origin, and the fault's offset stays out for good.
 //
 // A wheel that stands proves nothing, so it stays on the model until it moves again.
 #pragma once
@@ -66,10 +70,20 @@ class WheelFilter {
 
  private:
   static constexpr std::size_t proof_ticks = 8;
-  static constexpr std::size_t hindsight_ticks = 3;
+  // Polls every 18 ms of counters that are refreshed every 15.6 ms find all ages in seven.
+  static constexpr std::size_t age_cycle_ticks = 7;
 
+  void note_doubt(const WheelReading& reading, double counted_step_m);
   bool explained_by_sign(double innovation_m, double sd_m);
+  bool stands_still(const WheelReading& reading, double counted_step_m);
+  void note_jump(double step_less_model_m, double predicted_m);
+  bool stays_off(double innovation_m);
+  void judge(const WheelReading& reading, double counted_step_m, WheelEstimate& estimate);
   double reading_variance_m2(double speed_m_s) const;
+  // What a linear model errs by for a while where the speed has changed to and fro (motors that cannot
+  // brake).
+  double unrest_m() const;
+  double mean_gate_m() const;  // of the mean over all ages
   double predict(const WheelReading& reading, double speed_m_s);
   void weigh(double innovation_m, double variance_m2);
   void discard_first();
@@ -87,9 +101,17 @@ class WheelFilter {
   double blind_m_ = 0.0;  // distance for which the model stood in
   double last_speed_m_s_ = 0.0;
   double recent_change_m_s_ = 0.0;  // of the speed, fading
+  double unrest_m_s_ = 0.0;         // the same of its size, fading more slowly
   double doubt_m_ = 0.0;            // travel that may have been counted in the wrong direction
   int ticks_since_doubt_ = 0;
-  std::array<double, hindsight_ticks> undone_m_{};  // corrections of the last ticks, newest first
+  double last_counted_m_ = 0.0;
+  double since_heard_m_ = 0.0;  // travel of the model since then
+  std::size_t jump_matters_ticks_ = 0;
+  int still_ticks_ = 0;  // in a row: no count although the wheel was to roll
+  double still_m_ = 0.0;
+  std::array<double, age_cycle_ticks> innovation_m_{};  // of the last readings that were used, newest first
+  std::size_t innovations_ = 0;
+  std::array<double, age_cycle_ticks> undone_m_{};  // corrections of the last ticks, newest first
   std::array<double, proof_ticks> residual_m_{};    // of the last readings while suspended
   std::array<double, proof_ticks> proof_step_m_{};
   std::size_t proofs_ = 0;

@@ -17,12 +17,14 @@ struct Drive {
   WheelFilter filter{WheelNoise{}, period_s};
   double travel_m = 0.0;
   double estimate_m = 0.0;
+  bool doubtful = false;
 
   WheelEstimate tick(double offset_m, bool heard = true) {
     travel_m += step_m;
     WheelReading reading;
     reading.predicted_m = step_m;
     reading.gain_standard_error = 0.002;
+    reading.doubtful = doubtful;
     if (heard) reading.counted_m = travel_m + offset_m;
     const WheelEstimate estimate = filter.step(reading);
     estimate_m += estimate.step_m;
@@ -58,6 +60,44 @@ TEST_CASE("While an encoder is frozen the model stands in, and the missing trave
   for (int k = 0; k < 30; ++k) drive.tick(missing_m);
   CHECK(drive.tick(missing_m).accepted);
   CHECK_THAT(drive.error_m(), WithinAbs(0.0, 0.003));
+}
+
+TEST_CASE("A jump that is no larger than the ages of readings are is found by the mean of a few") {
+  Drive drive;
+  // What a poll every 18 ms sees of a counter that is refreshed every 15.6 ms.
+  double age_s = 0.0;
+  const auto with_age = [&](double offset_m) {
+    age_s = std::fmod(age_s + period_s, 1.0 / 64.0);
+    return drive.tick(offset_m - 0.2 * age_s);
+  };
+  for (int k = 0; k < 200; ++k) REQUIRE(with_age(0.0).accepted);
+  int used = 0;
+  while (used < 50 && with_age(0.004).accepted) ++used;
+  CHECK(used <= 8);
+  double kept_out_m = 0.0;
+  for (int k = 0; k < 50; ++k) kept_out_m += with_age(0.004).kept_out_m;
+  CHECK_THAT(kept_out_m, WithinAbs(0.004, 0.001));
+}
+
+TEST_CASE("Doubt about the sign of counts excuses no counter that stands still") {
+  Drive drive;
+  for (int k = 0; k < 50; ++k) drive.tick(0.0);
+  drive.doubtful = true;
+  double missing_m = 0.0;
+  int used = 0;
+  while (used < 50 && drive.tick(missing_m -= step_m).accepted) ++used;
+  CHECK(used <= 2);
+}
+
+TEST_CASE("Doubt about the sign of counts excuses no jump farther than the wheel can have turned") {
+  Drive drive;
+  for (int k = 0; k < 50; ++k) drive.tick(0.0);
+  drive.doubtful = true;
+  CHECK(drive.tick(-2.0 * step_m).accepted);  // counted backwards
+  drive.doubtful = false;
+  for (int k = 0; k < 50; ++k) CHECK(drive.tick(-2.0 * step_m).accepted);
+  drive.doubtful = true;
+  CHECK_FALSE(drive.tick(0.015).accepted);
 }
 
 TEST_CASE("A reading that comes back to where it was is taken without a new origin") {
