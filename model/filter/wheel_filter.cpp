@@ -202,12 +202,10 @@ void WheelFilter::judge(const WheelReading& reading, double counted_step_m, Whee
   } else if (suspended_) {
     if (proves_sound(residual_m, estimate.reading_sd_m, reading.predicted_m))
       resynchronise(reading, estimate);
-  } else if (still) {
-    discard_first();
-  } else if (explained_by_sign(estimate.innovation_m, estimate.innovation_sd_m)) {
+  } else if (!still && explained_by_sign(estimate.innovation_m, estimate.innovation_sd_m)) {
     estimate.accepted = true;
     innovations_ = 0;
-  } else if (std::abs(estimate.innovation_m) > gate_m || stays_off(estimate.innovation_m)) {
+  } else if (still || std::abs(estimate.innovation_m) > gate_m || stays_off(estimate.innovation_m)) {
     discard_first();
   } else {
     estimate.accepted = true;
