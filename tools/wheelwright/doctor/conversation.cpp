@@ -158,8 +158,9 @@ StreamFigures listen_to_stream(RobotLine& line, std::chrono::milliseconds durati
 }
 
 std::size_t stream_frame_bytes() {
+  const open_interface::StreamReader reader;
   std::size_t bytes = 3;
-  for (const auto id : open_interface::StreamReader().packets()) {
+  for (const auto id : reader.packets()) {
     bytes += 1U + open_interface::packet_info(id).bytes;
   }
   return bytes;
