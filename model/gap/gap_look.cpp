@@ -73,14 +73,21 @@ std::optional<TrialModel> GapLook::from_bare_core(const TrialModel& without,
   return models[static_cast<std::size_t>(std::ranges::min_element(squares) - squares.begin())];
 }
 
+// A step is looked for anew only beside more effects than before, which may have hidden it.
+const std::vector<TrialEffect>& GapLook::steps_beside(const GapFit& without, const EffectInfo& info) {
+  if (!steps_beside_ || without.model.effects.size() > *steps_beside_) {
+    steps_beside_ = without.model.effects.size();
+    steps_ = find_command_steps(train_, without, info, for_each_);
+  }
+  return steps_;
+}
+
 std::vector<TrialModel> GapLook::starts(const GapFit& without, std::vector<TrialEffect> more_starts) {
   const std::vector<const EffectInfo*> absent = absent_from(without.model);
   if (const auto rippling = align_wheels(without, absent)) more_starts.push_back(*rippling);
   const auto stepping = std::ranges::find(absent, "command_quantization", &EffectInfo::name);
-  if (stepping != absent.end()) {
-    std::ranges::copy(find_command_steps(train_, without, **stepping, for_each_),
-                      std::back_inserter(more_starts));
-  }
+  if (stepping != absent.end())
+    std::ranges::copy(steps_beside(without, **stepping), std::back_inserter(more_starts));
   const Screening screening = screen(train_, without, absent, for_each_);
   for (const auto& screened : screening.best) {
     if (more_starts.size() >= limits_.most_fits || screened.gain_nats < least_screened_nats) break;

@@ -43,6 +43,7 @@ class GapLook {
                                            const std::vector<const EffectInfo*>& candidates) const;
   std::optional<TrialEffect> align_wheels(const GapFit& without,
                                           const std::vector<const EffectInfo*>& candidates);
+  const std::vector<TrialEffect>& steps_beside(const GapFit& without, const EffectInfo& info);
   std::vector<TrialModel> starts(const GapFit& without, std::vector<TrialEffect> more_starts);
 
   GapProblem& train_;
@@ -51,6 +52,8 @@ class GapLook {
   std::vector<const EffectInfo*> candidates_;
   SearchLimits limits_;
   const ForEach& for_each_;
+  std::vector<TrialEffect> steps_;  // in which commands seem to act
+  std::optional<std::size_t> steps_beside_;
 };
 
 // The best contender that has a name; nothing where only decoys were left.
