@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "config/load/cut_row.hpp"
 #include "config/load/drive_log_file.hpp"
 #include "config/load/text_file.hpp"
 
@@ -43,7 +44,7 @@ CsvTable CsvTable::parse(std::string text, std::string name) {
   std::string_view rest = *table.text_;
   for (std::size_t number = 1; !rest.empty(); ++number) {
     const auto end = rest.find('\n');
-    table.take_line(trim(rest.substr(0, end)), number);
+    table.take_line(trim(rest.substr(0, end)), number, end == std::string_view::npos);
     rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
   }
   if (table.columns_.empty()) throw LogError(table.name_ + ": has no header row that names its columns");
@@ -51,7 +52,7 @@ CsvTable CsvTable::parse(std::string text, std::string name) {
   return table;
 }
 
-void CsvTable::take_line(std::string_view line, std::size_t number) {
+void CsvTable::take_line(std::string_view line, std::size_t number, bool is_open_ended) {
   if (line.empty()) return;
   if (line.front() == '#') {
     const auto colon = line.find(':');
@@ -63,7 +64,13 @@ void CsvTable::take_line(std::string_view line, std::size_t number) {
     const std::size_t before = fields_.size();
     for_each_field(line, [this](std::string_view field) { fields_.push_back(field); });
     lines_.push_back(number);
-    if (const std::size_t count = fields_.size() - before; count != columns_.size()) {
+    const std::size_t count = fields_.size() - before;
+    const bool has_row_above = before > 0;
+    if (is_open_ended && (count < columns_.size() ||
+                          (has_row_above && has_lost_figures(fields_.back(), fields_[before - 1])))) {
+      fail(lines_.size() - 1, std::string(cut_row_text));
+    }
+    if (count != columns_.size()) {
       throw LogError(name_ + ":" + std::to_string(number) + ": has " + std::to_string(count) +
                      " fields, but the header names " + std::to_string(columns_.size()) + " columns");
     }

@@ -17,8 +17,8 @@ namespace wheelwright::config {
 
 class CsvTable {
  public:
-  // Throws LogError where the file cannot be read, has no header row or no rows, or a row has another number
-  // of fields than the header.
+  // Throws LogError where the file cannot be read, has no header row or no rows, a row has another number of
+  // fields than the header, or the last one was cut short.
   static CsvTable load(const std::filesystem::path& path);
   // The same from a text; `name` stands for the file in messages.
   static CsvTable parse(std::string text, std::string name);
@@ -46,7 +46,7 @@ class CsvTable {
 
  private:
   [[noreturn]] void fail(std::size_t row, const std::string& what) const;
-  void take_line(std::string_view line, std::size_t number);
+  void take_line(std::string_view line, std::size_t number, bool is_open_ended);
 
   std::unique_ptr<const std::string> text_;  // that the fields look into
   std::string name_;

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "config/load/atomic_file.hpp"
+#include "config/load/cut_row.hpp"
 #include "config/load/text_file.hpp"
 #include "config/load/text_format.hpp"
 
@@ -85,6 +86,7 @@ class Parser {
     if (text_.empty()) return false;
     const auto end = text_.find('\n');
     line = trim(text_.substr(0, end));
+    is_open_ended_ = end == string_view::npos;
     text_ = end == string_view::npos ? string_view{} : text_.substr(end + 1);
     ++line_number_;
     return true;
@@ -158,6 +160,10 @@ class Parser {
       if (comma == string_view::npos) break;
       line.remove_prefix(comma + 1);
     }
+    const bool is_cut = values_.size() < fields_.size() ||
+                        (values_.size() == fields_.size() && has_lost_figures(values_.back(), field_above_));
+    if (is_open_ended_ && is_cut) fail(std::string(cut_row_text));
+    field_above_ = values_.back();
     if (values_.size() != fields_.size()) {
       fail("has " + std::to_string(values_.size()) + " fields, but the header names " +
            std::to_string(fields_.size()) + " columns");
@@ -263,6 +269,8 @@ class Parser {
   std::array<std::size_t, column_count> position_{};
   std::vector<std::size_t> extra_position_;
   std::vector<string_view> values_;
+  string_view field_above_;     // the last of the row above
+  bool is_open_ended_ = false;  // no line break behind the line
   std::vector<DriveLog> runs_;
 };
 

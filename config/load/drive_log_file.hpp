@@ -17,7 +17,8 @@ class LogError : public std::runtime_error {
 };
 
 // Reads a file of one or more runs: a new run begins where the time column starts again below one second.
-// Throws LogError for anything else that is not as the format says. A file without `period_s` gets the median
+// Throws LogError for anything else that is not as the format says, and for a last row that was cut short.
+// A file without `period_s` gets the median
 // distance of its samples; an empty command field holds the command of the row before.
 std::vector<DriveLog> load_drive_logs(const std::filesystem::path& path);
 

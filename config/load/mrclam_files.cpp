@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "config/load/cut_row.hpp"
 #include "config/load/drive_log_file.hpp"
 #include "config/load/text_file.hpp"
 #include "config/load/text_format.hpp"
@@ -48,6 +49,7 @@ class Reader {
     while (!rest.empty()) {
       const auto end = rest.find('\n');
       ++line_;
+      is_open_ended_ = end == string_view::npos;
       take_line(rest.substr(0, end));
       rest = end == string_view::npos ? string_view{} : rest.substr(end + 1);
     }
@@ -80,6 +82,9 @@ class Reader {
       line.remove_prefix(word.size());
     }
     if (count == 0) return;
+    const bool is_cut = count < Count || (count == Count && has_lost_figures(words[Count - 1], field_above_));
+    if (is_open_ended_ && is_cut) fail(std::string(cut_row_text));
+    field_above_ = words[Count - 1];
     if (count != Count) {
       fail("has " + std::to_string(count) + " fields, but must have " + std::to_string(Count) + ": " +
            header());
@@ -114,6 +119,8 @@ class Reader {
   const std::array<Field, Count>& fields_;
   bool times_may_repeat_;
   std::size_t line_ = 0;
+  bool is_open_ended_ = false;  // no line break behind the line
+  string_view field_above_;     // the last of the row above
   std::vector<Row<Count>> rows_;
 };
 

@@ -12,6 +12,7 @@
 #include "model/identification/free_run_refinement.hpp"
 #include "model/identification/free_run_starts.hpp"
 #include "model/identification/held_out_error.hpp"
+#include "model/identification/known_stretches.hpp"
 #include "model/identification/run_periods.hpp"
 #include "model/identification/small_solve.hpp"
 #include "model/score.hpp"
@@ -198,7 +199,7 @@ class ArxData {
     fit.right = right.fit;
     fit.rows = static_cast<std::size_t>(rows);
     ScoreSums sums;
-    for (const auto& log : logs_) sums.add(free_run(fit.model, log), log);
+    for (const auto& log : logs_) add_known_stretches(free_run(fit.model, log), log, period_s_, sums);
     fit.free_run_distance_rms_m = sums.score().distance_rms_m.value_or(0.0);
     return fit;
   }

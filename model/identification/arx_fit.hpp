@@ -59,7 +59,7 @@ struct ArxFit {
   ArxWheelFit left;
   ArxWheelFit right;
   std::size_t rows = 0;                  // of eq. (12)
-  double free_run_distance_rms_m = 0.0;  // over the runs of the fit, as model/score.hpp has it
+  double free_run_distance_rms_m = 0.0;  // over the known stretches of the runs, as model/score.hpp has it
   std::optional<OrderSweep> sweep;       // where the order was to be found
 };
 

@@ -1,16 +1,14 @@
 // wheelwright fit: drive logs in, model file out.
-#include <iomanip>
 #include <memory>
 #include <optional>
 #include <ostream>
 
 #include "config/load/model_file.hpp"
 #include "config/load/text_format.hpp"
-#include "model/free_run.hpp"
 #include "model/identification/fir_fit.hpp"
-#include "model/score.hpp"
 #include "tools/wheelwright/commands.hpp"
 #include "tools/wheelwright/fit_arma.hpp"
+#include "tools/wheelwright/fit_fir.hpp"
 #include "tools/wheelwright/log_checks.hpp"
 #include "tools/wheelwright/now.hpp"
 
@@ -71,9 +69,13 @@ ArxFitOptions arma_options(const FitOptions& options) {
 
 std::vector<DriveLog> load_training_runs(const FitOptions& options) {
   auto runs = load_all_runs(options.logs);
+  check_runs_of_one_robot(runs);
   for (const auto& run : runs) {
     if (const auto impossible = find_impossible_command(run, options.max_command_m_s)) {
       throw UsageError(*impossible + ", or allow it with --max-command");
+    }
+    if (const auto impossible = find_impossible_counts(run, options.max_command_m_s)) {
+      throw UsageError(*impossible);
     }
   }
   return runs;
@@ -91,52 +93,46 @@ RobotModel to_robot_model(const LinearModel& core, const WheelFit& left, const W
   return model;
 }
 
-void print_wheel(std::ostream& out, const std::string& name, double own, double own_error, double other,
-                 double other_error, const WheelFit& fit) {
-  out << "  " << std::left << std::setw(7) << name << std::right << std::setw(9) << fixed_number(own, 4)
-      << " +- " << fixed_number(own_error, 4) << std::setw(11) << fixed_number(other, 4) << " +- "
-      << fixed_number(other_error, 4) << std::setw(13) << fixed_number(1000.0 * fit.position_noise_m, 3)
-      << std::setw(18) << fixed_number(1000.0 * fit.drift_m_per_sqrt_s, 3) << "\n";
+// Rows that are missing may be why too few are left.
+[[noreturn]] void refuse(const Refusal& refusal, const std::vector<DriveLog>& runs) {
+  std::string holes;
+  for (const auto& run : runs) {
+    for (const auto& line : describe_holes(run)) holes += (holes.empty() ? " (" : ", ") + line;
+  }
+  throw DataRefusal(refusal.reason + (holes.empty() ? "" : holes + ")"));
 }
 
-void print_fit(std::ostream& out, const FirFit& fit, const std::vector<DriveLog>& runs) {
-  ScoreSums sums;
-  for (const auto& run : runs) sums.add(free_run(fit.model, run), run);
-  const Score score = sums.score();
-  const std::size_t taps = fit.model.left.from_left.size();
-  out << "fir model from " << runs.size() << (runs.size() == 1 ? " run, " : " runs, ") << fit.rows
-      << " rows; response of " << taps << (taps == 1 ? " period, " : " periods, ")
-      << fixed_number(1000.0 * fit.model.period_s * static_cast<double>(taps), 1) << " ms\n\n"
-      << "  wheel      gain, own motor  gain, other motor  noise [mm]  drift [mm/sqrt s]\n";
-  const auto& left = fit.left;
-  const auto& right = fit.right;
-  print_wheel(out, "left", left.gain.from_left, left.gain_standard_error.from_left, left.gain.from_right,
-              left.gain_standard_error.from_right, left);
-  print_wheel(out, "right", right.gain.from_right, right.gain_standard_error.from_right, right.gain.from_left,
-              right.gain_standard_error.from_left, right);
-  out << "\n  gain is m/s reached per m/s commanded, +- one standard error; noise is of one reading of "
-         "travel\n";
-  out << "  free run on these runs: distance " << fixed_number(1000.0 * score.distance_rms_m.value_or(0.0), 2)
-      << " mm RMS, wheel speed " << fixed_number(1000.0 * score.wheel_speed_rms_m_s.value_or(0.0), 2)
-      << " mm/s RMS\n";
+void print_holes(std::ostream& out, const std::vector<DriveLog>& runs) {
+  bool any = false;
+  for (const auto& run : runs) {
+    for (const auto& line : describe_holes(run)) {
+      out << "  " << line << "\n";
+      any = true;
+    }
+  }
+  if (!any) return;
+  out << "  what was commanded there is not known: the runs were cut there, and what follows was left out "
+         "until\n"
+         "  the wheels had forgotten it\n";
 }
 
 void fit_and_save_fir(const FitOptions& options, const FirFitOptions& fit_options,
                       const std::vector<DriveLog>& runs, std::ostream& out) {
   const auto fit = fit_fir(runs, fit_options);
-  if (!fit) throw DataRefusal(fit.error().reason);
+  if (!fit) refuse(fit.error(), runs);
   config::save_model(to_robot_model(fit->model, fit->left, fit->right, options.logs, runs.front()),
                      options.output);
-  print_fit(out, *fit, runs);
+  print_fir_fit(out, *fit, runs);
 }
 
 void fit_and_save_arma(const FitOptions& options, const ArxFitOptions& fit_options,
                        const std::vector<DriveLog>& runs, Streams streams) {
-  const ArxFit fit = fit_arma(runs, fit_options, streams.err);
+  const auto fit = fit_arma(runs, fit_options, streams.err);
+  if (!fit) refuse(fit.error(), runs);
   config::save_model(
-      to_robot_model(fit.model, fit.left.quality, fit.right.quality, options.logs, runs.front()),
+      to_robot_model(fit->model, fit->left.quality, fit->right.quality, options.logs, runs.front()),
       options.output);
-  print_arma_fit(streams.out, fit, runs.size());
+  print_arma_fit(streams.out, *fit, runs.size());
 }
 
 ExitStatus run_fit(const FitOptions& options, Streams streams) {
@@ -145,14 +141,18 @@ ExitStatus run_fit(const FitOptions& options, Streams streams) {
     throw UsageError("--max-command must be above 0 m/s");
   }
   check_output(options.output, options.logs);
+  std::vector<DriveLog> runs;
   if (options.type == "arma") {
     const ArxFitOptions fit_options = arma_options(options);
-    fit_and_save_arma(options, fit_options, load_training_runs(options), streams);
+    runs = load_training_runs(options);
+    fit_and_save_arma(options, fit_options, runs, streams);
   } else {
     FirFitOptions fit_options;
     fit_options.length = parse_order(options.order, largest_fir_order);
-    fit_and_save_fir(options, fit_options, load_training_runs(options), streams.out);
+    runs = load_training_runs(options);
+    fit_and_save_fir(options, fit_options, runs, streams.out);
   }
+  print_holes(streams.out, runs);
   streams.out << "  wrote " << options.output << "\n";
   return ExitStatus::done;
 }

@@ -4,7 +4,6 @@
 #include <ostream>
 
 #include "config/load/text_format.hpp"
-#include "tools/wheelwright/commands.hpp"
 #include "tools/wheelwright/progress_line.hpp"
 
 namespace wheelwright::tools {
@@ -54,7 +53,8 @@ void print_wheel(std::ostream& out, const std::string& name, const ArxWheelFit& 
 
 }  // namespace
 
-ArxFit fit_arma(const std::vector<DriveLog>& runs, ArxFitOptions options, std::ostream& err) {
+tl::expected<ArxFit, Refusal> fit_arma(const std::vector<DriveLog>& runs, ArxFitOptions options,
+                                       std::ostream& err) {
   const ProgressLine progress(err);
   const double orders = static_cast<double>(options.largest_order);
   if (!options.order) {
@@ -66,8 +66,7 @@ ArxFit fit_arma(const std::vector<DriveLog>& runs, ArxFitOptions options, std::o
   }
   auto fit = fit_arx(runs, options);
   progress.clear();
-  if (!fit) throw DataRefusal(fit.error().reason);
-  return std::move(*fit);
+  return fit;
 }
 
 void print_arma_fit(std::ostream& out, const ArxFit& fit, std::size_t runs) {

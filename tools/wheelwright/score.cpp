@@ -8,6 +8,7 @@
 
 #include "config/load/model_file.hpp"
 #include "config/load/text_format.hpp"
+#include "model/identification/known_stretches.hpp"
 #include "tools/wheelwright/commands.hpp"
 #include "tools/wheelwright/log_checks.hpp"
 
@@ -81,6 +82,26 @@ std::string run_name(const DriveLog& log, bool only_run_of_file) {
   return only_run_of_file ? log.name : log.name + ":" + std::to_string(log.first_line);
 }
 
+// Adds the run to `all` as well.
+ScoredRun scored_run(const RobotModel& model, const DriveLog& log, bool only_run_of_file, ScoreSums& all) {
+  const auto motion = free_run(model, log);
+  ScoreSums sums;
+  add_known_stretches(motion, log, model.core.period_s, sums);
+  add_known_stretches(motion, log, model.core.period_s, all);
+  ScoredRun run{run_name(log, only_run_of_file), log.samples.size(), sums.score(), std::nullopt};
+  // Through a hole no model can say how far the wheels went.
+  if (find_holes(log).empty()) run.end_error_m = end_distance_error_m(motion, log);
+  return run;
+}
+
+void warn_of_holes(const DriveLog& log, std::ostream& err) {
+  for (const auto& line : describe_holes(log)) {
+    err << "wheelwright: warning: " << line
+        << "; it is left out, and what follows until the wheels have "
+           "forgotten it\n";
+  }
+}
+
 ExitStatus run_score(const ScoreOptions& options, Streams streams) {
   const RobotModel model = config::load_model(options.model);
   ScoreSums sums;
@@ -88,11 +109,9 @@ ExitStatus run_score(const ScoreOptions& options, Streams streams) {
   for (const auto& path : options.logs) {
     const auto logs = load_all_runs({path});
     for (const auto& log : logs) {
-      warn_of_doubtful_log(log, model.core, streams.err);
-      const auto motion = free_run(model, log);
-      sums.add(motion, log);
-      runs.push_back({run_name(log, logs.size() == 1), log.samples.size(), score_run(motion, log),
-                      end_distance_error_m(motion, log)});
+      check_log_for_model(log, model.core, streams.err);
+      runs.push_back(scored_run(model, log, logs.size() == 1, sums));
+      warn_of_holes(log, streams.err);
     }
   }
   const Score all = sums.score();

@@ -37,7 +37,7 @@ ExitStatus run_simulate(const SimulateOptions& options, Streams streams) {
   check_output(options.output, {options.model, options.log});
   const RobotModel model = config::load_model(options.model);
   const DriveLog log = config::load_drive_log(options.log);
-  warn_of_doubtful_log(log, model.core, streams.err);
+  check_log_for_model(log, model.core, streams.err);
   const auto motion = free_run(model, log);
   if (const auto error = config::write_file_atomically(options.output, to_csv(motion)))
     throw UsageError(*error);

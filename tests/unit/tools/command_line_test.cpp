@@ -1,35 +1,24 @@
 #include "tools/wheelwright/command_line.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
-#include <sstream>
 
 #include "config/load/drive_log_file.hpp"
 #include "config/load/model_file.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/support/published_plant.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/wheelwright_command.hpp"
 
 using namespace wheelwright;
+using test::is_one_line;
+using test::Outcome;
+using test::plant_run;
+using test::wheelwright_command;
 using tools::ExitStatus;
 
 namespace {
-
-struct Outcome {
-  ExitStatus status;
-  std::string out;
-  std::string err;
-};
-
-Outcome wheelwright_command(const std::vector<std::string>& arguments) {
-  std::ostringstream out;
-  std::ostringstream err;
-  const ExitStatus status = tools::run_command_line(arguments, {out, err});
-  return {status, out.str(), err.str()};
-}
 
 // A folder that is gone after the test.
 class Folder {
@@ -45,34 +34,6 @@ class Folder {
  private:
   std::filesystem::path path_;
 };
-
-DriveLog plant_run(unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> any(-0.3, 0.3);
-  test::PublishedPlant left;
-  test::PublishedPlant right;
-  constexpr double metres_per_tick = 0.000444565;
-  DriveLog log{"plant", 0.235, 0.018, WheelPair{metres_per_tick, metres_per_tick}, {}, {{"robot", "plant"}},
-               {},      {},    1};
-  WheelPair travelled;
-  WheelPair command;
-  for (std::size_t k = 0; k < 1000; ++k) {
-    if (k % 9 == 0) command = {any(random), any(random)};
-    DriveSample sample;
-    sample.t_s = 0.018 * static_cast<double>(k);
-    sample.command_m_s = command;
-    sample.ticks = WheelTicks{std::llround(travelled.left / metres_per_tick),
-                              std::llround(travelled.right / metres_per_tick)};
-    log.samples.push_back(sample);
-    travelled.left += 0.018 * left.step(command.left);
-    travelled.right += 0.018 * right.step(command.right);
-  }
-  return log;
-}
-
-bool is_one_line(const std::string& text) {
-  return !text.empty() && text.back() == '\n' && std::count(text.begin(), text.end(), '\n') == 1;
-}
 
 }  // namespace
 
