@@ -4,18 +4,16 @@
 #include <ostream>
 
 #include "config/load/model_file.hpp"
-#include "config/load/text_format.hpp"
 #include "model/identification/fir_fit.hpp"
 #include "tools/wheelwright/commands.hpp"
 #include "tools/wheelwright/fit_arma.hpp"
-#include "tools/wheelwright/fit_fir.hpp"
+#include "tools/wheelwright/fit_json.hpp"
+#include "tools/wheelwright/fit_report.hpp"
 #include "tools/wheelwright/log_checks.hpp"
 #include "tools/wheelwright/now.hpp"
 
 namespace wheelwright::tools {
 namespace {
-
-using config::fixed_number;
 
 struct FitOptions {
   std::vector<std::string> logs;
@@ -25,6 +23,7 @@ struct FitOptions {
   std::size_t delay = 0;
   std::string method = "free-run";
   std::optional<double> max_command_m_s;
+  bool json = false;
 };
 
 constexpr std::size_t largest_fir_order = 200;
@@ -81,15 +80,14 @@ std::vector<DriveLog> load_training_runs(const FitOptions& options) {
   return runs;
 }
 
-RobotModel to_robot_model(const LinearModel& core, const WheelFit& left, const WheelFit& right,
-                          const std::vector<std::string>& sources, const DriveLog& first) {
+RobotModel to_robot_model(const FitReport& report, const std::vector<std::string>& sources) {
   RobotModel model;
-  model.robot = robot_name(first);
+  model.robot = robot_name(report.runs.front());
   model.created = now_as_text();
   model.source = sources;
-  model.core = core;
-  model.left_fit = left;
-  model.right_fit = right;
+  model.core = report.model();
+  model.left_fit = report.left();
+  model.right_fit = report.right();
   return model;
 }
 
@@ -102,37 +100,26 @@ RobotModel to_robot_model(const LinearModel& core, const WheelFit& left, const W
   throw DataRefusal(refusal.reason + (holes.empty() ? "" : holes + ")"));
 }
 
-void print_holes(std::ostream& out, const std::vector<DriveLog>& runs) {
-  bool any = false;
-  for (const auto& run : runs) {
-    for (const auto& line : describe_holes(run)) {
-      out << "  " << line << "\n";
-      any = true;
-    }
+FitReport fit_fir_to(const FirFitOptions& fit_options, std::vector<DriveLog> runs) {
+  auto fit = fit_fir(runs, fit_options);
+  if (!fit) refuse(fit.error(), runs);
+  return report_of(std::move(*fit), std::move(runs));
+}
+
+FitReport fit_arma_to(const ArxFitOptions& fit_options, std::vector<DriveLog> runs, std::ostream& err) {
+  auto fit = fit_arma(runs, fit_options, err);
+  if (!fit) refuse(fit.error(), runs);
+  return report_of(std::move(*fit), std::move(runs));
+}
+
+FitReport fit_wanted(const FitOptions& options, std::ostream& err) {
+  if (options.type == "arma") {
+    const ArxFitOptions fit_options = arma_options(options);
+    return fit_arma_to(fit_options, load_training_runs(options), err);
   }
-  if (!any) return;
-  out << "  what was commanded there is not known: the runs were cut there, and what follows was left out "
-         "until\n"
-         "  the wheels had forgotten it\n";
-}
-
-void fit_and_save_fir(const FitOptions& options, const FirFitOptions& fit_options,
-                      const std::vector<DriveLog>& runs, std::ostream& out) {
-  const auto fit = fit_fir(runs, fit_options);
-  if (!fit) refuse(fit.error(), runs);
-  config::save_model(to_robot_model(fit->model, fit->left, fit->right, options.logs, runs.front()),
-                     options.output);
-  print_fir_fit(out, *fit, runs);
-}
-
-void fit_and_save_arma(const FitOptions& options, const ArxFitOptions& fit_options,
-                       const std::vector<DriveLog>& runs, Streams streams) {
-  const auto fit = fit_arma(runs, fit_options, streams.err);
-  if (!fit) refuse(fit.error(), runs);
-  config::save_model(
-      to_robot_model(fit->model, fit->left.quality, fit->right.quality, options.logs, runs.front()),
-      options.output);
-  print_arma_fit(streams.out, *fit, runs.size());
+  FirFitOptions fit_options;
+  fit_options.length = parse_order(options.order, largest_fir_order);
+  return fit_fir_to(fit_options, load_training_runs(options));
 }
 
 ExitStatus run_fit(const FitOptions& options, Streams streams) {
@@ -141,19 +128,14 @@ ExitStatus run_fit(const FitOptions& options, Streams streams) {
     throw UsageError("--max-command must be above 0 m/s");
   }
   check_output(options.output, options.logs);
-  std::vector<DriveLog> runs;
-  if (options.type == "arma") {
-    const ArxFitOptions fit_options = arma_options(options);
-    runs = load_training_runs(options);
-    fit_and_save_arma(options, fit_options, runs, streams);
+  const FitReport report = fit_wanted(options, streams.err);
+  config::save_model(to_robot_model(report, options.logs), options.output);
+  if (options.json) {
+    streams.out << fit_json(report, options.output).dump(2) << "\n";
   } else {
-    FirFitOptions fit_options;
-    fit_options.length = parse_order(options.order, largest_fir_order);
-    runs = load_training_runs(options);
-    fit_and_save_fir(options, fit_options, runs, streams.out);
+    print_fit(streams.out, report);
+    streams.out << "  wrote " << options.output << "\n";
   }
-  print_holes(streams.out, runs);
-  streams.out << "  wrote " << options.output << "\n";
   return ExitStatus::done;
 }
 
@@ -179,7 +161,11 @@ Action add_fit(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--max-command", options->max_command_m_s,
                       "Largest wheel command that the robot takes, m/s; larger ones are refused as garbage");
-  command->footer("Example: wheelwright fit run1.csv run2.csv -o robot.yaml");
+  command->add_flag("--json", options->json, "What the fit says of itself as JSON, in m/s and m");
+  command->footer(
+      "A run is cut where rows are missing. What held commands show of steps and of a bent curve is told.\n"
+      "Exit status: 0 a model was written, 1 the data cannot show one, 2 bad usage or bad logs.\n"
+      "Example: wheelwright fit run1.csv run2.csv -o robot.yaml");
   return [options](Streams streams) { return run_fit(*options, streams); };
 }
 

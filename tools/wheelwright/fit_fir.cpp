@@ -6,7 +6,6 @@
 #include "config/load/text_format.hpp"
 #include "model/free_run.hpp"
 #include "model/identification/known_stretches.hpp"
-#include "model/score.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -23,15 +22,18 @@ void print_wheel(std::ostream& out, const std::string& name, double own, double 
 
 }  // namespace
 
-void print_fir_fit(std::ostream& out, const FirFit& fit, const std::vector<DriveLog>& runs) {
+Score score_of_fir_fit(const FirFit& fit, const std::vector<DriveLog>& runs) {
   ScoreSums sums;
   for (const auto& run : runs) {
     add_known_stretches(free_run(fit.model, run), run, fit.model.period_s, sums);
   }
-  const Score score = sums.score();
+  return sums.score();
+}
+
+void print_fir_fit(std::ostream& out, const FirFit& fit, std::size_t runs, const Score& score) {
   const std::size_t taps = fit.model.left.from_left.size();
-  out << "fir model from " << runs.size() << (runs.size() == 1 ? " run, " : " runs, ") << fit.rows
-      << " rows; response of " << taps << (taps == 1 ? " period, " : " periods, ")
+  out << "fir model from " << runs << (runs == 1 ? " run, " : " runs, ") << fit.rows << " rows; response of "
+      << taps << (taps == 1 ? " period, " : " periods, ")
       << fixed_number(1000.0 * fit.model.period_s * static_cast<double>(taps), 1) << " ms\n\n"
       << "  wheel      gain, own motor  gain, other motor  noise [mm]  drift [mm/sqrt s]\n";
   const auto& left = fit.left;

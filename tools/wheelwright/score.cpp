@@ -134,7 +134,8 @@ Action add_score(CLI::App& app) {
   command->add_option("LOG", options->logs, "Drive logs with encoder counts or reference poses")->required();
   command->add_flag("--json", options->json, "All logs together as JSON, in m/s, m and rad");
   command->footer(
-      "Errors are predicted minus measured.\nExample: wheelwright score robot.yaml run2.csv run3.csv");
+      "Errors are predicted minus measured; stretches between holes in the rows each from its own "
+      "start.\nExample: wheelwright score robot.yaml run2.csv run3.csv");
   return [options](Streams streams) { return run_score(*options, streams); };
 }
 

@@ -1,5 +1,6 @@
 #include "tools/wheelwright/command_line.hpp"
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -8,6 +9,7 @@
 #include "config/load/drive_log_file.hpp"
 #include "config/load/model_file.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/plant_log.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/wheelwright_command.hpp"
 
@@ -192,4 +194,48 @@ TEST_CASE("All runs of a file are fitted and scored, but simulate wants one and 
       wheelwright_command({"simulate", folder / "model.yaml", folder / "two.csv", "-o", folder / "o"});
   CHECK(refused.status == ExitStatus::bad_input);
   CHECK_THAT(refused.err, ContainsSubstring("line 1008"));
+}
+
+TEST_CASE("A fit as JSON says what the table says, in m/s and m") {
+  const Folder folder;
+  config::save_drive_log(plant_run(1), folder / "train.csv");
+  const std::vector<std::string> fit{"fit", folder / "train.csv", "-o", folder / "model.yaml", "--json"};
+  const Outcome fitted = wheelwright_command(fit);
+  REQUIRE(fitted.status == ExitStatus::done);
+  const auto json = nlohmann::json::parse(fitted.out);
+  const RobotModel model = config::load_model(folder / "model.yaml");
+  CHECK(json.at("model") == folder / "model.yaml");
+  CHECK(json.at("type") == "fir");
+  CHECK(json.at("order") == model.core.left.from_left.size());
+  CHECK(json.at("left").at("gain_from_left").at("value").get<double>() ==
+        Approx(model.left_fit->gain.from_left).margin(1e-4));
+  CHECK(json.at("free_run").at("distance_rms_m").get<double>() < 0.003);
+  CHECK(json.at("holes").empty());
+  CHECK_FALSE(json.at("settled_speeds").contains("steps"));
+
+  auto arma = fit;
+  arma.insert(arma.end(), {"--type", "arma"});
+  const auto swept = nlohmann::json::parse(wheelwright_command(arma).out);
+  CHECK(swept.at("type") == "arma");
+  CHECK(swept.at("orders").size() == 15);
+  CHECK(swept.at("left").at("largest_pole").get<double>() < 1.0);
+}
+
+TEST_CASE("A fit states the steps and the bend of a robot's speeds, and is silent of a linear robot") {
+  const Folder folder;
+  const auto fit_of = [&](const DriveLog& log) {
+    config::save_drive_log(log, folder / "held.csv");
+    const Outcome outcome = wheelwright_command({"fit", folder / "held.csv", "-o", folder / "model.yaml"});
+    REQUIRE(outcome.status == ExitStatus::done);
+    return outcome.out;
+  };
+  const auto stepped = [](double command) {
+    return 0.03 * std::round(command * (1.0 - std::abs(command)) / 0.03);
+  };
+  const std::string told = fit_of(plant_run(1, 3000, stepped, 30));
+  CHECK_THAT(told, ContainsSubstring("the curve from command to speed is concave: gain 0."));
+  const std::string linear = fit_of(plant_run(1, 3000, nullptr, 30));
+  CHECK_THAT(linear, !ContainsSubstring("curve") && !ContainsSubstring("steps of"));
+  const auto in_steps = [](double command) { return 0.03 * std::round(command / 0.03); };
+  CHECK_THAT(fit_of(plant_run(1, 3000, in_steps, 30)), ContainsSubstring("speeds go in steps of 30."));
 }

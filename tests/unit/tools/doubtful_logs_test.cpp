@@ -5,6 +5,7 @@
 #include "config/load/drive_log_file.hpp"
 #include "config/load/model_file.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/plant_log.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/wheelwright_command.hpp"
 
