@@ -195,6 +195,9 @@ void check_log_for_model(const DriveLog& log, const LinearModel& model, std::ost
         << " m, but that of the model is " << plain_number(model.wheel_base_m)
         << " m; is it the same robot?\n";
   }
+  for (const auto& hole : describe_holes(log)) {
+    err << "wheelwright: warning: " << hole << "; what was commanded there is not known\n";
+  }
 }
 
 std::vector<std::string> describe_holes(const DriveLog& log) {

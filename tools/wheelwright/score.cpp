@@ -94,14 +94,6 @@ ScoredRun scored_run(const RobotModel& model, const DriveLog& log, bool only_run
   return run;
 }
 
-void warn_of_holes(const DriveLog& log, std::ostream& err) {
-  for (const auto& line : describe_holes(log)) {
-    err << "wheelwright: warning: " << line
-        << "; it is left out, and what follows until the wheels have "
-           "forgotten it\n";
-  }
-}
-
 ExitStatus run_score(const ScoreOptions& options, Streams streams) {
   const RobotModel model = config::load_model(options.model);
   ScoreSums sums;
@@ -111,7 +103,6 @@ ExitStatus run_score(const ScoreOptions& options, Streams streams) {
     for (const auto& log : logs) {
       check_log_for_model(log, model.core, streams.err);
       runs.push_back(scored_run(model, log, logs.size() == 1, sums));
-      warn_of_holes(log, streams.err);
     }
   }
   const Score all = sums.score();

@@ -91,6 +91,9 @@ TEST_CASE("A score leaves out a hole, and says so") {
   REQUIRE(scored.status == ExitStatus::done);
   CHECK_THAT(scored.err, ContainsSubstring("warning: " + log + ":408: no rows for 3.618 s"));
   CHECK(nlohmann::json::parse(scored.out).at("distance_rms_m").get<double>() < 0.003);
+  const Outcome simulated = wheelwright_command({"simulate", model_path(), log, "-o", log + ".out"});
+  CHECK(simulated.status == ExitStatus::done);
+  CHECK_THAT(simulated.err, ContainsSubstring("what was commanded there is not known"));
 }
 
 TEST_CASE("A model is not held against a log of another period") {
