@@ -76,6 +76,7 @@ SensorFrame RecordedFrames::frame(std::size_t row) const {
   const DriveSample& sample = log_.samples[row];
   frame.valid = sample.ticks.has_value();
   if (!frame.valid) return frame;
+  frame.counted_ticks = *sample.ticks;
   frame.ticks = travel(row);
   frame.after_gap = after_gap_.values[row] > 0.0;
   frame.doubtful_sign = doubtful_sign_.values[row] > 0.0;

@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "model/settled_travel.hpp"
+
 namespace wheelwright {
 namespace {
 
@@ -103,7 +105,10 @@ std::optional<CalibrationOutcome> Calibrator::take_manoeuvre(const SensorFrame& 
     if (entered) turn_samples_.clear();
     if (frame.valid && !frame.after_gap) turn_samples_.push_back({frame.ticks, frame.light_bumper});
   } else if (is_response(activity)) {
-    if (entered && activity == Activity::left_on && frame.command.repetition == 0) response_runs_.clear();
+    if (entered && activity == Activity::left_on && frame.command.repetition == 0) {
+      response_runs_.clear();
+      response_counts_.clear();
+    }
     record_response(frame);
   } else if (activity == Activity::random_drive) {
     if (entered) begin_random(frame);
@@ -172,6 +177,7 @@ void Calibrator::record_response(const SensorFrame& frame) {
                              response_runs_.back().samples.back().command_m_s.right != command.right);
   if (begins) {
     response_runs_.push_back(new_run("response action " + std::to_string(response_runs_.size() + 1)));
+    response_counts_.emplace_back();
   }
   if (response_runs_.empty() || !frame.valid || (!on && !mission_.response->use_fall)) return;
   DriveSample sample;
@@ -182,15 +188,17 @@ void Calibrator::record_response(const SensorFrame& frame) {
   sample.ticks = frame.ticks;
   sample.battery_v = frame.battery_v;
   response_runs_.back().samples.push_back(sample);
+  response_counts_.back().push_back(frame.counted_ticks);
 }
 
 CalibrationOutcome Calibrator::response() const {
   CalibrationOutcome outcome;
   outcome.kind = CalibrationKind::response;
   std::vector<DriveLog> runs;
-  for (const DriveLog& run : response_runs_) {
-    if (run.samples.empty()) continue;
-    runs.push_back(run);
+  for (std::size_t i = 0; i < response_runs_.size(); ++i) {
+    if (response_runs_[i].samples.empty()) continue;
+    runs.push_back(response_runs_[i]);
+    settle_travel(runs.back(), response_counts_[i]);
     leave_out_crawl(runs.back());
   }
   const FirFitOptions options{std::nullopt, longest_response, limits_.period_s};
@@ -208,6 +216,7 @@ CalibrationOutcome Calibrator::response() const {
 
 void Calibrator::begin_random(const SensorFrame& frame) {
   random_run_ = new_run("random drive");
+  random_counts_.clear();
   random_start_tick_ = frame.tick;
   random_run_broke_ = false;
 }
@@ -224,6 +233,7 @@ void Calibrator::record_random(const SensorFrame& frame) {
     sample.battery_v = frame.battery_v;
   }
   random_run_.samples.push_back(sample);
+  random_counts_.push_back(frame.counted_ticks);
 }
 
 CalibrationOutcome Calibrator::arma() const {
@@ -237,7 +247,9 @@ CalibrationOutcome Calibrator::arma() const {
   ArxFitOptions options;
   options.order = mission_.random_drive->order;
   options.period_s = limits_.period_s;
-  auto fit = fit_arx(std::span(&random_run_, 1), options);
+  DriveLog run = random_run_;
+  settle_travel(run, random_counts_);
+  auto fit = fit_arx(std::span(&run, 1), options);
   if (!fit) {
     outcome.refusal = fit.error();
     return outcome;

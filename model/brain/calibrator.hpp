@@ -81,8 +81,10 @@ class Calibrator {
   WheelTicks check_end_;
   std::vector<TurnSample> turn_samples_;
   std::vector<DriveLog> response_runs_;
+  std::vector<std::vector<WheelTicks>> response_counts_;  // as the robot counted, one per sample
   std::int64_t response_start_tick_ = 0;
   DriveLog random_run_;
+  std::vector<WheelTicks> random_counts_;
   std::int64_t random_start_tick_ = 0;
   std::optional<ContinuousCalibration> continuous_;
   std::uint16_t model_version_ = 1;

@@ -11,6 +11,7 @@
 #include "config/load/text_format.hpp"
 #include "model/identification/known_stretches.hpp"
 #include "model/identification/run_periods.hpp"
+#include "model/settled_travel.hpp"
 #include "tools/wheelwright/commands.hpp"
 
 namespace wheelwright::tools {
@@ -125,7 +126,10 @@ std::string robot_name(const DriveLog& log) {
 std::vector<DriveLog> load_all_runs(const std::vector<std::string>& paths) {
   std::vector<DriveLog> runs;
   for (const auto& path : paths) {
-    for (auto& run : config::load_drive_logs(path)) runs.push_back(std::move(run));
+    for (auto& run : config::load_drive_logs(path)) {
+      take_settled_travel(run);
+      runs.push_back(std::move(run));
+    }
   }
   return runs;
 }

@@ -47,6 +47,7 @@ class LaggingWheels {
       frame.command = {frame.tick, command, activity, repetition};
       frame.ticks = {std::llround(travel_m_.left / metres_per_tick),
                      std::llround(travel_m_.right / metres_per_tick)};
+      frame.counted_ticks = frame.ticks;
       if (auto found = calibrator_.take(frame)) outcome = std::move(found);
       const double kept = std::exp(-period_s / 0.06);
       speed_m_s_.left = kept * speed_m_s_.left + (1.0 - kept) * 0.95 * command.left;

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <numbers>
 
+#include "model/settled_travel.hpp"
+
 namespace wheelwright::tools {
 namespace {
 
@@ -127,6 +129,7 @@ tl::expected<DriveLog, std::string> RobotTrial::record(const Mission& mission, c
   log.wheel_base_m = limits_.wheel_base_m;
   log.period_s = limits_.period_s;
   log.metres_per_tick = model.encoder_scale ? model.encoder_scale->metres_per_tick : limits_.metres_per_tick;
+  std::vector<WheelTicks> counted;
   std::optional<Pose> origin;
   std::int64_t first_tick = 0;
   for (std::size_t i = 0; i < result.frames.size(); ++i) {
@@ -148,8 +151,10 @@ tl::expected<DriveLog, std::string> RobotTrial::record(const Mission& mission, c
       sample.reference_theta_rad = pose.theta_rad + noise.heading_rad * chance_.normal();
     }
     log.samples.push_back(sample);
+    counted.push_back(frame.counted_ticks);
   }
   if (log.samples.empty()) return tl::make_unexpected(std::string("the robot did not drive"));
+  settle_travel(log, counted);
   return log;
 }
 
