@@ -92,7 +92,7 @@ void read_chassis(YamlReader& from, ChassisConfig& chassis) {
 void read_firmware(YamlReader& from, FirmwareConfig& firmware) {
   read(from, "tick_s", firmware.tick_s, {0.0005, 0.1, "s"});
   read(from, "sensor_update_period_s", firmware.sensor_update_period_s, {0.0005, 1, "s"});
-  read(from, "command_delay_ticks", firmware.command_delay_ticks, {0, 15, "ticks"});
+  read(from, "command_delay_ticks", firmware.command_delay_ticks, {0, 40, "ticks"});
   read(from, "whole_counts", firmware.whole_counts);
   read(from, "staircase", firmware.staircase);
   read(from, "nominal_voltage_v", firmware.nominal_voltage_v, {1, 60, "V"});

@@ -35,7 +35,7 @@ class WheelController {
     bool is_speed = true;
     double value = 0.0;  // m/s or duty
   };
-  static constexpr std::size_t longest_delay_ticks = 15;
+  static constexpr std::size_t longest_delay_ticks = 40;
 
   double acted_on_speed_m_s(double commanded_m_s) const;
   double measured_distance_m(double angle_rad) const;

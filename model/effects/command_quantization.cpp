@@ -9,18 +9,19 @@ namespace {
 class CommandQuantization final : public EffectOf<CommandQuantization> {
  public:
   explicit CommandQuantization(const EffectArguments& arguments)
-      : step_(arguments.parameters[0]), toward_zero_(arguments.variant == 1) {}
+      : step_(arguments.parameters[0]), rises_at_(arguments.parameters[1]) {}
 
   void command(WheelPair& command_m_s, const Surroundings&) override {
     if (step_ <= 0.0) return;
     both(command_m_s, [this](double u) {
-      return step_ * (toward_zero_ ? std::trunc(u / step_ + std::copysign(1e-9, u)) : std::round(u / step_));
+      constexpr double rounding_error = 1e-9;
+      return std::copysign(step_ * std::floor(std::abs(u) / step_ + 1.0 - rises_at_ + rounding_error), u);
     });
   }
 
  private:
   double step_;
-  bool toward_zero_;
+  double rises_at_;
 };
 
 // A wrong step rounds other commands up than the right one: the search has to begin near it. Spaced so that a
@@ -38,9 +39,17 @@ EffectInfo command_quantization() {
       "command_quantization",
       "commands act in steps",
       "The motor controller works in coarse units, e.g. whole encoder ticks per control period (28.5 mm/s on "
-      "some Roombas). 'nearest' rounds, 'toward_zero' cuts off.",
-      {{"nearest", EffectStage::command}, {"toward_zero", EffectStage::command}},
-      {{"step", "m/s", "distance of the speeds that can be had", 0.0, 0.2, steps_to_try(), 0.002}},
+      "some Roombas). It may round them (rises_at 0.5), cut them off (1), or anything else.",
+      {{"", EffectStage::command}},
+      {{"step", "m/s", "distance of the speeds that can be had", 0.0, 0.2, steps_to_try(), 0.002},
+       {"rises_at",
+        "1",
+        "share of a step from which a command goes up to the next one",
+        0.0,
+        1.0,
+        {0.5, 1.0},
+        0.0,
+        false}},
       {.variety = true},
       [](const EffectArguments& arguments) { return std::make_unique<CommandQuantization>(arguments); }};
 }

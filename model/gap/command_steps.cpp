@@ -5,16 +5,26 @@
 #include <cmath>
 #include <numeric>
 
+#include "model/gap/gap_contest.hpp"
+
 namespace wheelwright::gap {
 namespace {
 
 constexpr double smallest_step_m_s = 0.0025;
 constexpr double largest_step_m_s = 0.1;
 constexpr double largest_shift_of_phase =
-    0.1;                            // of a step, at the fastest command, between two that are tried
-constexpr double stands_out = 6.0;  // standard deviations of what wrong steps show
+    0.1;                                      // of a step, at the fastest command, between two that are tried
+constexpr double stands_out = 6.0;            // standard deviations of what wrong steps show
+constexpr double first_tuning_share = 0.008;  // of a step
+constexpr double last_tuning_share = 0.0002;
+constexpr double rises_per_share = 10.0;
 constexpr std::size_t response_periods = 80;
 constexpr std::size_t farthest_readings_periods = 3;
+
+struct Steps {
+  double step_m_s;
+  double rises_at;
+};
 
 struct WheelSeries {
   std::vector<double> command_m_s;
@@ -105,26 +115,40 @@ std::vector<WheelSeries> gathered(const GapProblem& problem, const TrialModel& m
   return all;
 }
 
-std::vector<double> steps_to_try(const std::vector<WheelSeries>& wheels) {
+std::vector<Steps> steps_to_try(const std::vector<WheelSeries>& wheels) {
   double fastest = 0.0;
   for (const auto& wheel : wheels) {
     for (const double u : wheel.command_m_s) fastest = std::max(fastest, std::abs(u));
   }
-  std::vector<double> steps;
+  std::vector<Steps> steps;
   if (fastest <= 0.0) return steps;
   const double apart = largest_shift_of_phase / fastest;
-  for (double per_m_s = 1.0 / smallest_step_m_s; per_m_s > 1.0 / largest_step_m_s; per_m_s -= apart) {
-    steps.push_back(1.0 / per_m_s);
+  for (const double rises_at : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}) {
+    for (double per_m_s = 1.0 / smallest_step_m_s; per_m_s > 1.0 / largest_step_m_s; per_m_s -= apart) {
+      steps.push_back({1.0 / per_m_s, rises_at});
+    }
+  }
+  return steps;
+}
+
+// Between those that were tried.
+std::vector<Steps> steps_around(const Steps& middle) {
+  std::vector<Steps> steps;
+  for (int i = -8; i <= 8; ++i) {
+    for (int j = -10; j <= 10; ++j) {
+      const double rises_at = middle.rises_at + 0.025 * i;
+      if (rises_at < 0.0 || rises_at > 1.0) continue;
+      steps.push_back({middle.step_m_s * (1.0 + 0.001 * j), rises_at});
+    }
   }
   return steps;
 }
 
 // Correlation of the evidence with what the effect does to the commands, over the size of that. What a gain
 // or a loss by sign explains is no sign of steps.
-double likeness(const std::vector<WheelSeries>& wheels, const EffectInfo& info, std::size_t variant,
-                double step) {
-  const std::array parameters{step};
-  const auto effect = info.make({parameters, variant});
+double likeness(const std::vector<WheelSeries>& wheels, const EffectInfo& info, const Steps& steps) {
+  const std::array parameters{steps.step_m_s, steps.rises_at};
+  const auto effect = info.make({parameters, 0});
   double agreement = 0.0;
   double power = 0.0;
   for (const auto& wheel : wheels) {
@@ -170,23 +194,62 @@ double median_size(std::vector<double> values) {
   return *middle;
 }
 
+struct BestSteps {
+  Steps steps;
+  bool stands_out = false;
+};
+
+BestSteps best_of(const std::vector<Steps>& steps, const std::vector<WheelSeries>& wheels,
+                  const EffectInfo& info, const ForEach& for_each) {
+  std::vector<double> likenesses(steps.size());
+  for_each(steps.size(), [&](std::size_t i) { likenesses[i] = likeness(wheels, info, steps[i]); });
+  const auto best = std::ranges::max_element(likenesses);
+  constexpr double deviations_of_median = 1.4826;
+  return {steps[static_cast<std::size_t>(best - likenesses.begin())],
+          *best >= stands_out * deviations_of_median * median_size(likenesses)};
+}
+
 }  // namespace
 
-std::vector<TrialEffect> find_command_steps(const GapProblem& train, const GapFit& fit,
-                                            const EffectInfo& info, const ForEach& for_each) {
-  std::vector<TrialEffect> found;
+std::optional<TrialEffect> find_command_steps(const GapProblem& train, const GapFit& fit,
+                                              const EffectInfo& info, const ForEach& for_each) {
   const std::vector<WheelSeries> wheels = gathered(train, fit.model);
-  const std::vector<double> steps = steps_to_try(wheels);
-  if (steps.empty()) return found;
-  for (std::size_t variant = 0; variant < info.variants.size(); ++variant) {
-    std::vector<double> likenesses(steps.size());
-    for_each(steps.size(), [&](std::size_t i) { likenesses[i] = likeness(wheels, info, variant, steps[i]); });
-    const auto best = std::ranges::max_element(likenesses);
-    constexpr double deviations_of_median = 1.4826;
-    if (*best < stands_out * deviations_of_median * median_size(likenesses)) continue;
-    found.push_back({&info, variant, {steps[static_cast<std::size_t>(best - likenesses.begin())]}});
+  const std::vector<Steps> steps = steps_to_try(wheels);
+  if (steps.empty()) return std::nullopt;
+  const BestSteps near = best_of(steps, wheels, info, for_each);
+  if (!near.stands_out) return std::nullopt;
+  const BestSteps best = best_of(steps_around(near.steps), wheels, info, for_each);
+  return TrialEffect{&info, 0, {best.steps.step_m_s, best.steps.rises_at}};
+}
+
+TrialModel with_steps_tuned(const GapProblem& train, TrialModel model, const ForEach& for_each) {
+  const auto effect = std::ranges::find_if(
+      model.effects, [](const TrialEffect& present) { return present.info->name == "command_quantization"; });
+  if (effect == model.effects.end()) return model;
+  double least = squares_of(train.residuals(model));
+  for (double share = first_tuning_share; share > last_tuning_share; share *= 0.5) {
+    std::vector<TrialModel> tried;
+    const std::vector<double> middle = effect->parameters;
+    for (const int step : {-1, 0, 1}) {
+      for (const int rise : {-1, 0, 1}) {
+        if (step == 0 && rise == 0) continue;
+        effect->parameters = {middle[0] * (1.0 + share * step),
+                              std::clamp(middle[1] + rises_per_share * share * rise, 0.0, 1.0)};
+        tried.push_back(model);
+      }
+    }
+    effect->parameters = middle;
+    std::vector<double> squares(tried.size());
+    for_each(tried.size(), [&](std::size_t i) { squares[i] = squares_of(train.residuals(tried[i])); });
+    const auto best = std::ranges::min_element(squares);
+    if (*best >= least) continue;
+    least = *best;
+    const auto place = effect - model.effects.begin();
+    effect->parameters = tried[static_cast<std::size_t>(best - squares.begin())]
+                             .effects[static_cast<std::size_t>(place)]
+                             .parameters;
   }
-  return found;
+  return model;
 }
 
 }  // namespace wheelwright::gap

@@ -6,15 +6,20 @@
 // residual speeds with the core's impulse response), and then each step costs a sum of products.
 #pragma once
 
-#include <vector>
+#include <optional>
 
 #include "model/gap/gap_problem.hpp"
 
 namespace wheelwright::gap {
 
-// For each variant of `info` the step that stands out of all that were tried; empty where none does, or where
-// these runs show no speeds (no counts, and poses only now and then). `fit` is the model without the effect.
-std::vector<TrialEffect> find_command_steps(const GapProblem& train, const GapFit& fit,
-                                            const EffectInfo& info, const ForEach& for_each);
+// The step that stands out of all that were tried, and where it rises; nothing where none does, or where
+// these runs show no speeds (no counts, and poses only now and then). `fit` is the model without the effect,
+// `info` is command_quantization.
+std::optional<TrialEffect> find_command_steps(const GapProblem& train, const GapFit& fit,
+                                              const EffectInfo& info, const ForEach& for_each);
+
+// `model` with its command_quantization, if it has one, where its free runs are best: a command close to a
+// rise goes up or not, so that there is no slope for a fit to follow.
+TrialModel with_steps_tuned(const GapProblem& train, TrialModel model, const ForEach& for_each);
 
 }  // namespace wheelwright::gap

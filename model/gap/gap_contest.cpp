@@ -158,15 +158,24 @@ bool Contest::worth_adding(const Contender& contender, const std::vector<Round>&
          (largest == 0.0 || nats > std::max(limits_.least_further_nats, limits_.least_share * largest));
 }
 
-bool Contest::stands_beside(const GapFit& both, const Contender& decoy) const {
-  const std::vector<double> heldout_without = heldout_.residuals(decoy.fit.model);
-  const std::vector<double> heldout_with = heldout_.residuals(both.model);
-  const double inflation = std::max(inflation_of(train_, decoy.fit.residuals, both.residuals),
+bool Contest::clearly_better(const GapFit& with, const GapFit& without) const {
+  const std::vector<double> heldout_without = heldout_.residuals(without.model);
+  const std::vector<double> heldout_with = heldout_.residuals(with.model);
+  const double inflation = std::max(inflation_of(train_, without.residuals, with.residuals),
                                     inflation_of(heldout_, heldout_without, heldout_with));
-  const double train_nats = 0.5 * (decoy.fit.squares - both.squares);
+  const double train_nats = 0.5 * (without.squares - with.squares);
   const double heldout_nats = 0.5 * (squares_of(heldout_without) - squares_of(heldout_with));
   return train_nats / inflation > limits_.least_further_nats &&
          heldout_nats / inflation > limits_.least_further_nats;
+}
+
+bool Contest::stands_beside(const GapFit& both, const Contender& decoy) const {
+  return clearly_better(both, decoy.fit);
+}
+
+bool Contest::pair_worth_adding(const GapFit& pair, const Round& round) const {
+  return clearly_better(pair, round.without) &&
+         (round.contenders.empty() || advantage(pair, round.contenders.front().fit) > 0.0);
 }
 
 }  // namespace wheelwright::gap

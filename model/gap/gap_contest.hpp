@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "model/gap/gap_problem.hpp"
@@ -25,6 +26,7 @@ struct Round {
   GapFit without;
   double heldout_squares = 0.0;  // of `without`
   std::vector<Contender> contenders;
+  std::optional<GapFit> pair;  // with two more effects that explain together what no single one does
 };
 
 struct SearchLimits {
@@ -69,11 +71,15 @@ class Contest {
   // A decoy that explains more does not speak against a name that explains something else: with the decoy in
   // the model (`both`), the name must still gain what it takes to be named.
   bool stands_beside(const GapFit& both, const Contender& decoy) const;
+  // Whether two effects at once are worth it: against the model without them, and against the best single
+  // one.
+  bool pair_worth_adding(const GapFit& pair, const Round& round) const;
 
  private:
   Contender judged(const GapFit& without, const std::vector<double>& heldout_without, GapFit fit) const;
   double inflation_between(const Contender& worse, const Contender& better) const;
   void rank(std::vector<Contender>& contenders) const;
+  bool clearly_better(const GapFit& with, const GapFit& without) const;
   double price(const TrialModel& model) const;
   double price(const TrialEffect& effect) const;
   double price_of_a_parameter() const;

@@ -25,7 +25,7 @@ GapFit GapLook::settle(TrialModel model, int passes) {
   GapFit fit;
   for (int pass = 0; pass < passes; ++pass) {
     set_noise_left_by(model);
-    fit = train_.fit(model, steps_of_a_fit);
+    fit = train_.fit(with_steps_tuned(train_, model, for_each_), steps_of_a_fit);
     model = fit.model;
   }
   return fit;
@@ -74,7 +74,7 @@ std::optional<TrialModel> GapLook::from_bare_core(const TrialModel& without,
 }
 
 // A step is looked for anew only beside more effects than before, which may have hidden it.
-const std::vector<TrialEffect>& GapLook::steps_beside(const GapFit& without, const EffectInfo& info) {
+std::optional<TrialEffect> GapLook::steps_beside(const GapFit& without, const EffectInfo& info) {
   if (!steps_beside_ || without.model.effects.size() > *steps_beside_) {
     steps_beside_ = without.model.effects.size();
     steps_ = find_command_steps(train_, without, info, for_each_);
@@ -82,43 +82,63 @@ const std::vector<TrialEffect>& GapLook::steps_beside(const GapFit& without, con
   return steps_;
 }
 
-std::vector<TrialModel> GapLook::starts(const GapFit& without, std::vector<TrialEffect> more_starts) {
+GapLook::Starts GapLook::starts(const GapFit& without, std::vector<TrialEffect> more_starts) {
   const std::vector<const EffectInfo*> absent = absent_from(without.model);
   if (const auto rippling = align_wheels(without, absent)) more_starts.push_back(*rippling);
   const auto stepping = std::ranges::find(absent, "command_quantization", &EffectInfo::name);
-  if (stepping != absent.end())
-    std::ranges::copy(steps_beside(without, **stepping), std::back_inserter(more_starts));
+  if (stepping != absent.end()) {
+    if (const auto steps = steps_beside(without, **stepping)) more_starts.push_back(*steps);
+  }
   const Screening screening = screen(train_, without, absent, for_each_);
   for (const auto& screened : screening.best) {
     if (more_starts.size() >= limits_.most_fits || screened.gain_nats < least_screened_nats) break;
     if (screened.gain_nats < least_screened_share * screening.best.front().gain_nats) break;
     more_starts.push_back(screened.start);
   }
-  std::vector<TrialModel> all;
+  Starts all;
   for (const auto& effect : more_starts) {
-    all.push_back(without.model);
-    all.back().effects.push_back(effect);
+    all.singles.push_back(without.model);
+    all.singles.back().effects.push_back(effect);
   }
-  if (const auto bare = from_bare_core(without.model, absent)) all.push_back(*bare);
+  if (const auto bare = from_bare_core(without.model, absent)) all.singles.push_back(*bare);
+  if (screening.pair) {
+    all.pair = without.model;
+    std::ranges::copy(screening.pair->start, std::back_inserter(all.pair->effects));
+  }
   return all;
 }
 
+// In which the last effects of a model show.
+Part GapLook::part_of_last(const TrialModel& model, std::size_t effects) const {
+  const Part part = train_.part_of(model.effects.back());
+  for (std::size_t i = model.effects.size() - effects; i < model.effects.size(); ++i) {
+    if (train_.part_of(model.effects[i]) != part) return Part::all;
+  }
+  return part;
+}
+
 Round GapLook::look(const GapFit& without, std::vector<TrialEffect> more_starts) {
-  Round round{without, 0.0, {}};
-  const std::vector<TrialModel> tried = starts(without, std::move(more_starts));
-  round.contenders.resize(tried.size());
-  for_each_(tried.size(), [&](std::size_t i) {
-    round.contenders[i].fit = train_.fit(tried[i], steps_of_a_fit, train_.part_of(tried[i].effects.back()));
-  });
-  contest_.judge(round);
-  if (round.contenders.empty() || round.contenders.front().score < limits_.least_train_nats) return round;
-  set_noise_left_by(round.contenders.front().fit.model);
+  Round round{without, 0.0, {}, {}};
+  const Starts tried = starts(without, std::move(more_starts));
+  const std::size_t singles = tried.singles.size();
+  round.contenders.resize(singles);
+  if (tried.pair) round.pair.emplace().model = *tried.pair;
+  const auto fit_all = [&](int steps) {
+    for_each_(singles + (round.pair ? 1 : 0), [&](std::size_t i) {
+      GapFit& fit = i < singles ? round.contenders[i].fit : *round.pair;
+      fit = train_.fit(fit.model, steps, part_of_last(fit.model, i < singles ? 1 : 2));
+    });
+    contest_.judge(round);
+  };
+  for (std::size_t i = 0; i < singles; ++i) round.contenders[i].fit.model = tried.singles[i];
+  fit_all(steps_of_a_fit);
+  const bool by_pair = round.pair && contest_.pair_worth_adding(*round.pair, round);
+  const bool by_single =
+      !round.contenders.empty() && round.contenders.front().score >= limits_.least_train_nats;
+  if (!by_pair && !by_single) return round;
+  set_noise_left_by(by_pair ? round.pair->model : round.contenders.front().fit.model);
   round.without = train_.fit(round.without.model, steps_of_a_refit);
-  for_each_(round.contenders.size(), [&](std::size_t i) {
-    const TrialModel& model = round.contenders[i].fit.model;
-    round.contenders[i].fit = train_.fit(model, steps_of_a_refit, train_.part_of(model.effects.back()));
-  });
-  contest_.judge(round);
+  fit_all(steps_of_a_refit);
   return round;
 }
 

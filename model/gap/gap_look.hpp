@@ -32,8 +32,8 @@ class GapLook {
   GapFit settle(TrialModel model, int passes);
 
   // Screens all that the model does not hold, fits the most promising ones beside the core and judges them.
-  // `more_starts` are tried in any case. The noise is then what the best one leaves, since before, it holds
-  // what is missing; and all are fitted again under it.
+  // `more_starts` are tried in any case, and two effects at once where each masks the other. The noise is
+  // then what the best one leaves, since before, it holds what is missing; and all are fitted again under it.
   Round look(const GapFit& without, std::vector<TrialEffect> more_starts = {});
 
   std::vector<const EffectInfo*> absent_from(const TrialModel& model) const;
@@ -43,8 +43,13 @@ class GapLook {
                                            const std::vector<const EffectInfo*>& candidates) const;
   std::optional<TrialEffect> align_wheels(const GapFit& without,
                                           const std::vector<const EffectInfo*>& candidates);
-  const std::vector<TrialEffect>& steps_beside(const GapFit& without, const EffectInfo& info);
-  std::vector<TrialModel> starts(const GapFit& without, std::vector<TrialEffect> more_starts);
+  std::optional<TrialEffect> steps_beside(const GapFit& without, const EffectInfo& info);
+  struct Starts {
+    std::vector<TrialModel> singles;
+    std::optional<TrialModel> pair;
+  };
+  Starts starts(const GapFit& without, std::vector<TrialEffect> more_starts);
+  Part part_of_last(const TrialModel& model, std::size_t effects) const;
 
   GapProblem& train_;
   GapProblem& heldout_;
@@ -52,7 +57,7 @@ class GapLook {
   std::vector<const EffectInfo*> candidates_;
   SearchLimits limits_;
   const ForEach& for_each_;
-  std::vector<TrialEffect> steps_;  // in which commands seem to act
+  std::optional<TrialEffect> steps_;  // in which commands seem to act
   std::optional<std::size_t> steps_beside_;
 };
 

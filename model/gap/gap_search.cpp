@@ -39,6 +39,7 @@ class Search {
   Round first_round(const TrialModel& start);
   std::optional<GapFit> better_core(const Round& round) const;
   bool accepted(const Contender* best, const Round& round, const std::vector<Round>& so_far) const;
+  bool pair_accepted(const Round& round, std::size_t rounds_so_far) const;
   std::vector<const Contender*> first_effects(const Round& first) const;
   Path grown(Path path);
   Path best_path(const Round& first);
@@ -102,11 +103,16 @@ Path Search::grown(Path path) {
     Round round = look_.look(path.model);
     while (const auto larger = better_core(round)) round = look_.look(look_.settle(larger->model, 1));
     const Contender* best = best_named(round);
-    const bool found = accepted(best, round, path.rounds);
-    path.model = found ? best->fit : round.without;
+    const bool single = accepted(best, round, path.rounds);
+    const bool pair = !single && pair_accepted(round, path.rounds.size());
+    path.model = single ? best->fit : pair ? *round.pair : round.without;
     path.rounds.push_back(std::move(round));
-    if (!found) return path;
+    if (!single && !pair) return path;
   }
+}
+
+bool Search::pair_accepted(const Round& round, std::size_t rounds_so_far) const {
+  return round.pair && rounds_so_far < limits_.most_effects && contest_.pair_worth_adding(*round.pair, round);
 }
 
 // The best one of each name that could be the first.
@@ -132,6 +138,7 @@ Path Search::best_path(const Round& first) {
     Path path{{first}, look_.settle(contender->fit.model, 1)};
     paths.push_back(grown(std::move(path)));
   }
+  if (pair_accepted(first, 0)) paths.push_back(grown({{first}, look_.settle(first.pair->model, 1)}));
   if (paths.empty()) return {{first}, first.without};
   if (paths.size() == 1) return std::move(paths.front());
   const auto closest =

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/gap/decoys.hpp"
+
 namespace wheelwright::gap {
 namespace {
 
@@ -165,6 +167,63 @@ Screened judged(const Probe& probe, const Eigen::MatrixXd& changes, const Eigen:
   return result;
 }
 
+// An effect as a fit would start with it, and what it changes of the residuals.
+struct Change {
+  TrialEffect start;
+  Eigen::VectorXd change;
+};
+
+// `effect` with its size times `amount`; nothing where it cannot have that size.
+std::optional<TrialEffect> resized(TrialEffect effect, double amount) {
+  constexpr double least_amount = 0.1;
+  constexpr double most_amount = 30.0;
+  if (!(std::abs(amount) > least_amount) || !(std::abs(amount) < most_amount)) return std::nullopt;
+  for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
+    const ParameterInfo& parameter = effect.info->parameters[i];
+    if (!parameter.scales_effect || !vanishes_at_zero(parameter)) continue;
+    const double size = amount * effect.parameters[i];
+    if (size < parameter.lower || size > parameter.upper) return std::nullopt;
+    effect.parameters[i] = size;
+  }
+  return effect;
+}
+
+// What both together could explain.
+std::optional<ScreenedPair> pair_of(const Change& one, const Change& other, const Eigen::VectorXd& left) {
+  constexpr double alike = 0.98;  // cosine
+  const double a = one.change.squaredNorm();
+  const double b = other.change.squaredNorm();
+  const double both = one.change.dot(other.change);
+  const double determinant = a * b - both * both;
+  if (!(determinant > (1.0 - alike * alike) * a * b)) return std::nullopt;
+  const double p = -left.dot(one.change);
+  const double q = -left.dot(other.change);
+  const double first = (p * b - q * both) / determinant;
+  const double second = (q * a - p * both) / determinant;
+  const auto start = resized(one.start, first);
+  const auto beside = resized(other.start, second);
+  if (!start || !beside) return std::nullopt;
+  return ScreenedPair{{*start, *beside}, 0.5 * (first * p + second * q)};
+}
+
+std::optional<ScreenedPair> best_pair(const std::vector<Change>& changes, double best_single_nats,
+                                      const Eigen::VectorXd& left) {
+  constexpr double times_the_best_single = 1.5;
+  constexpr double least_gain_nats = 40.0;
+  std::optional<ScreenedPair> best;
+  double least = std::max(least_gain_nats, times_the_best_single * best_single_nats);
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (changes[i].start.info == changes[j].start.info) continue;
+      const auto pair = pair_of(changes[i], changes[j], left);
+      if (!pair || pair->gain_nats <= least) continue;
+      best = pair;
+      least = pair->gain_nats;
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 Screening screen(const GapProblem& problem, const GapFit& fit, std::span<const EffectInfo* const> candidates,
@@ -183,22 +242,25 @@ Screening screen(const GapProblem& problem, const GapFit& fit, std::span<const E
   };
   const Eigen::VectorXd of_wheels = only(Part::wheels);
   const Eigen::VectorXd of_motion = only(Part::motion);
+  const auto change_by = [&](const TrialEffect& effect) -> Eigen::VectorXd {
+    TrialModel with = fit.model;
+    with.effects.push_back(effect);
+    const Part part = problem.part_of(effect);
+    const std::vector<double> there = problem.residuals(with, part);
+    const Eigen::Map<const Eigen::VectorXd> changed(there.data(), residual.size());
+    const Eigen::VectorXd change = changed - (part == Part::all      ? residual
+                                              : part == Part::wheels ? of_wheels
+                                                                     : of_motion);
+    return change - basis * (basis.transpose() * change);
+  };
   std::vector<Screened> judgements(probes.size());
   std::vector<double> nats(probes.size(), 0.0);
   for_each(probes.size(), [&](std::size_t p) {
     const Probe& probe = probes[p];
     Eigen::MatrixXd changes(residual.size(), static_cast<Eigen::Index>(probe.points.size()));
     for (std::size_t i = 0; i < probe.points.size(); ++i) {
-      TrialModel with = fit.model;
-      with.effects.push_back({probe.info, probe.variant, probe.points[i]});
-      const Part part = problem.part_of(with.effects.back());
-      const std::vector<double> there = problem.residuals(with, part);
-      const Eigen::Map<const Eigen::VectorXd> changed(there.data(), residual.size());
-      changes.col(static_cast<Eigen::Index>(i)) = changed - (part == Part::all      ? residual
-                                                             : part == Part::wheels ? of_wheels
-                                                                                    : of_motion);
+      changes.col(static_cast<Eigen::Index>(i)) = change_by({probe.info, probe.variant, probe.points[i]});
     }
-    changes -= basis * (basis.transpose() * changes);
     judgements[p] = judged(probe, changes, left);
     nats[p] = 0.5 * changes.rowwise().sum().squaredNorm();
   });
@@ -216,6 +278,16 @@ Screening screen(const GapProblem& problem, const GapFit& fit, std::span<const E
     }
   }
   std::ranges::sort(result.best, std::greater<>{}, &Screened::gain_nats);
+  std::vector<Change> changes;
+  double best_single_nats = 0.0;
+  for (const auto& screened : result.best) {
+    if (is_decoy(*screened.start.info)) continue;
+    changes.push_back({screened.start, {}});
+    best_single_nats = std::max(best_single_nats, screened.gain_nats);
+  }
+  for_each(changes.size(), [&](std::size_t i) { changes[i].change = change_by(changes[i].start); });
+  std::erase_if(changes, [](const Change& change) { return !(change.change.squaredNorm() > 1e-12); });
+  result.pair = best_pair(changes, best_single_nats, left);
   return result;
 }
 

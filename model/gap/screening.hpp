@@ -3,6 +3,8 @@
 // (GAP.md, step 6).
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,8 +24,15 @@ struct Visibility {
   double nats = 0.0;  // of log likelihood that leaving it out would cost
 };
 
+// Two effects that explain together what neither does alone: each one masks the other.
+struct ScreenedPair {
+  std::array<TrialEffect, 2> start;
+  double gain_nats = 0.0;
+};
+
 struct Screening {
   std::vector<Screened> best;          // per effect and variant, best first
+  std::optional<ScreenedPair> pair;    // the best one, where it explains far more than any single effect
   std::vector<Visibility> visibility;  // every size of every effect that was tried
 };
 

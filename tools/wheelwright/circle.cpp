@@ -33,6 +33,7 @@ struct CircleOptions {
   std::size_t laps = 5;
   std::string robot = config::shipped_folder() / "robots/perfect.yaml";
   std::string route = config::shipped_folder() / "routes/paper_loop.yaml";
+  std::vector<std::string> hide;  // nothing: what chance picks
   std::string output;
 };
 
@@ -75,7 +76,8 @@ class Circle {
   void hide() {
     const fs::path sealed = folder_ / "sealed";
     make_folder(sealed);
-    const HiddenRobot hidden = pick_hidden_robot(options_.seed, fs::absolute(options_.robot), "room.yaml");
+    const HiddenRobot hidden =
+        pick_hidden_robot(options_.seed, options_.hide, fs::absolute(options_.robot), "room.yaml");
     write(sealed / "room.yaml", hidden.room_yaml);
     write(sealed / "robot.yaml", hidden.robot_yaml);
     robot_ = config::load_simulation_config(sealed / "robot.yaml");
@@ -160,6 +162,8 @@ Action add_circle(CLI::App& app) {
   command->add_option("--robot", options->robot, "Simulated robot to hide them in")
       ->check(CLI::ExistingFile)
       ->capture_default_str();
+  command->add_option("--hide", options->hide, "What to hide instead of what the seed picks")
+      ->check(CLI::IsMember(imperfection_names()));
   command->add_option("--route", options->route, "Closed route")->capture_default_str();
   command->add_option("--drives", options->drives, "Drives of about a minute to learn from")
       ->check(CLI::Range(2, 100))

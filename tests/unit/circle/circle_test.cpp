@@ -18,7 +18,7 @@ namespace {
 const std::string perfect = WHEELWRIGHT_SOURCE_DIR "/config/robots/perfect.yaml";
 
 tools::HiddenRobot hidden_by(std::uint64_t seed) {
-  return tools::pick_hidden_robot(seed, perfect, "room.yaml");
+  return tools::pick_hidden_robot(seed, {}, perfect, "room.yaml");
 }
 
 }  // namespace

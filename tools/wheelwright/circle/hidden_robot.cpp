@@ -1,9 +1,11 @@
 #include "tools/wheelwright/circle/hidden_robot.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <string_view>
 #include <utility>
 
 #include "config/load/text_format.hpp"
@@ -96,13 +98,32 @@ Imperfection scrubbing(Parts& parts, Noise& chance) {
 }
 
 Imperfection speed_steps(Parts& parts, Noise& /*chance*/) {
-  parts.add("firmware", "staircase: true, tick_s: 0.015625");
+  parts.add("firmware", "staircase: true, tick_s: 0.015625, command_delay_ticks: 2");
   return {"firmware that knows speeds in steps of 28.5 mm/s only", {"command_quantization"}};
 }
 
-using Pick = Imperfection (*)(Parts&, Noise&);
-constexpr std::array<Pick, 10> picks{unequal_wheels, other_wheel_base, friction, backlash,  slow_motors,
-                                     coasting,       caster,           slope,    scrubbing, speed_steps};
+struct Pick {
+  std::string_view name;
+  Imperfection (*put_into)(Parts&, Noise&);
+};
+constexpr std::array<Pick, 10> picks{{{"unequal_wheels", unequal_wheels},
+                                      {"other_wheel_base", other_wheel_base},
+                                      {"friction", friction},
+                                      {"backlash", backlash},
+                                      {"slow_motors", slow_motors},
+                                      {"coasting", coasting},
+                                      {"caster", caster},
+                                      {"slope", slope},
+                                      {"scrubbing", scrubbing},
+                                      {"speed_steps", speed_steps}}};
+
+std::vector<Pick> picked_by_chance(Noise& chance) {
+  std::array<Pick, picks.size()> order = picks;
+  for (std::size_t i = order.size() - 1; i > 0; --i)
+    std::swap(order.at(i), order.at(chance.bits() % (i + 1)));
+  const std::size_t count = 1 + chance.bits() % 3;
+  return {order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count)};
+}
 
 std::string robot_text(const Parts& parts, const std::vector<Imperfection>& imperfections,
                        const std::filesystem::path& base, const std::string& room_file) {
@@ -124,16 +145,21 @@ std::string room_text(const Parts& parts) {
 
 }  // namespace
 
-HiddenRobot pick_hidden_robot(std::uint64_t seed, const std::filesystem::path& base,
-                              const std::string& room_file) {
+std::vector<std::string> imperfection_names() {
+  std::vector<std::string> names;
+  for (const Pick& pick : picks) names.emplace_back(pick.name);
+  return names;
+}
+
+HiddenRobot pick_hidden_robot(std::uint64_t seed, const std::vector<std::string>& names,
+                              const std::filesystem::path& base, const std::string& room_file) {
   Noise chance(seed);
-  std::array<Pick, picks.size()> order = picks;
-  for (std::size_t i = order.size() - 1; i > 0; --i)
-    std::swap(order.at(i), order.at(chance.bits() % (i + 1)));
-  const std::size_t count = 1 + chance.bits() % 3;
+  std::vector<Pick> chosen;
+  for (const auto& name : names) chosen.push_back(*std::ranges::find(picks, name, &Pick::name));
+  if (names.empty()) chosen = picked_by_chance(chance);
   Parts parts;
   HiddenRobot hidden;
-  for (std::size_t i = 0; i < count; ++i) hidden.imperfections.push_back(order.at(i)(parts, chance));
+  for (const Pick& pick : chosen) hidden.imperfections.push_back(pick.put_into(parts, chance));
   hidden.robot_yaml = robot_text(parts, hidden.imperfections, base, room_file);
   hidden.room_yaml = room_text(parts);
   return hidden;

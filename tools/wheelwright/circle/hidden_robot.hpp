@@ -20,9 +20,12 @@ struct HiddenRobot {
   std::string room_yaml;
 };
 
-// One to three imperfections on top of the robot file `base`, each at most once. The same seed picks the
-// same.
-HiddenRobot pick_hidden_robot(std::uint64_t seed, const std::filesystem::path& base,
-                              const std::string& room_file);
+// All that can be hidden.
+std::vector<std::string> imperfection_names();
+
+// The imperfections of these names, or where there are none, one to three that chance picks, on top of the
+// robot file `base`. Sizes come from the seed; the same seed picks the same.
+HiddenRobot pick_hidden_robot(std::uint64_t seed, const std::vector<std::string>& names,
+                              const std::filesystem::path& base, const std::string& room_file);
 
 }  // namespace wheelwright::tools
