@@ -134,7 +134,7 @@ CalibrationOutcome Calibrator::encoder_order() const {
   if (left < least_check_ticks && right < least_check_ticks) {
     outcome.refusal = Refusal{
         "the left wheel was told to move, but neither counter did; do both wheels stand on the floor?"};
-  } else if (left >= least_check_ticks && right >= least_check_ticks) {
+  } else if (2 * std::min(left, right) > std::max(left, right)) {
     outcome.refusal =
         Refusal{"the left wheel was told to move, and both counters did; is the robot being pushed?"};
   } else {

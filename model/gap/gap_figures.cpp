@@ -27,13 +27,22 @@ double excess(const GapFigures& figures, std::size_t which) {
   return after && floor && *floor > 0.0 ? *after / *floor : 0.0;
 }
 
+double closed(const GapFigures& figures, std::size_t which) {
+  const auto before = values_of(figures.before).at(which);
+  const auto after = values_of(figures.after).at(which);
+  const auto floor = values_of(figures.floor).at(which);
+  return before && after && floor && *before > *floor ? (*before - *after) / (*before - *floor) : 1.0;
+}
+
 }  // namespace
 
 Excess largest_excess(const GapFigures& train, const GapFigures& test) {
   Excess largest{names[first_integrated]};
   for (std::size_t i = first_integrated; i < figure_count; ++i) {
     const double times = std::min(excess(train, i), excess(test, i));
-    if (times > largest.times) largest = {names.at(i), times};
+    if (times > largest.times) {
+      largest = {names.at(i), times, std::min(closed(train, i), closed(test, i))};
+    }
   }
   return largest;
 }

@@ -15,13 +15,16 @@ struct GapFigures {
   Score floor;
 };
 
-// A figure (distance, position or heading) of the model after the analysis, in multiples of its noise floor.
+// A figure (distance, position or heading) of the model after the analysis, in multiples of its noise floor,
+// and the share of what stood above the floor before that is gone.
 struct Excess {
   std::string_view figure;
   double times = 0.0;
+  double closed = 1.0;
 };
 
-// The figure that lies furthest above its floor in both sets of runs; `times` is the smaller of the two.
+// The figure that lies furthest above its floor in both sets of runs; `times` and `closed` are the smaller of
+// the two.
 Excess largest_excess(const GapFigures& train, const GapFigures& test);
 
 // Whether any figure fell by `least_fall` of itself. Figures that lay below `above_floor` floors do not

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "model/gap/command_steps.hpp"
 #include "model/gap/decoys.hpp"
 #include "model/gap/gap_look.hpp"
 
@@ -215,6 +216,7 @@ void Search::swap_while_better(GapSearch& result) {
 
 void Search::size_up(GapSearch& result) {
   result.final = look_.settle(result.final.model, 1);
+  result.final = train_.fit(with_steps_centred(train_, result.final.model, for_each_), steps_of_a_refit);
   TrialModel linear = result.final.model;
   linear.effects.clear();
   result.baseline = train_.fit(linear, steps_of_a_fit);

@@ -117,6 +117,8 @@ constexpr std::array<Pick, 10> picks{{{"unequal_wheels", unequal_wheels},
                                       {"scrubbing", scrubbing},
                                       {"speed_steps", speed_steps}}};
 
+constexpr std::string_view nothing = "nothing";
+
 std::vector<Pick> picked_by_chance(Noise& chance) {
   std::array<Pick, picks.size()> order = picks;
   for (std::size_t i = order.size() - 1; i > 0; --i)
@@ -146,7 +148,7 @@ std::string room_text(const Parts& parts) {
 }  // namespace
 
 std::vector<std::string> imperfection_names() {
-  std::vector<std::string> names;
+  std::vector<std::string> names{std::string(nothing)};
   for (const Pick& pick : picks) names.emplace_back(pick.name);
   return names;
 }
@@ -155,7 +157,9 @@ HiddenRobot pick_hidden_robot(std::uint64_t seed, const std::vector<std::string>
                               const std::filesystem::path& base, const std::string& room_file) {
   Noise chance(seed);
   std::vector<Pick> chosen;
-  for (const auto& name : names) chosen.push_back(*std::ranges::find(picks, name, &Pick::name));
+  for (const auto& name : names) {
+    if (name != nothing) chosen.push_back(*std::ranges::find(picks, name, &Pick::name));
+  }
   if (names.empty()) chosen = picked_by_chance(chance);
   Parts parts;
   HiddenRobot hidden;

@@ -20,7 +20,7 @@ struct HiddenRobot {
   std::string room_yaml;
 };
 
-// All that can be hidden.
+// All that can be hidden, and `nothing`.
 std::vector<std::string> imperfection_names();
 
 // The imperfections of these names, or where there are none, one to three that chance picks, on top of the
