@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "model/command_timeline.hpp"
+#include "model/identification/known_stretches.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -20,6 +21,7 @@ constexpr double shortest_freeze_s = 0.05;
 constexpr double expected_counts_in_freeze = 10.0;
 constexpr double surely_turning_m_s = 0.05;  // a slower wheel may stick
 constexpr double window_s = 0.5;
+constexpr double forgetting_s = 1.0;  // until a command from before is of no consequence
 
 std::string number(double value, int digits) {
   std::ostringstream text;
@@ -36,6 +38,7 @@ class Gate {
     const std::size_t rows = result_.log.samples.size();
     result_.flags = {std::vector<char>(rows, 0), std::vector<char>(rows, 0)};
     if (result_.log.has_ticks()) {
+      leave_out_holes();
       find_jumps();
       find_dropouts();
       check_sides_and_signs();
@@ -54,6 +57,7 @@ class Gate {
   }
 
   void remove_garbage_commands();
+  void leave_out_holes();
   void find_jumps();
   void find_dropouts();
   void find_dropouts_of(bool left);
@@ -111,6 +115,21 @@ void Gate::remove_garbage_commands() {
   for (auto& column : result_.log.extra_columns) column = {column.name, {}, {}};
   samples = std::move(kept);
   lines_ = std::move(lines);
+}
+
+// The robot went on, with commands that no row tells: what it does until they are forgotten is no model's
+// fault.
+void Gate::leave_out_holes() {
+  const auto& samples = result_.log.samples;
+  for (const auto& hole : find_holes(result_.log)) {
+    fault(hole.row,
+          "no rows for " + number(hole.duration_s, 4) + " s; the first second behind them was left out");
+    const double known_s = samples[hole.row].t_s + forgetting_s;
+    for (std::size_t i = hole.row; i < samples.size() && samples[i].t_s < known_s; ++i) {
+      result_.flags.counts[i] = 1;
+      result_.flags.restart[i] = 1;
+    }
+  }
 }
 
 void Gate::find_jumps() {

@@ -61,17 +61,25 @@ void lay_counts(const DriveLog& log, const RowFlags& flags, GapRun& run) {
   run.has_counts = !run[Channel::left].empty();
 }
 
-void collect_references(const DriveLog& log, GapRun& run) {
+// Returns which of them do not go on from the one before.
+std::vector<char> collect_references(const DriveLog& log, const RowFlags& flags, GapRun& run) {
+  std::vector<char> restarts;
+  char restart = 0;
   double heading = 0.0;
   bool any = false;
-  for (const auto& sample : log.samples) {
+  for (std::size_t i = 0; i < log.samples.size(); ++i) {
+    const DriveSample& sample = log.samples[i];
+    if (!flags.restart.empty() && flags.restart[i] && run.has_counts) restart = 1;
     if (!sample.reference_x_m || !sample.reference_y_m || !sample.reference_theta_rad) continue;
     // Angles may wrap: full turns are counted here.
     heading = any ? heading + wrap_angle(*sample.reference_theta_rad - heading) : *sample.reference_theta_rad;
     any = true;
     run.references.push_back(
         {grid_time(run, sample.t_s), {*sample.reference_x_m, *sample.reference_y_m, heading}});
+    restarts.push_back(restarts.empty() ? char{0} : restart);
+    restart = 0;
   }
+  return restarts;
 }
 
 double grid_s(const GapRun& run, const GridTime& at) {
@@ -131,15 +139,13 @@ GapRun make_gap_run(const DriveLog& log, const RowFlags& flags, double period_s)
   run.start_s = log.samples.front().t_s;
   lay_commands(log, run);
   lay_counts(log, flags, run);
-  collect_references(log, run);
+  const std::vector<char> restarts = collect_references(log, flags, run);
   if (run.has_counts) lay_odometry(run);
   run.sparse = far_apart(run);
   if (!run.sparse) {
     for (const Channel channel : {Channel::forward, Channel::aside, Channel::turn}) {
-      for (const auto& reference : run.references) {
-        run[channel].at.push_back(reference.at);
-        run[channel].restarts.push_back(0);
-      }
+      for (const auto& reference : run.references) run[channel].at.push_back(reference.at);
+      run[channel].restarts = restarts;
     }
   }
   return run;

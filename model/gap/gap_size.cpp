@@ -5,6 +5,7 @@
 #include <random>
 
 #include "model/free_run.hpp"
+#include "model/identification/known_stretches.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -82,7 +83,7 @@ DriveLog with_noise(const std::vector<PredictedMotion>& motion, const DriveLog& 
 
 Score gap_size(const RobotModel& model, std::span<const DriveLog> logs) {
   ScoreSums sums;
-  for (const auto& log : logs) sums.add(free_run(model, log), log);
+  for (const auto& log : logs) add_known_stretches(free_run(model, log), log, log.period_s, sums);
   return sums.score();
 }
 
@@ -92,7 +93,9 @@ Score noise_floor(const RobotModel& model, std::span<const DriveLog> logs, const
   ScoreSums sums;
   for (const auto& log : logs) {
     const auto motion = free_run(model, log);
-    for (int draw = 0; draw < draws; ++draw) sums.add(motion, with_noise(motion, log, noise, random));
+    for (int draw = 0; draw < draws; ++draw) {
+      add_known_stretches(motion, with_noise(motion, log, noise, random), log.period_s, sums);
+    }
   }
   return sums.score();
 }

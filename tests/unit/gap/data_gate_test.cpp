@@ -95,3 +95,23 @@ TEST_CASE("An answer that comes late is an effect, not a fault of the data") {
   spec.seconds = 60.0;
   for (const auto& log : test::make_gap_case(spec).runs) CHECK(gate(log).faults.empty());
 }
+
+TEST_CASE("Where rows are missing the next second is left out, and nothing is made of the rest") {
+  auto log = clean_log();
+  const auto from = log.samples.begin() + 400;
+  log.samples.erase(from, from + 150);
+  const auto gated = gate(log);
+  REQUIRE(gated.faults.size() == 1);
+  CHECK(gated.faults.front().row == log.first_line + 400);
+  CHECK_FALSE(gated.faults.front().distorts);
+  CHECK_FALSE(gated.faults.front().explains);
+  const GapRun run = make_gap_run(gated.log, gated.flags, log.period_s);
+  const Series& left = run[Channel::left];
+  const double behind_s = log.samples[400].t_s;
+  for (std::size_t i = 0; i < left.at.size(); ++i) {
+    const double t_s = log.samples.front().t_s + log.period_s * static_cast<double>(left.at[i].period);
+    const bool in_the_next_second = t_s > behind_s - 0.5 * log.period_s && t_s < behind_s + 0.95;
+    CHECK_FALSE(in_the_next_second);
+  }
+  CHECK(std::ranges::count(left.restarts, char{1}) == 1);
+}
