@@ -35,6 +35,7 @@ struct CircleOptions {
   std::string route = config::shipped_folder() / "routes/paper_loop.yaml";
   std::vector<std::string> hide;  // nothing: what chance picks
   std::string output;
+  bool json = false;
 };
 
 // What chance decides after the robot is made: calibration, recorded drives, and laps do not share their
@@ -68,7 +69,7 @@ class Circle {
     record(calibrated);
     find_gap();
     report_.after = laps(config::load_model(folder_ / "gap" / "model.yaml"));
-    print_circle(streams_.out, report_);
+    print();
     return ExitStatus::done;
   }
 
@@ -141,6 +142,13 @@ class Circle {
     for (const auto& added : json["added"]) report_.named.push_back(added["effect"]);
   }
 
+  void print() const {
+    if (!options_.json) return print_circle(streams_.out, report_);
+    nlohmann::ordered_json json{{"seed", options_.seed}, {"laps", options_.laps}};
+    json.update(circle_json(report_));
+    streams_.out << json.dump(2) << "\n";
+  }
+
   const CircleOptions& options_;
   Streams streams_;
   fs::path folder_;
@@ -172,6 +180,7 @@ Action add_circle(CLI::App& app) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command->add_option("-o,--output", options->output, "Folder for everything that comes of it")->required();
+  command->add_flag("--json", options->json, "As JSON");
   command->footer(
       "All on the virtual clock. Offsets are true distances from start to end of the route, driven by the\n"
       "model alone: A by the calibrated one, B by the one with the effects that were found.\n"

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "config/load/atomic_file.hpp"
@@ -21,6 +22,7 @@ struct ExportOptions {
   std::string mcap;
   std::string csv;
   TumChoice choice;
+  bool json = false;
 };
 
 std::string to_mcap(const RecordedRun& run) {
@@ -43,16 +45,19 @@ ExitStatus run_export(const ExportOptions& options, Streams streams) {
     throw UsageError("nothing to write; add --mcap OUT, --tum OUT or --csv OUT");
   }
   const RecordedRun run = load_recorded_run(options.log);
-  const auto write = [&](const std::string& path, const std::string& bytes) {
+  auto written = nlohmann::ordered_json::array();
+  const auto write = [&](const char* format, const std::string& path, const std::string& bytes) {
     for (const auto* table : {&run.drive, &run.poses}) {
       if (*table) check_output(path, {(*table)->name()});
     }
     if (const auto error = config::write_file_atomically(path, bytes)) throw UsageError(*error);
-    streams.out << "wrote " << path << "\n";
+    written.push_back({{"format", format}, {"file", path}, {"bytes", bytes.size()}});
+    if (!options.json) streams.out << "wrote " << path << "\n";
   };
-  if (!options.mcap.empty()) write(options.mcap, to_mcap(run));
-  if (!options.tum.empty()) write(options.tum, to_tum(run, options.choice));
-  if (!options.csv.empty()) write(options.csv, to_plain_csv(run));
+  if (!options.mcap.empty()) write("mcap", options.mcap, to_mcap(run));
+  if (!options.tum.empty()) write("tum", options.tum, to_tum(run, options.choice));
+  if (!options.csv.empty()) write("csv", options.csv, to_plain_csv(run));
+  if (options.json) streams.out << nlohmann::ordered_json{{"wrote", written}}.dump(2) << "\n";
   return ExitStatus::done;
 }
 
@@ -78,6 +83,7 @@ Action add_export(CLI::App& app) {
       ->default_str("best");
   command->add_option("--during", options->choice.during,
                       "With --tum: only of this activity, as 'route'; poses begin anew there");
+  command->add_flag("--json", options->json, "The files that were written, as JSON");
   command->footer("Example: wheelwright export runs/2026-11-21T06-48-44Z --mcap run.mcap");
   return [options](Streams streams) { return run_export(*options, streams); };
 }

@@ -1,5 +1,6 @@
 // wheelwright import: foreign data to a drive log.
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "config/load/drive_log_file.hpp"
@@ -16,19 +17,42 @@ struct MrclamFiles {
   std::string ground_truth;
   std::string output;
   config::MrclamOptions options;
+  bool json = false;
 };
+
+double length_s(const config::MrclamRun& run) {
+  return run.log.samples.back().t_s - run.log.samples.front().t_s;
+}
+
+void print(std::ostream& out, const config::MrclamRun& run, const std::string& output) {
+  out << run.log.samples.size() << " rows, " << config::fixed_number(length_s(run), 1)
+      << " s: " << run.commands << " commands, " << run.references
+      << " reference poses\nleft out: " << run.references_before << " poses before the first command and "
+      << run.references_after << " after the last, " << run.superseded
+      << " commands at whose very time another follows\nwrote " << output << "\n";
+}
+
+nlohmann::ordered_json to_json(const config::MrclamRun& run, const std::string& output) {
+  return {{"rows", run.log.samples.size()},
+          {"duration_s", length_s(run)},
+          {"commands", run.commands},
+          {"reference_poses", run.references},
+          {"left_out",
+           {{"poses_before_first_command", run.references_before},
+            {"poses_after_last_command", run.references_after},
+            {"superseded_commands", run.superseded}}},
+          {"output", output}};
+}
 
 ExitStatus import_mrclam(const MrclamFiles& files, Streams streams) {
   check_output(files.output, {files.odometry, files.ground_truth});
   const auto run = config::load_mrclam_run(files.odometry, files.ground_truth, files.options);
   config::save_drive_log(run.log, files.output);
-  const auto& rows = run.log.samples;
-  streams.out << rows.size() << " rows, " << config::fixed_number(rows.back().t_s - rows.front().t_s, 1)
-              << " s: " << run.commands << " commands, " << run.references
-              << " reference poses\nleft out: " << run.references_before
-              << " poses before the first command and " << run.references_after << " after the last, "
-              << run.superseded << " commands at whose very time another follows\nwrote " << files.output
-              << "\n";
+  if (files.json) {
+    streams.out << to_json(run, files.output).dump(2) << "\n";
+  } else {
+    print(streams.out, run, files.output);
+  }
   return ExitStatus::done;
 }
 
@@ -47,6 +71,7 @@ void add_mrclam(CLI::App& import, const std::shared_ptr<MrclamFiles>& files) {
                    "Period that the log states for a model [s]; rows stay at their own times")
       ->check(CLI::Range(0.001, 10.0))
       ->capture_default_str();
+  mrclam->add_flag("--json", files->json, "What was joined and what was left out, as JSON");
   mrclam->footer(
       "Example: wheelwright import mrclam Robot1_Odometry.dat Robot1_Groundtruth.dat -o robot1.csv");
 }

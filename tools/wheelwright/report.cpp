@@ -1,6 +1,7 @@
 // wheelwright report: what a run, a calibration or an evaluation came to, as a page.
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "config/load/atomic_file.hpp"
@@ -27,6 +28,7 @@ struct ReportOptions {
   std::string model;
   std::string truth;
   bool orders = false;
+  bool json = false;
 };
 
 std::string about(const RunMaterial& run) {
@@ -107,7 +109,11 @@ ExitStatus run_report(const ReportOptions& options, Streams streams) {
                                : run_page(options, progress);
   progress.clear();
   if (const auto error = config::write_file_atomically(output, page)) throw UsageError(*error);
-  streams.out << "wrote " << output << "\n";
+  if (options.json) {
+    streams.out << nlohmann::ordered_json{{"wrote", output}, {"bytes", page.size()}}.dump(2) << "\n";
+  } else {
+    streams.out << "wrote " << output << "\n";
+  }
   return ExitStatus::done;
 }
 
@@ -127,6 +133,7 @@ Action add_report(CLI::App& app) {
                       "True motion that roomba-sim wrote, to draw beside the route");
   command->add_flag("--orders", options->orders,
                     "Judge ARMA orders 1 to 15 on the random drive, which takes some seconds");
+  command->add_flag("--json", options->json, "The page that was written, as JSON");
   command->footer(
       "The page needs nothing but itself, no network. Pictures need gnuplot (package gnuplot-nox).\n"
       "Example: wheelwright report runs/2026-11-21T06-48-44Z -o report.html");

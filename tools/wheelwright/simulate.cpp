@@ -1,5 +1,6 @@
 // wheelwright simulate: a model and a log's commands in, predicted motion out.
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "config/load/atomic_file.hpp"
@@ -17,6 +18,7 @@ struct SimulateOptions {
   std::string model;
   std::string log;
   std::string output;
+  bool json = false;
 };
 
 std::string to_csv(const std::vector<PredictedMotion>& motion) {
@@ -33,6 +35,25 @@ std::string to_csv(const std::vector<PredictedMotion>& motion) {
   return text;
 }
 
+double length_s(const std::vector<PredictedMotion>& motion) {
+  return motion.back().t_s - motion.front().t_s;
+}
+
+void print(std::ostream& out, const std::vector<PredictedMotion>& motion, const SimulateOptions& options) {
+  const Pose& end = motion.back().pose;
+  out << motion.size() << " rows, " << config::fixed_number(length_s(motion), 1) << " s; ends at x "
+      << config::fixed_number(end.x_m, 3) << " m, y " << config::fixed_number(end.y_m, 3) << " m, theta "
+      << config::fixed_number(end.theta_rad, 3) << " rad\nwrote " << options.output << "\n";
+}
+
+nlohmann::ordered_json to_json(const std::vector<PredictedMotion>& motion, const SimulateOptions& options) {
+  const Pose& end = motion.back().pose;
+  return {{"rows", motion.size()},
+          {"duration_s", length_s(motion)},
+          {"end", {{"x_m", end.x_m}, {"y_m", end.y_m}, {"theta_rad", end.theta_rad}}},
+          {"output", options.output}};
+}
+
 ExitStatus run_simulate(const SimulateOptions& options, Streams streams) {
   check_output(options.output, {options.model, options.log});
   const RobotModel model = config::load_model(options.model);
@@ -41,11 +62,11 @@ ExitStatus run_simulate(const SimulateOptions& options, Streams streams) {
   const auto motion = free_run(model, log);
   if (const auto error = config::write_file_atomically(options.output, to_csv(motion)))
     throw UsageError(*error);
-  const PredictedMotion& last = motion.back();
-  streams.out << motion.size() << " rows, " << config::fixed_number(last.t_s - motion.front().t_s, 1)
-              << " s; ends at x " << config::fixed_number(last.pose.x_m, 3) << " m, y "
-              << config::fixed_number(last.pose.y_m, 3) << " m, theta "
-              << config::fixed_number(last.pose.theta_rad, 3) << " rad\nwrote " << options.output << "\n";
+  if (options.json) {
+    streams.out << to_json(motion, options).dump(2) << "\n";
+  } else {
+    print(streams.out, motion, options);
+  }
   return ExitStatus::done;
 }
 
@@ -58,6 +79,8 @@ Action add_simulate(CLI::App& app) {
   command->add_option("LOG", options->log, "Drive log of one run; its measurements are not used")->required();
   command->add_option("-o,--output", options->output, "CSV to write: t, wheel speeds, v, w, x, y, theta")
       ->required();
+  command->add_flag("--json", options->json,
+                    "Rows, duration and end as JSON; the motion goes to the CSV all the same");
   command->footer("Example: wheelwright simulate robot.yaml run2.csv -o predicted.csv");
   return [options](Streams streams) { return run_simulate(*options, streams); };
 }

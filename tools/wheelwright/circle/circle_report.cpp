@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <ostream>
 
@@ -11,6 +12,7 @@ namespace wheelwright::tools {
 namespace {
 
 using config::fixed_number;
+using nlohmann::ordered_json;
 
 bool is_name_of(const std::string& effect, const Imperfection& imperfection) {
   return std::ranges::find(imperfection.effects, effect) != imperfection.effects.end();
@@ -22,19 +24,29 @@ std::string joined(const std::vector<std::string>& words, const std::string& bet
   return text;
 }
 
+double mean_m(const std::vector<double>& offsets_m) {
+  const auto count = static_cast<double>(offsets_m.size());
+  return std::accumulate(offsets_m.begin(), offsets_m.end(), 0.0) / count;
+}
+
 void print_laps(std::ostream& out, const std::string& title, const Laps& laps) {
   out << title;
   if (laps.offsets_m.empty()) {
     out << "did not come to its end: " << laps.failure << "\n";
     return;
   }
-  const auto count = static_cast<double>(laps.offsets_m.size());
-  const double mean = std::accumulate(laps.offsets_m.begin(), laps.offsets_m.end(), 0.0) / count;
   const auto [least, most] = std::ranges::minmax(laps.offsets_m);
-  out << fixed_number(mean, 3) << " m, mean of " << laps.offsets_m.size() << " drives ("
+  out << fixed_number(mean_m(laps.offsets_m), 3) << " m, mean of " << laps.offsets_m.size() << " drives ("
       << fixed_number(least, 3) << " to " << fixed_number(most, 3) << ")";
   if (!laps.failure.empty()) out << "; another did not come to its end: " << laps.failure;
   out << "\n";
+}
+
+ordered_json to_json(const Laps& laps) {
+  ordered_json json{{"offsets_m", laps.offsets_m}, {"mean_offset_m", nullptr}, {"failure", nullptr}};
+  if (!laps.offsets_m.empty()) json["mean_offset_m"] = mean_m(laps.offsets_m);
+  if (!laps.failure.empty()) json["failure"] = laps.failure;
+  return json;
 }
 
 }  // namespace
@@ -65,6 +77,22 @@ void print_circle(std::ostream& out, const CircleReport& report) {
   const Told result = told(report);
   out << "  named rightly: " << result.rightly << " of " << report.hidden.size()
       << ", names that belong to nothing hidden: " << result.falsely << "\n";
+}
+
+ordered_json circle_json(const CircleReport& report) {
+  auto hidden = ordered_json::array();
+  for (const auto& imperfection : report.hidden) {
+    hidden.push_back({{"what", imperfection.what}, {"effects", imperfection.effects}});
+  }
+  const Told result = told(report);
+  return {{"before", to_json(report.before)},
+          {"verdict", report.verdict},
+          {"named", report.named},
+          {"after", to_json(report.after)},
+          {"hidden", hidden},
+          {"sealed_file", report.sealed_file},
+          {"named_rightly", result.rightly},
+          {"named_falsely", result.falsely}};
 }
 
 }  // namespace wheelwright::tools

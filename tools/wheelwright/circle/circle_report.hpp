@@ -2,6 +2,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -32,5 +33,10 @@ struct Told {
 Told told(const CircleReport& report);
 
 void print_circle(std::ostream& out, const CircleReport& report);
+
+// Keys: before, after {offsets_m, mean_offset_m, failure}, verdict, named, hidden [{what, effects}],
+// sealed_file, named_rightly, named_falsely. Where no lap came to its end the mean is null, where all did the
+// failure is.
+nlohmann::ordered_json circle_json(const CircleReport& report);
 
 }  // namespace wheelwright::tools
