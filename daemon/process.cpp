@@ -89,6 +89,21 @@ std::filesystem::path runtime_folder(const ProcessOptions& options) {
   return options.as_service && folder != nullptr ? folder : "";
 }
 
+// The same text for the folder of the run and, where one was asked for, for a file elsewhere.
+void write_lateness(const std::filesystem::path& run_folder, const std::filesystem::path& elsewhere,
+                    const std::string& text, LogReport& logs) {
+  const auto write = [&](const std::filesystem::path& file) {
+    if (const auto error = config::write_file_atomically(file, text)) {
+      spdlog::error("{}", *error);
+      logs.errors.push_back(*error);
+    } else {
+      logs.files.push_back(file);
+    }
+  };
+  write(run_folder / lateness_file_name);
+  if (!elsewhere.empty()) write(elsewhere);
+}
+
 RunOutcome run_once(const config::DaemonConfig& config, const ProcessOptions& options, Service& service,
                     const sigset_t& signals) {
   const Plan plan = make_plan(config, known_model(config));
@@ -169,18 +184,16 @@ RunOutcome run_once(const config::DaemonConfig& config, const ProcessOptions& op
                                    : "stopped, " + outcome.stopped);
   live_view_thread.join();
 
+  LogReport logs = log.report();
+  write_lateness(folder, options.lateness_file,
+                 lateness_text(lateness_record(session.lateness(), session.counts(), config.link.period_s,
+                                               describe(real_time))),
+                 logs);
   std::fputs(
-      summary(config, outcome, calibrator.report(), log.report(), session, real_time, wiring->dropped.load())
-          .c_str(),
+      summary(config, outcome, calibrator.report(), logs, session, real_time, wiring->dropped.load()).c_str(),
       stdout);
   std::fflush(stdout);
-  bool complete = log.report().errors.empty() && !calibrator.report().file_error;
-  if (!options.lateness_file.empty()) {
-    const auto error =
-        config::write_file_atomically(options.lateness_file, lateness_text(session, config.link.period_s));
-    if (error) spdlog::error("{}", *error);
-    complete = complete && !error;
-  }
+  const bool complete = logs.errors.empty() && !calibrator.report().file_error;
   if (outcome.cause == EndCause::done && !complete) outcome.cause = EndCause::files_lost;
   return outcome;
 }

@@ -14,6 +14,7 @@
 #include "tools/wheelwright/report/calibration_section.hpp"
 #include "tools/wheelwright/report/evaluation_section.hpp"
 #include "tools/wheelwright/report/html.hpp"
+#include "tools/wheelwright/report/lateness_section.hpp"
 #include "tools/wheelwright/report/run_section.hpp"
 #include "tools/wheelwright/report/wheel_plots.hpp"
 
@@ -76,6 +77,7 @@ std::string run_page(const ReportOptions& options, const ProgressLine& progress)
   const std::string of_run = run_section(run, truth);
   body += of_run;
   if (of_run.empty() && run.drive) body += log_section(*run.drive, run.model);
+  if (run.lateness) body += lateness_section(*run.lateness);
   say("drawing the calibration", 0.6);
   body += encoder_scale_section(run.calibration);
   body += response_section(run.calibration);

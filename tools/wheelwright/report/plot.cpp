@@ -56,6 +56,12 @@ Plot& Plot::equal_scales() {
   return *this;
 }
 
+Plot& Plot::logarithmic(double up_to_x, double from_y) {
+  settings_ +=
+      "set logscale xy\nset xrange [*:" + number(up_to_x) + "]\nset yrange [" + number(from_y) + ":*]\n";
+  return *this;
+}
+
 Plot& Plot::from_zero() {
   settings_ += "set yrange [0:*]\n";
   return *this;
@@ -67,8 +73,9 @@ Plot& Plot::range(double half) {
   return *this;
 }
 
-Plot& Plot::add(std::string title, std::string style, PlotPoints points, bool has_error) {
-  if (!points.empty()) series_.push_back({std::move(title), std::move(style), has_error, std::move(points)});
+Plot& Plot::add(std::string title, std::string style, PlotPoints points, std::string error_column) {
+  if (!points.empty())
+    series_.push_back({std::move(title), std::move(style), std::move(error_column), std::move(points)});
   return *this;
 }
 
@@ -91,14 +98,20 @@ Plot& Plot::dotted_line(std::string title, Ink ink, PlotPoints points) {
 }
 
 Plot& Plot::error_bars(std::string title, Ink ink, PlotPoints points) {
-  return add(std::move(title), "with yerrorbars pt 7 ps 0.4 lw 1.2 " + colour(ink), std::move(points), true);
+  return add(std::move(title), "with yerrorbars pt 7 ps 0.4 lw 1.2 " + colour(ink), std::move(points), ":3");
 }
 
-Plot& Plot::mark(double x, const std::string& word) {
+Plot& Plot::boxes(std::string title, Ink ink, PlotPoints points) {
+  return add(std::move(title), "with boxes fs transparent solid 0.4 border lw 1 " + colour(ink),
+             std::move(points), ":(2*$3)");
+}
+
+Plot& Plot::mark(double x, const std::string& word, double height) {
   const std::string at = number(x);
   settings_ += "set arrow from first " + at + ", graph 0 to first " + at + ", graph 1 nohead lw 1 dt 2 " +
-               colour(Ink::quiet) + "\nset label " + in_quotes(word) + " at first " + at +
-               ", graph 0.95 offset 0.4,0 textcolor rgb '" + std::string(placeholder(Ink::quiet)) + "'\n";
+               colour(Ink::quiet) + "\nset label " + in_quotes(word) + " at first " + at + ", graph " +
+               plain_number(height) + " offset 0.4,0 textcolor rgb '" + std::string(placeholder(Ink::quiet)) +
+               "'\n";
   return *this;
 }
 
@@ -124,12 +137,12 @@ std::string Plot::script() const {
     data += name + " << end\n";
     for (const PlotPoint& point : series.points) {
       data += number(point.x) + " " + number(point.y);
-      if (series.has_error) data += " " + number(point.error);
+      if (!series.error_column.empty()) data += " " + number(point.error);
       data += "\n";
     }
     data += "end\n";
-    plot += (plot.empty() ? "plot " : ", ") + name + " using 1:2" + (series.has_error ? ":3" : "") + " " +
-            series.style + (series.title.empty() ? " notitle" : " title " + in_quotes(series.title));
+    plot += (plot.empty() ? "plot " : ", ") + name + " using 1:2" + series.error_column + " " + series.style +
+            (series.title.empty() ? " notitle" : " title " + in_quotes(series.title));
   }
   return settings_ + data + plot + "\n";
 }

@@ -36,6 +36,8 @@ class Plot {
   Plot& equal_scales();      // one metre is as long upwards as sideways
   Plot& range(double half);  // both axes, to either side of zero
   Plot& from_zero();         // the vertical axis begins at zero
+  // Both axes; values must be above zero. Shown are all x up to one, and all y from one on.
+  Plot& logarithmic(double up_to_x, double from_y);
 
   // Series, drawn in the order in which they are added; an empty title leaves it out of the legend. A point
   // that is not finite interrupts a line.
@@ -44,8 +46,10 @@ class Plot {
   Plot& points(std::string title, Ink ink, PlotPoints points, double size = 0.5);
   Plot& dotted_line(std::string title, Ink ink, PlotPoints points);
   Plot& error_bars(std::string title, Ink ink, PlotPoints points);
-  // A mark across the picture at one x, with a word beside it.
-  Plot& mark(double x, const std::string& word);
+  // A histogram: boxes about their x, `error` to either side, y high.
+  Plot& boxes(std::string title, Ink ink, PlotPoints points);
+  // A mark across the picture at one x, with a word beside it at a height from 0 to 1.
+  Plot& mark(double x, const std::string& word, double height = 0.95);
   // A circle about (x, y), in units of the axes.
   Plot& circle(double x, double y, double radius, int dash = 1);
   // A word at a point.
@@ -62,11 +66,11 @@ class Plot {
  private:
   struct Series {
     std::string title;
-    std::string style;  // gnuplot's words
-    bool has_error = false;
+    std::string style;         // gnuplot's words
+    std::string error_column;  // gnuplot's words for it; empty where points have none
     PlotPoints points;
   };
-  Plot& add(std::string title, std::string style, PlotPoints points, bool has_error = false);
+  Plot& add(std::string title, std::string style, PlotPoints points, std::string error_column = "");
 
   std::string caption_;
   std::string settings_;

@@ -4,6 +4,7 @@
 
 #include "config/load/drive_log_file.hpp"
 #include "config/load/model_file.hpp"
+#include "config/load/text_file.hpp"
 #include "daemon/recorded_frames.hpp"
 #include "tools/wheelwright/export/recorded_run.hpp"
 
@@ -58,6 +59,9 @@ void read_neighbours(const fs::path& folder, RunMaterial& material) {
     material.config = config::load_daemon_config(folder / "config.yaml");
   }
   if (fs::exists(folder / "model.yaml", ignored)) material.model = config::load_model(folder / "model.yaml");
+  const fs::path lateness = folder / daemon::lateness_file_name;
+  if (const auto text = config::read_text(lateness))
+    material.lateness = daemon::parse_lateness(*text, lateness.string());
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "config/load/daemon_config.hpp"
+#include "daemon/lateness_file.hpp"
 #include "daemon/mcap/robot_recording.hpp"
 #include "model/brain/calibrator.hpp"
 #include "model/drive_log.hpp"
@@ -38,6 +39,7 @@ struct RunMaterial {
   std::optional<config::DaemonConfig> config;
   std::optional<RobotModel> model;  // that the run was driven by, as far as the files tell
   CalibrationMaterial calibration;
+  std::optional<daemon::LatenessRecord> lateness;  // of the sensor loop, where the run came to its end
 };
 
 // `path` is the folder of a run or a drive log or a pose log; `model` is looked at instead of the folder's
