@@ -8,10 +8,11 @@
 
 namespace wheelwright::config {
 
-// The shortest text that reads back as the same number.
+// The shortest text that reads back as the same number; never "-0".
 inline std::string plain_number(double value) {
   std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value == 0.0 ? 0.0 : value).ptr;
   return {buffer.data(), end};
 }
 

@@ -2,10 +2,12 @@
 #include <fstream>
 #include <sstream>
 
+#include "daemon/lateness_file.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/logged_run.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tools/wheelwright/command_line.hpp"
+#include "tools/wheelwright/report/calibration_section.hpp"
 #include "tools/wheelwright/report/plot.hpp"
 #include "tools/wheelwright/report/true_path.hpp"
 
@@ -57,14 +59,49 @@ TEST_CASE("The report of a run shows its calibrations, its route, and what happe
   const auto run = test::run_of(config, 1);
   REQUIRE(run.finished);
   test::write_logs(run, config, folder);
+  roomba::LatenessHistogram lateness;
+  for (int k = 0; k < 1000; ++k) lateness.add(std::chrono::microseconds(20 + k));
+  std::ofstream(folder / "lateness.txt")
+      << daemon::lateness_text(daemon::lateness_record(lateness, {}, 0.018, "SCHED_FIFO 80"));
   REQUIRE(command({"report", folder.string()}).status == ExitStatus::done);
   const std::string page = contents(folder / "report.html");
   for (const char* part :
        {"Calibration A: encoder scale", "metres per tick", "Calibration B: responses", "gain, own motor",
-        "The run", "checkpoints visited", "3 of 3", "Events and faults", "encoder_turn"}) {
+        "The run", "checkpoints visited", "3 of 3", "Events and faults", "encoder_turn",
+        "numbers are checkpoints", "How late the loop was", "SCHED_FIFO 80", "lateness [us]"}) {
     CHECK_THAT(page, ContainsSubstring(part));
   }
   check_stands_alone(page);
+}
+
+TEST_CASE("The report of a run without a route speaks of no checkpoints, and without its lateness of none") {
+  const auto folder = empty_folder("wheelwright_report_no_route");
+  auto config = test::short_configuration();
+  config.route.reset();
+  test::write_logs(test::run_of(config, 1), config, folder);
+  REQUIRE(command({"report", folder.string()}).status == ExitStatus::done);
+  const std::string page = contents(folder / "report.html");
+  CHECK_THAT(page, ContainsSubstring("Where the robot was"));
+  CHECK_THAT(page, !ContainsSubstring("checkpoint") && !ContainsSubstring("How late the loop was"));
+}
+
+TEST_CASE(
+    "The picture of orders marks the model's own order, and the one that would be chosen if that was given") {
+  OrderSweep sweep;
+  for (std::size_t order = 1; order <= 9; ++order) {
+    OrderSweepRow row;
+    row.order = order;
+    row.held_out_distance_rms_m = 0.001;
+    row.standard_error_m = 0.0001;
+    sweep.rows.push_back(row);
+  }
+  sweep.chosen = 2;
+  const auto given = tools::order_plot(sweep, 9);
+  CHECK_THAT(given.script(),
+             ContainsSubstring("'given: 9' at first 9") && ContainsSubstring("'auto: 2' at first 2"));
+  CHECK_THAT(given.script(), !ContainsSubstring("chosen"));
+  const auto chosen = tools::order_plot(sweep, 2);
+  CHECK_THAT(chosen.script(), ContainsSubstring("'chosen: 2' at first 2") && !ContainsSubstring("given"));
 }
 
 TEST_CASE("The report of a log from elsewhere shows what is in it") {

@@ -100,11 +100,23 @@ Plot pole_plot(const LinearModel& model) {
   return plot;
 }
 
-Plot order_plot(const OrderSweep& sweep) {
-  Plot plot(
-      "Which order: error of the free run on data that the fit has not seen, with one standard error. Chosen "
-      "is "
-      "the smallest order within one standard error of the best.");
+std::optional<OrderSweep> swept(const DriveLog& run) {
+  ArxFitOptions options;
+  options.period_s = run.period_s;
+  auto fit = fit_arx(std::span(&run, 1), options);
+  return fit ? fit->sweep : std::nullopt;
+}
+
+}  // namespace
+
+// A model's order may be given by the configuration, and then is not what the sweep would have chosen.
+Plot order_plot(const OrderSweep& sweep, std::size_t model_order) {
+  const bool is_given = sweep.chosen != model_order;
+  Plot plot(std::string("Which order: error of the free run on data that the fit has not seen, with one "
+                        "standard error. ") +
+            (is_given ? "The model's order was given; 'auto' would take the smallest one"
+                      : "Chosen is the smallest order") +
+            " within one standard error of the best.");
   plot.axes("order", "held-out error of travel [mm]").half().height(400).from_zero();
   PlotPoints points;
   for (const auto& row : sweep.rows) {
@@ -114,18 +126,12 @@ Plot order_plot(const OrderSweep& sweep) {
   }
   plot.line("", Ink::quiet, points);
   plot.error_bars("", Ink::accent, points);
-  plot.mark(static_cast<double>(sweep.chosen), "chosen: " + std::to_string(sweep.chosen));
+  const std::string chosen = std::to_string(sweep.chosen);
+  plot.mark(static_cast<double>(model_order),
+            is_given ? "given: " + std::to_string(model_order) : "chosen: " + chosen);
+  if (is_given) plot.mark(static_cast<double>(sweep.chosen), "auto: " + chosen, 0.88);
   return plot;
 }
-
-std::optional<OrderSweep> swept(const DriveLog& run) {
-  ArxFitOptions options;
-  options.period_s = run.period_s;
-  auto fit = fit_arx(std::span(&run, 1), options);
-  return fit ? fit->sweep : std::nullopt;
-}
-
-}  // namespace
 
 std::string arma_section(const CalibrationMaterial& material, bool sweep) {
   if (material.random.samples.empty()) return "";
@@ -145,7 +151,7 @@ std::string arma_section(const CalibrationMaterial& material, bool sweep) {
   for (auto& plot : weight_plots(fit)) plots.push_back(std::move(plot));
   plots.push_back(pole_plot(fit.model));
   const auto orders = fit.sweep ? fit.sweep : sweep ? swept(material.random) : std::nullopt;
-  if (orders) plots.push_back(order_plot(*orders));
+  if (orders) plots.push_back(order_plot(*orders, fit.model.left.from_own_past.size()));
   text += figures_html(draw(plots));
   if (!orders) {
     text += html::element("p", "The picture of orders takes some seconds: wheelwright report --orders.");

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "tools/wheelwright/report/plot.hpp"
 #include "tools/wheelwright/report/run_material.hpp"
 
 namespace wheelwright::tools {
@@ -16,5 +17,8 @@ std::string response_section(const CalibrationMaterial& material);
 std::string arma_section(const CalibrationMaterial& material, bool sweep);
 // A model that was made elsewhere: its responses and, for ARMA, its weights and poles.
 std::string model_section(const RobotModel& model);
+
+// Which orders were tried, which one would be chosen, and which one the model has.
+Plot order_plot(const OrderSweep& sweep, std::size_t model_order);
 
 }  // namespace wheelwright::tools

@@ -37,12 +37,14 @@ PlotPoints path(const Ticks& ticks, Pick pick) {
   return points;
 }
 
-Plot route_plot(const RunMaterial& run, const Ticks& ticks, const PlotPoints& truth) {
-  Plot plot("The route as each source of the pose has it; numbers are checkpoints.");
+Plot poses_plot(const RunMaterial& run, const Ticks& ticks, const PlotPoints& truth) {
+  const bool has_route = run.config && run.config->route;
+  Plot plot(has_route ? "The route as each source of the pose has it; numbers are checkpoints."
+                      : "Where the robot was, as each source of the pose has it.");
   plot.axes("x [m], forward at the start", "y [m], left at the start").height(500).equal_scales();
   const auto has_reference =
       std::ranges::any_of(ticks, [](const auto& tick) { return tick.reference.has_value(); });
-  if (run.config && run.config->route) {
+  if (has_route) {
     PlotPoints checkpoints;
     int number = 0;
     for (const Checkpoint& point : run.config->route->checkpoints) {
@@ -188,7 +190,7 @@ std::string timeline(const Ticks& ticks) {
   if (!ticks.empty()) close(ticks.back().t_s);
   return rows.empty()
              ? ""
-             : html::element("h3", "What it did") + html::table({"activity", "from, s", "for, s"}, rows);
+             : html::element("h3", "What it did") + html::table({"activity", "from [s]", "for [s]"}, rows);
 }
 
 std::string events(const Ticks& ticks) {
@@ -211,7 +213,7 @@ std::string events(const Ticks& ticks) {
   if (rows.empty()) return text + html::element("p", "None.");
   const std::size_t all = rows.size();
   rows.resize(std::min(all, most_events));
-  text += html::table({"time, s", "what"}, rows);
+  text += html::table({"time [s]", "what"}, rows);
   if (all > most_events)
     text += html::element("p", "and " + std::to_string(all - most_events) + " more in the pose log");
   return text;
@@ -250,7 +252,7 @@ std::string run_section(const RunMaterial& run, const std::optional<config::CsvT
   const auto true_route = truth ? std::optional(true_path(*truth)) : std::nullopt;
   std::string text = html::element("h2", "The run");
   if (!route.empty()) text += route_table(run, route, true_route);
-  std::vector<Plot> plots{route_plot(run, shown, true_route ? true_route->points : PlotPoints{}),
+  std::vector<Plot> plots{poses_plot(run, shown, true_route ? true_route->points : PlotPoints{}),
                           speed_plot(shown, Side::left), speed_plot(shown, Side::right)};
   for (auto& plot : residual_plots(shown)) plots.push_back(std::move(plot));
   for (auto& plot : power_plots(run.ticks)) plots.push_back(std::move(plot));
