@@ -102,10 +102,10 @@ TEST_CASE("evaluate --runs 2 prints a table, and end points with a picture where
 }
 
 TEST_CASE("evaluate --json gives every figure with its unit and interval") {
-  const auto outcome = evaluate({"--runs", "2", "--json", "--seed", "3"});
+  const auto outcome = evaluate({"--runs", "3", "--json", "--seed", "3"});
   REQUIRE(outcome.status == ExitStatus::done);
   const auto json = nlohmann::json::parse(outcome.out);
-  CHECK(json["runs"] == 2);
+  CHECK(json["runs"] == 3);
   CHECK(json["seed"] == 3);
   const auto& fir = json["models"]["fir"];
   CHECK(fir["mean_offset"]["unit"] == "m");

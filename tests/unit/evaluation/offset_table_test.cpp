@@ -71,6 +71,16 @@ TEST_CASE("A table of attempts that all failed has dashes and no numbers") {
   CHECK_THAT(out.str(), ContainsSubstring("only 0 of 2"));
 }
 
+TEST_CASE("A single attempt shows its offset with a dash for what one attempt cannot show") {
+  std::ostringstream out;
+  const auto rows = tools::offset_rows(attempts_that_end(1.0, 1), 1);
+  print_offset_table(out, rows);
+  CHECK_THAT(out.str(), ContainsSubstring("0.068 [-]") && !ContainsSubstring("0.068, "));
+  const auto json = tools::offset_json(rows)["odometry"];
+  CHECK(json.at("mean_offset").at("ci95").is_null());
+  CHECK_FALSE(json.contains("standard_deviation"));
+}
+
 TEST_CASE("A contender that was left out has no row") {
   auto outcomes = attempts_that_end(1.0, 2);
   for (auto& outcome : outcomes) outcome.back().reset();

@@ -18,7 +18,6 @@ double mean(std::span<const double> values) {
 }
 
 double standard_deviation(std::span<const double> values) {
-  if (values.size() < 2) return 0.0;
   const double centre = mean(values);
   double square_sum = 0.0;
   for (const double value : values) square_sum += (value - centre) * (value - centre);
@@ -59,9 +58,10 @@ double acceleration(std::span<const double> values, Figure figure) {
   return squares > 0.0 ? cubes / (6.0 * std::pow(squares, 1.5)) : 0.0;
 }
 
-Interval bootstrap_interval(std::span<const double> values, Figure figure, std::uint64_t seed) {
+std::optional<Interval> bootstrap_interval(std::span<const double> values, Figure figure,
+                                           std::uint64_t seed) {
+  if (values.size() < 3) return std::nullopt;
   const double estimate = figure(values);
-  if (values.size() < 3) return {estimate, estimate};
   std::mt19937_64 random(seed);
   std::vector<double> drawn(values.size());
   std::vector<double> replicates;
@@ -80,14 +80,18 @@ Interval bootstrap_interval(std::span<const double> values, Figure figure, std::
     const double place = normal_probability(bias + (bias + z) / (1.0 - slope * (bias + z)));
     return replicates[static_cast<std::size_t>(std::clamp(place * resamples, 0.0, resamples - 1.0))];
   };
-  return {bound(-normal_quantile_975), bound(normal_quantile_975)};
+  return Interval{bound(-normal_quantile_975), bound(normal_quantile_975)};
 }
 
 }  // namespace
 
 OffsetStatistics offset_statistics(std::span<const double> offsets_m, std::uint64_t seed) {
-  return {mean(offsets_m), standard_deviation(offsets_m), bootstrap_interval(offsets_m, mean, seed),
-          bootstrap_interval(offsets_m, standard_deviation, seed)};
+  OffsetStatistics statistics;
+  statistics.mean_m = mean(offsets_m);
+  if (offsets_m.size() >= 2) statistics.standard_deviation_m = standard_deviation(offsets_m);
+  statistics.mean_ci95_m = bootstrap_interval(offsets_m, mean, seed);
+  statistics.standard_deviation_ci95_m = bootstrap_interval(offsets_m, standard_deviation, seed);
+  return statistics;
 }
 
 }  // namespace wheelwright::tools

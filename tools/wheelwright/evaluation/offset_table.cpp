@@ -24,12 +24,16 @@ std::string metres(double value_m) {
   return fixed_number(value_m, 3);
 }
 
-std::string with_interval(double value_m, const Interval& interval_m) {
-  return metres(value_m) + " [" + metres(interval_m.low) + ", " + metres(interval_m.high) + "]";
+std::string with_interval(const std::optional<double>& value_m, const std::optional<Interval>& interval_m) {
+  if (!value_m) return "-";
+  const std::string between = interval_m ? metres(interval_m->low) + ", " + metres(interval_m->high) : "-";
+  return metres(*value_m) + " [" + between + "]";
 }
 
-ordered_json to_json(double value, const Interval& interval) {
-  return {{"value", value}, {"unit", "m"}, {"ci95", {interval.low, interval.high}}};
+ordered_json to_json(double value, const std::optional<Interval>& interval) {
+  ordered_json json{{"value", value}, {"unit", "m"}, {"ci95", nullptr}};
+  if (interval) json["ci95"] = {interval->low, interval->high};
+  return json;
 }
 
 std::string published_text(const OffsetRow& row) {
@@ -95,7 +99,9 @@ ordered_json offset_json(const std::vector<OffsetRow>& rows) {
     if (row.offset) {
       const OffsetStatistics& offset = *row.offset;
       model["mean_offset"] = to_json(offset.mean_m, offset.mean_ci95_m);
-      model["standard_deviation"] = to_json(offset.standard_deviation_m, offset.standard_deviation_ci95_m);
+      if (offset.standard_deviation_m) {
+        model["standard_deviation"] = to_json(*offset.standard_deviation_m, offset.standard_deviation_ci95_m);
+      }
     }
     if (!row.first_failure.empty()) model["first_failure"] = row.first_failure;
     if (row.contender.published) {

@@ -31,8 +31,10 @@ json load_json(const fs::path& path) {
 
 std::string with_interval(const json& figure) {
   if (figure.is_null()) return "-";
-  return fixed_number(figure["value"], 3) + " [" + fixed_number(figure["ci95"][0], 3) + ", " +
-         fixed_number(figure["ci95"][1], 3) + "]";
+  const json& interval = figure["ci95"];
+  const std::string between =
+      interval.is_null() ? "-" : fixed_number(interval[0], 3) + ", " + fixed_number(interval[1], 3);
+  return fixed_number(figure["value"], 3) + " [" + between + "]";
 }
 
 std::string table(const json& models) {
