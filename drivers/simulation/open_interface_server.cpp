@@ -21,6 +21,12 @@ std::int32_t word(std::span<const std::uint8_t> data, std::size_t at) {
   return static_cast<std::int16_t>(bits);
 }
 
+bool asks_to_move(const HostCommand& command) {
+  if (command.opcode == 137) return word(command.data, 0) != 0;
+  return (command.opcode == 145 || command.opcode == 146) &&
+         (word(command.data, 0) != 0 || word(command.data, 2) != 0);
+}
+
 }  // namespace
 
 OpenInterfaceServer::OpenInterfaceServer(const SimulationConfig& config, Mechanics& mechanics,
@@ -47,8 +53,7 @@ bool OpenInterfaceServer::receive(std::uint8_t byte, Nanoseconds now) {
   if (!command) return false;
   last_command_ = now;
   obey(*command);
-  const bool drives = command->opcode == 137 || command->opcode == 145 || command->opcode == 146;
-  return drives && may_drive();
+  return may_drive() && asks_to_move(*command);
 }
 
 void OpenInterfaceServer::obey(const HostCommand& command) {

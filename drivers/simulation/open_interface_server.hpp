@@ -28,7 +28,8 @@ class OpenInterfaceServer {
   OpenInterfaceServer(const SimulationConfig& config, Mechanics& mechanics, SensorBoard& sensors,
                       SerialLine& from_host, SerialLine& to_host, Noise& noise);
 
-  // Whether this byte completed a drive command (137, 145, 146) that the mode allows.
+  // Whether this byte completed a drive command (137, 145, 146) that the mode allows and that is not to
+  // stand.
   bool receive(std::uint8_t byte, Nanoseconds now);
   // Once per sensor period, after the sensors were refreshed: safety, sleep, stray text, and the stream's
   // next frame.

@@ -1,9 +1,11 @@
 // A drive of a real robot, to be played back by a robot that answers with what the real one recorded.
 //
-// Playing starts with the first drive command (137, 145 or 146) that the robot obeys, at the moment of the
-// recording at which the real robot was first commanded to move. Until then the robot stands at that sample;
-// then it answers with each sample from its recorded time on; at the end it holds the last one. Only packets
-// 41 to 44 come from the recording. What the host commands changes nothing.
+// Playing starts with the first command to move (137, 145 or 146) that the robot obeys, at the moment of the
+// recording at which the real robot was first commanded to move; so a host that drives the same route again
+// meets its own run. A command to stand starts nothing: hosts give it before all others, and wait for the
+// wheels to obey. Until then the robot stands at that sample; then it answers with each sample from its
+// recorded time on; at the end it holds the last one. Only packets 41 to 44 come from the recording. What the
+// host commands changes nothing.
 #pragma once
 
 #include <cstddef>
@@ -37,7 +39,7 @@ class Player {
  public:
   explicit Player(Recording recording);
 
-  // The host has sent a drive command and the robot has obeyed it.
+  // The host has sent a command to move and the robot has obeyed it.
   void drive_commanded(Nanoseconds now);
   // Overwrites packets 41 to 44 with what the recording holds for `now`.
   void answer(SensorBoard& sensors, Nanoseconds now);

@@ -1,4 +1,5 @@
 // The daemon on a recording of a real Create 2: what the robot counted is what the daemon logs.
+#include <cmath>
 #include <cstdlib>
 #include <optional>
 #include <set>
@@ -37,8 +38,8 @@ TEST_CASE("A recorded drive of a real robot comes back from the daemon count by 
   const auto played = bench.folder() / "recorded.csv";
   wheelwright::config::save_drive_log(log, played);
   const auto robot = bench.start_robot("default", "", {"--replay", played.string()});
-  // The recording begins with the first order, which is to stand; the daemon drives once it has ended.
-  const auto daemon = bench.start_daemon(bench.configure({.route = "[[0.1, 0]]"}));
+  // A route that takes longer than the recording, which begins with the first order to move.
+  const auto daemon = bench.start_daemon(bench.configure({.route = "[[2.4, 0]]"}));
   CHECK(daemon->wait(40s) == 0);
 
   const Table written = bench.drive_log();
@@ -60,4 +61,25 @@ TEST_CASE("A recorded drive of a real robot comes back from the daemon count by 
     CAPTURE(row);
     CHECK(counted.contains({written.number(row, "ticks_left"), written.number(row, "ticks_right")}));
   }
+}
+
+TEST_CASE(
+    "A robot that plays the log of a run answers the same drive with the same counts, from its start on") {
+  Bench bench;
+  auto robot = bench.start_robot("default");
+  const auto config = bench.configure({});
+  REQUIRE(bench.start_daemon(config)->wait(30s) == 0);
+  robot->end();
+  const Table first = bench.drive_log();
+
+  // Another robot by nature: what it counts by itself is something else.
+  robot = bench.start_robot("create2", "", {"--replay", (bench.runs().back() / "drive_log.csv").string()});
+  REQUIRE(bench.start_daemon(config)->wait(30s) == 0);
+  const Table again = bench.drive_log();
+  for (const char* wheel : {"ticks_left", "ticks_right"}) {
+    const double end = first.number(first.rows() - 1, wheel);
+    CHECK(end > 400.0);
+    CHECK(again.number(again.rows() - 1, wheel) == end);
+  }
+  CHECK(std::abs(static_cast<double>(first.rows()) - static_cast<double>(again.rows())) < 20);
 }

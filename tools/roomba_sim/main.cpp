@@ -42,7 +42,8 @@ void describe(CLI::App& app, Options& options) {
       ->check(CLI::NonNegativeNumber);
   app.add_option("--truth", options.truth, "write the true motion to this CSV file");
   app.add_option("--replay", options.replay,
-                 "answer with the counts of this drive log, from the first drive command on");
+                 "answer with the counts of this drive log, from the first command to move on");
+  app.set_version_flag("--version", "roomba-sim " WHEELWRIGHT_VERSION);
   app.footer(
       "Runs until SIGTERM or SIGINT. SIGUSR1 takes the battery out, and puts it in again.\n"
       "\n"

@@ -40,6 +40,18 @@ TEST_CASE("A replaying robot waits at the first command and then answers what wa
   CHECK(host.packet(43) == 300);
 }
 
+TEST_CASE("A command to stand does not start the recording") {
+  Host host(SimulatedRobot(SimulationConfig{}, recording_of(short_log())));
+  host.start();
+  host.drive(0, 0);
+  host.robot.advance(3s);
+  CHECK(host.packet(43) == 100);
+  CHECK(host.packet(42) == 0);
+  host.drive(0, 50);
+  host.robot.advance(600ms);
+  CHECK(host.packet(43) == 200);
+}
+
 TEST_CASE("A log without counts cannot be replayed") {
   DriveLog log = short_log();
   for (auto& sample : log.samples) sample.ticks.reset();
