@@ -1,7 +1,9 @@
 #include "daemon/telemetry/connection.hpp"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
+#include <numeric>
 #include <utility>
 
 namespace wheelwright::daemon::telemetry {
@@ -18,6 +20,10 @@ constexpr std::uint64_t largest_body = 1024;
 constexpr std::size_t largest_message = 64 * 1024;  // from a client
 // What a slow client may be behind: about two seconds of everything, after which it is dropped.
 constexpr std::size_t most_queued_bytes = 1024 * 1024;
+// More than this is a backlog: about an eighth of a second of everything.
+constexpr std::size_t backlog_bytes = 64 * 1024;
+// The system holds no more than about this for a client, so that what is queued here is what it is behind.
+constexpr int system_buffer_bytes = 128 * 1024;
 
 std::string_view view_of(beast::string_view text) {
   return {text.data(), text.size()};
@@ -40,6 +46,7 @@ Connection::Connection(asio::ip::tcp::socket socket, const ServerConfig& config,
   const auto caller = tcp.remote_endpoint(error);
   if (!error) caller_ = caller.address().to_string() + ":" + std::to_string(caller.port());
   tcp.set_option(asio::ip::tcp::no_delay(true), error);
+  tcp.set_option(asio::socket_base::send_buffer_size(system_buffer_bytes), error);
 }
 
 void Connection::start() {
@@ -172,6 +179,17 @@ void Connection::write_next() {
       self->close();
     }
   });
+}
+
+void Connection::forget_backlog() {
+  if (!is_open_ || queue_.empty() || queued_bytes_ <= backlog_bytes) return;
+  // The first is being written.
+  const auto forgotten = std::remove_if(queue_.begin() + 1, queue_.end(),
+                                        [](const Outgoing& message) { return message.may_be_skipped; });
+  queue_.erase(forgotten, queue_.end());
+  queued_bytes_ =
+      std::accumulate(queue_.begin(), queue_.end(), std::size_t{0},
+                      [](std::size_t sum, const Outgoing& message) { return sum + message.size(); });
 }
 
 void Connection::close() {

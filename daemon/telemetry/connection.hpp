@@ -27,6 +27,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void start();
   // Puts a message into the queue; where the queue is full the client is dropped.
   void send(Outgoing message);
+  // Forgets what is queued of the channels, where that is more than a client catches up with in a moment: the
+  // next message is then the next that it gets.
+  void forget_backlog();
   // Ends the conversation: politely where it is one, at once where not.
   void close();
 

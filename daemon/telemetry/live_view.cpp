@@ -266,9 +266,12 @@ std::vector<Message> LiveView::history(ChannelId channel) const {
   return {{channel, time_of(*last_), std::make_shared<const std::string>(*text)}};
 }
 
-// What is still to be said is said, and what then is still open is closed for good.
+// What is still to be said is said, and what then is still open is closed for good. How the run came out is
+// said first: a client that is behind may not be there for the rest.
 void LiveView::say_goodbye() {
   timer_.cancel();
+  server_->forget_backlogs();
+  publish_state(steady_clock::now());
   next_scene_ = {};
   look();
   server_->close();

@@ -102,6 +102,7 @@ Outgoing message_data(std::uint32_t subscription, const Message& message) {
   constexpr std::uint8_t opcode = 1;
   Outgoing out;
   out.binary = true;
+  out.may_be_skipped = message.channel != ChannelId::log;
   out.head[0] = static_cast<char>(opcode);
   out.head_size = 1;
   out.head_size += put(out.head.data() + out.head_size, subscription);

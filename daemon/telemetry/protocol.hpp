@@ -28,6 +28,7 @@ std::string_view choose_subprotocol(std::string_view offered);
 // One WebSocket message on its way to a client. The body may be shared by many.
 struct Outgoing {
   bool binary = false;
+  bool may_be_skipped = false;  // telemetry: the next message of its channel says how things are
   std::array<char, 13> head{};  // of binary messages, in front of the body
   std::size_t head_size = 0;
   std::shared_ptr<const std::string> body;

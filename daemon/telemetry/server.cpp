@@ -69,6 +69,10 @@ void Server::publish(const Message& message) {
   }
 }
 
+void Server::forget_backlogs() {
+  for (const auto& connection : connections_) connection->forget_backlog();
+}
+
 bool Server::anyone_wants(ChannelId channel) const {
   return std::any_of(connections_.begin(), connections_.end(), [&](const auto& connection) {
     const Conversation* const conversation = connection->conversation();

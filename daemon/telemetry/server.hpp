@@ -50,6 +50,9 @@ class Server {
 
   // Sends a message to all who have subscribed to its channel.
   void publish(const Message& message);
+  // Clients that are behind forget what they have not been sent yet, so that what is published next reaches
+  // them first.
+  void forget_backlogs();
   bool anyone_wants(ChannelId channel) const;
   // Subscriptions of all clients together: what publishing costs.
   std::size_t subscriptions() const;

@@ -36,6 +36,12 @@ class Service {
       server_.publish({channel, 42, text});
     });
   }
+  void forget_backlogs() {
+    boost::asio::post(context_, [this] { server_.forget_backlogs(); });
+  }
+  void close() {
+    boost::asio::post(context_, [this] { server_.close(); });
+  }
   std::size_t clients() {
     std::atomic<std::size_t> count{0};
     std::atomic<bool> done{false};
@@ -184,6 +190,50 @@ TEST_CASE("A client that reads nothing is dropped once its queue is full; the ot
   }
   CHECK(received == 400);
   CHECK(service.clients() == 1);
+}
+
+TEST_CASE(
+    "A client that is behind is told the end first; what was said and what others get is not forgotten") {
+  constexpr int count = 240;
+  const std::string pose(4 * 1024, ' ');  // all of them: less than makes the server drop a client
+  Service service;
+  LiveViewClient behind(service.port());
+  LiveViewClient reader(service.port());
+  for (LiveViewClient* client : {&behind, &reader}) {
+    client->subscribe(1, static_cast<std::uint32_t>(ChannelId::pose));
+    client->subscribe(2, static_cast<std::uint32_t>(ChannelId::state));
+    client->subscribe(3, static_cast<std::uint32_t>(ChannelId::log));
+    client->send_text("{}");
+    client->next_text("status");
+  }
+  for (int i = 0; i < count; ++i) {
+    service.publish(ChannelId::pose, pose + std::to_string(i));
+    CHECK_NOTHROW(reader.next_data(1));
+  }
+  service.publish(ChannelId::log, R"({"said":"once"})");
+  service.forget_backlogs();
+  service.publish(ChannelId::state, R"({"result":"finished"})");
+  service.close();
+
+  const auto poses_until_end = [](LiveViewClient& client) {
+    int poses = 0;
+    bool has_log = false;
+    while (const auto message = client.next()) {
+      if (!message->binary) continue;
+      has_log = has_log || message->subscription() == 3;
+      poses += message->subscription() == 1 ? 1 : 0;
+      if (message->subscription() != 2) continue;
+      CHECK(message->payload().at("result") == "finished");
+      CHECK(has_log);
+      return poses;
+    }
+    FAIL("the end was not told");
+    return poses;
+  };
+  CHECK(poses_until_end(reader) == 0);  // it has had them all
+  // What the system held already, on both sides, came before.
+  CHECK(poses_until_end(behind) < count / 2 + count / 4);
+  CHECK(behind.is_closed_within(2s));
 }
 
 TEST_CASE("No more callers are let in than there is room for, and there is room again when they go") {
