@@ -12,6 +12,8 @@
 #include <system_error>
 #include <utility>
 
+#include "drivers/simulation/terminal_holder.hpp"
+
 namespace wheelwright::simulation {
 namespace {
 
@@ -27,6 +29,21 @@ constexpr std::array<std::pair<speed_t, int>, 8> speeds{{{B300, 300},
                                                          {B38400, 38400},
                                                          {B57600, 57600},
                                                          {B115200, 115200}}};
+
+// A link that leads to something would be taken from whoever relies on it. A terminal is gone with the
+// process that held it, so a link that a killed process left behind leads nowhere.
+void refuse_link_in_use(const std::filesystem::path& link) {
+  std::error_code error;
+  const auto target = std::filesystem::canonical(link, error);
+  if (error) return;
+  const auto holder = holder_of(target);
+  if (holder && holder->pid == getpid()) return;
+  const std::string who =
+      holder ? ", which process " + std::to_string(holder->pid) + " (" + holder->name + ") holds"
+             : ", which is there";
+  throw std::runtime_error(link.string() + ": leads to " + target.string() + who +
+                           "; end that, remove the link, or choose another --link");
+}
 
 }  // namespace
 
@@ -96,6 +113,7 @@ TerminalLink::TerminalLink(std::filesystem::path link, const std::string& target
   std::error_code error;
   const auto kind = std::filesystem::symlink_status(link_, error).type();
   if (kind == std::filesystem::file_type::symlink) {
+    refuse_link_in_use(link_);
     std::filesystem::remove(link_, error);
   } else if (kind != std::filesystem::file_type::not_found) {
     throw std::runtime_error(link_.string() + ": is in the way and no symbolic link; choose another --link");

@@ -42,7 +42,8 @@ class PseudoTerminal {
 // A symbolic link to the terminal for as long as this object lives.
 class TerminalLink {
  public:
-  // Replaces an old symbolic link; throws std::runtime_error where something else is in the way.
+  // Replaces a symbolic link that leads nowhere any more, or to a terminal of this process; throws
+  // std::runtime_error, one line, where it leads to anything else or is no link.
   TerminalLink(std::filesystem::path link, const std::string& target);
   TerminalLink(const TerminalLink&) = delete;
   TerminalLink& operator=(const TerminalLink&) = delete;

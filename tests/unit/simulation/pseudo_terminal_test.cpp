@@ -1,6 +1,7 @@
 #include "drivers/simulation/pseudo_terminal.hpp"
 
 #include <fcntl.h>
+#include <sys/wait.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -83,6 +84,47 @@ TEST_CASE("The terminal knows the speed that its client has set") {
   CHECK(terminal.client_baud() == 115200);
   client.set_baud(B19200);
   CHECK(terminal.client_baud() == 19200);
+}
+
+TEST_CASE("A link to a terminal that another process holds is left to it, and taken over once that is gone") {
+  const auto link = wheelwright::test::temporary_folder() / "wheelwright_held_link_test";
+  std::filesystem::remove(link);
+  std::array<int, 2> ready{};
+  std::array<int, 2> end{};
+  REQUIRE(pipe(ready.data()) == 0);
+  REQUIRE(pipe(end.data()) == 0);
+  const pid_t other = fork();
+  if (other == 0) {
+    close(end[1]);
+    const PseudoTerminal held;
+    std::filesystem::create_symlink(held.path(), link);
+    char byte = 0;
+    const bool told = write(ready[1], &byte, 1) == 1 && read(end[0], &byte, 1) == 1;
+    _exit(told ? 0 : 1);  // as if killed: the link stays behind
+  }
+  char byte = 0;
+  REQUIRE(read(ready[0], &byte, 1) == 1);
+  const auto target = std::filesystem::read_symlink(link);
+  const std::string expected =
+      "leads to " + target.string() + ", which process " + std::to_string(other) + " (";
+  CHECK_THROWS_WITH(TerminalLink(link, "/dev/null"), ContainsSubstring(expected));
+  CHECK(std::filesystem::read_symlink(link) == target);
+  CHECK(write(end[1], &byte, 1) == 1);
+  CHECK(waitpid(other, nullptr, 0) == other);
+  CHECK_NOTHROW(TerminalLink(link, "/dev/null"));
+  CHECK_FALSE(std::filesystem::is_symlink(link));
+  for (const int descriptor : {ready[0], ready[1], end[0], end[1]}) close(descriptor);
+}
+
+TEST_CASE("A link to a terminal of the same process may be pointed elsewhere, one to a real device may not") {
+  const auto link = wheelwright::test::temporary_folder() / "wheelwright_own_link_test";
+  std::filesystem::remove(link);
+  const PseudoTerminal own;
+  std::filesystem::create_symlink(own.path(), link);
+  CHECK_NOTHROW(TerminalLink(link, "/dev/null"));
+  std::filesystem::create_symlink("/dev/null", link);
+  CHECK_THROWS_WITH(TerminalLink(link, own.path()), ContainsSubstring("leads to /dev/null, which is there"));
+  std::filesystem::remove(link);
 }
 
 TEST_CASE("A link points to the terminal, replaces an old link, and goes away with it") {
