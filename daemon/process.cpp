@@ -54,10 +54,16 @@ std::filesystem::path make_run_folder(const config::DaemonConfig& config) {
     if (c == ':') c = '-';
   }
   std::filesystem::path folder = config.log_folder / name;
-  for (int next = 2; std::filesystem::exists(folder); ++next) {
+  std::error_code ignored;
+  for (int next = 2; std::filesystem::exists(folder, ignored); ++next) {
     folder = config.log_folder / (name + "_" + std::to_string(next));
   }
-  std::filesystem::create_directories(folder);
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw config::ConfigError(config.file.string() + ": log_folder: " + folder.string() +
+                              " cannot be made (" + error.message() + "); name a folder that may be written");
+  }
   return folder;
 }
 

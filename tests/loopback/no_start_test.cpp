@@ -56,6 +56,20 @@ TEST_CASE("A device without permission is named, with the remedy") {
   CHECK_THAT(said, ContainsSubstring("dialout"));
 }
 
+TEST_CASE("A folder for logs that cannot be made is named, with its key") {
+  Bench bench;
+  const auto robot = bench.start_robot("perfect");
+  const auto config = bench.configure({});
+  std::string text = text_of(config);
+  const auto key = text.find("log_folder: ");
+  REQUIRE(key != std::string::npos);
+  text.replace(key, text.find_first_of(",}\n", key) - key, "log_folder: /proc/x");
+  const auto daemon = bench.start_daemon(bench.write("nowhere.yaml", text));
+  const std::string said = refusal_of(*daemon);
+  CHECK_THAT(said,
+             ContainsSubstring("nowhere.yaml: log_folder: /proc/x/") && ContainsSubstring("cannot be made"));
+}
+
 TEST_CASE("A second daemon on the same robot is refused, and the first drives on") {
   Bench bench;
   const auto robot = bench.start_robot("perfect");

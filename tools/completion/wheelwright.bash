@@ -1,4 +1,4 @@
-# Bash completion for wheelwright, wheelwrightd and roomba-sim. Source it, or install it as
+# Bash completion for wheelwright, wheelwrightd, roomba-sim and serial-faults. Source it, or install it as
 # /usr/share/bash-completion/completions/wheelwright.
 #
 # What can be completed is what --help lists: the programs are asked, so this file knows no list of its own.
@@ -48,4 +48,4 @@ _wheelwright() {
   mapfile -t COMPREPLY < <(compgen -f -- "$word")
 }
 
-complete -o filenames -F _wheelwright wheelwright wheelwrightd roomba-sim
+complete -o filenames -F _wheelwright wheelwright wheelwrightd roomba-sim serial-faults

@@ -99,9 +99,8 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     return run(options);
-  } catch (const CLI::CallForHelp&) {
-    std::cout << app.help();
-    return done;
+  } catch (const CLI::Success& wanted) {
+    return app.exit(wanted);
   } catch (const CLI::ParseError& error) {
     std::cerr << "roomba-sim: " << first_line(error.what()) << "; try --help\n";
   } catch (const std::exception& error) {

@@ -9,16 +9,21 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "drivers/serial/serial_port.hpp"
 #include "drivers/simulation/faulty_bridge.hpp"
+#include "tools/option_checks.hpp"
 
 namespace {
 
 namespace simulation = wheelwright::simulation;
 
+using wheelwright::tools::number_between;
+
+constexpr double day_s = 86400.0;
 constexpr int done = 0;
 constexpr int robot_gone = 1;
 constexpr int bad_usage = 2;
@@ -30,6 +35,8 @@ struct Options {
   std::vector<std::string> kinds;
   int baud = 115200;
   std::int64_t faults = 0;
+  std::optional<double> shortest_pause_s;
+  std::optional<double> longest_pause_s;
   simulation::CableFaultConfig cable;
 };
 
@@ -47,14 +54,19 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--link", options.link, "make a symbolic link here to the port for the host")->required();
   app.add_option("--seed", options.cable.seed, "of the faults (1)")->check(CLI::NonNegativeNumber);
   app.add_option("--kinds", options.kinds, "only these, comma separated: " + known_kinds())->delimiter(',');
-  app.add_option("--first", options.cable.first_after_s, "seconds until the first fault (2)");
-  app.add_option("--shortest-pause", options.cable.shortest_pause_s, "seconds between faults, at least (2)")
+  app.add_option("--first", options.cable.first_after_s, "time until the first fault (2)")
+      ->check(number_between(0.0, day_s, "s"));
+  app.add_option("--shortest-pause", options.shortest_pause_s,
+                 "time between faults, at least (2, or --longest-pause where that is less)")
+      ->check(number_between(0.001, day_s, "s"));
+  app.add_option("--longest-pause", options.longest_pause_s,
+                 "and at most (4, or --shortest-pause where that is more)")
+      ->check(number_between(0.001, day_s, "s"));
+  app.add_option("--faults", options.faults, "so many, then only carry on (no end)")
       ->check(CLI::PositiveNumber);
-  app.add_option("--longest-pause", options.cable.longest_pause_s, "and at most (4)")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--faults", options.faults, "so many, then only carry on (no end)");
   app.add_option("--log", options.log, "write each fault to this CSV file");
   app.add_option("--baud", options.baud, "of the robot's port (115200)");
+  app.set_version_flag("--version", "serial-faults " WHEELWRIGHT_VERSION);
   app.footer(
       "Runs until SIGTERM or SIGINT, then prints what it did. While the cable is out the link is gone.\n"
       "\n"
@@ -71,7 +83,14 @@ void settle(Options& options) {
       throw std::runtime_error("--kinds: no fault is called '" + name + "'; there are " + known_kinds());
     options.cable.kinds.push_back(*kind);
   }
-  options.cable.longest_pause_s = std::max(options.cable.longest_pause_s, options.cable.shortest_pause_s);
+  auto& cable = options.cable;
+  if (options.shortest_pause_s && options.longest_pause_s &&
+      *options.shortest_pause_s > *options.longest_pause_s) {
+    throw std::runtime_error("--shortest-pause is longer than --longest-pause; exchange them");
+  }
+  const double longest_s = options.longest_pause_s.value_or(cable.longest_pause_s);
+  cable.shortest_pause_s = options.shortest_pause_s.value_or(std::min(cable.shortest_pause_s, longest_s));
+  cable.longest_pause_s = std::max(longest_s, cable.shortest_pause_s);
 }
 
 class FaultLog {
@@ -156,9 +175,8 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     return run(options);
-  } catch (const CLI::CallForHelp&) {
-    std::cout << app.help();
-    return done;
+  } catch (const CLI::Success& wanted) {
+    return app.exit(wanted);
   } catch (const CLI::ParseError& error) {
     const std::string what = error.what();
     std::cerr << "serial-faults: " << what.substr(0, what.find('\n')) << "; try --help\n";

@@ -1,7 +1,6 @@
 // wheelwright evaluate: the source paper's Table II on the simulated robot.
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -11,6 +10,7 @@
 #include "config/load/route_file.hpp"
 #include "config/load/shipped_folder.hpp"
 #include "config/load/simulation_config.hpp"
+#include "tools/option_checks.hpp"
 #include "tools/wheelwright/commands.hpp"
 #include "tools/wheelwright/evaluation/attempts.hpp"
 #include "tools/wheelwright/evaluation/end_point_plot.hpp"
@@ -111,8 +111,7 @@ Action add_evaluate(CLI::App& app) {
   command->add_option("--robot", options->robot, "Simulated robot")->capture_default_str();
   command->add_option("--route", options->route, "Closed route")->capture_default_str();
   command->add_option("--calibrate", options->calibrate, "Before each attempt or once before all")
-      ->transform(CLI::Transformer(
-          std::map<std::string, Calibrate>{{"each", Calibrate::each}, {"once", Calibrate::once}}))
+      ->transform(one_of<Calibrate>({{"each", Calibrate::each}, {"once", Calibrate::once}}))
       ->default_str("each");
   command->add_flag("--with-effects", options->with_effects,
                     "Run the gap workflow once, and drive with what it found as well");

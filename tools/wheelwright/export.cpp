@@ -1,12 +1,12 @@
 // wheelwright export: a run to what other tools read.
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "config/load/atomic_file.hpp"
 #include "daemon/mcap/robot_recording.hpp"
+#include "tools/option_checks.hpp"
 #include "tools/wheelwright/commands.hpp"
 #include "tools/wheelwright/export/plain_csv.hpp"
 #include "tools/wheelwright/export/recorded_run.hpp"
@@ -72,14 +72,12 @@ Action add_export(CLI::App& app) {
   command->add_option("--csv", options->csv, "CSV to write, for pandas and PlotJuggler: header row first");
   command
       ->add_option("--pose", options->choice.pose,
-                   "With --tum: best (reference if there is one, else what steers), model, odometry, hybrid, "
-                   "reference")
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, WhichPose>{{"best", WhichPose::best},
-                                                                   {"model", WhichPose::model},
-                                                                   {"odometry", WhichPose::odometry},
-                                                                   {"hybrid", WhichPose::hybrid},
-                                                                   {"reference", WhichPose::reference}}))
+                   "With --tum; best is reference if there is one, else what steers")
+      ->transform(one_of<WhichPose>({{"best", WhichPose::best},
+                                     {"model", WhichPose::model},
+                                     {"odometry", WhichPose::odometry},
+                                     {"hybrid", WhichPose::hybrid},
+                                     {"reference", WhichPose::reference}}))
       ->default_str("best");
   command->add_option("--during", options->choice.during,
                       "With --tum: only of this activity, as 'route'; poses begin anew there");

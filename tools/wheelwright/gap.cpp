@@ -9,6 +9,7 @@
 #include "config/load/model_file.hpp"
 #include "model/gap/gap_analysis.hpp"
 #include "model/gap/next_experiment.hpp"
+#include "tools/option_checks.hpp"
 #include "tools/wheelwright/commands.hpp"
 #include "tools/wheelwright/gap/gap_json.hpp"
 #include "tools/wheelwright/gap/gap_text.hpp"
@@ -106,11 +107,11 @@ Action add_gap(CLI::App& app) {
   command
       ->add_option("--largest-speed", options->largest_speed_m_s,
                    "Of a wheel in the next experiment, m/s; else that of the logs, 0.3 at most")
-      ->check(CLI::Range(0.02, 2.0));
+      ->check(number_between(0.02, 2.0, "m/s"));
   command
       ->add_option("--free-radius", options->radius_m,
                    "Of the free floor around the start of the next experiment, m; else 1")
-      ->check(CLI::Range(0.3, 50.0));
+      ->check(number_between(0.3, 50.0, "m"));
   command->footer("Example: wheelwright gap --train run1.csv run2.csv run3.csv --test run4.csv -o gap");
   return [options](Streams streams) { return run_gap(*options, streams); };
 }

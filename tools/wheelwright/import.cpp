@@ -6,6 +6,7 @@
 #include "config/load/drive_log_file.hpp"
 #include "config/load/mrclam_files.hpp"
 #include "config/load/text_format.hpp"
+#include "tools/option_checks.hpp"
 #include "tools/wheelwright/commands.hpp"
 #include "tools/wheelwright/log_checks.hpp"
 
@@ -64,12 +65,12 @@ void add_mrclam(CLI::App& import, const std::shared_ptr<MrclamFiles>& files) {
       ->required();
   mrclam->add_option("-o,--output", files->output, "Drive log to write")->required();
   mrclam->add_option("--wheel-base", files->options.wheel_base_m, "Distance between the wheels [m]")
-      ->check(CLI::Range(0.01, 10.0))
+      ->check(number_between(0.01, 10.0, "m"))
       ->capture_default_str();
   mrclam
       ->add_option("--period", files->options.period_s,
                    "Period that the log states for a model [s]; rows stay at their own times")
-      ->check(CLI::Range(0.001, 10.0))
+      ->check(number_between(0.001, 10.0, "s"))
       ->capture_default_str();
   mrclam->add_flag("--json", files->json, "What was joined and what was left out, as JSON");
   mrclam->footer(

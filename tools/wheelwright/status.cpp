@@ -5,13 +5,13 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <iomanip>
 #include <memory>
 #include <ostream>
 
 #include <nlohmann/json.hpp>
 
+#include "config/load/text_file.hpp"
 #include "tools/wheelwright/commands.hpp"
 
 namespace wheelwright::tools {
@@ -28,12 +28,14 @@ struct StatusOptions {
 };
 
 json read_status(const std::string& file) {
-  std::ifstream stream(file);
-  if (!stream) {
+  std::error_code ignored;
+  const auto text = config::read_text(file);
+  if (!text) {
+    if (fs::exists(file, ignored)) throw UsageError(file + ": " + config::why_unreadable(file));
     throw DataRefusal(file + ": not there; no daemon runs, or it was started without --status FILE");
   }
   try {
-    json status = json::parse(stream);
+    json status = json::parse(*text);
     if (status.at("wheelwright_status") != 1) throw UsageError(file + ": of a version that is not known");
     return status;
   } catch (const json::exception&) {
