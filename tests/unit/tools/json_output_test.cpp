@@ -2,13 +2,12 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "tests/support/catch.hpp"
 #include "tests/support/logged_run.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/wheelwright_command.hpp"
 #include "tools/wheelwright/circle/circle_report.hpp"
-#include "tools/wheelwright/command_line.hpp"
 
 using namespace wheelwright;
 using tools::ExitStatus;
@@ -25,11 +24,9 @@ struct Answer {
 
 Answer answer(std::vector<std::string> arguments) {
   arguments.emplace_back("--json");
-  std::ostringstream out;
-  std::ostringstream err;
-  const ExitStatus status = tools::run_command_line(arguments, {out, err});
-  INFO(out.str() << err.str());
-  return {status, nlohmann::json::parse(out.str().empty() ? "null" : out.str()), err.str()};
+  const auto outcome = test::wheelwright_command(arguments);
+  INFO(outcome.out << outcome.err);
+  return {outcome.status, nlohmann::json::parse(outcome.out.empty() ? "null" : outcome.out), outcome.err};
 }
 
 fs::path empty_folder(const std::string& name) {
