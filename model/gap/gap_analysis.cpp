@@ -13,6 +13,7 @@ namespace {
 constexpr double sure = 0.9;             // posterior from which on a name stands
 constexpr double more_than_noise = 1.5;  // of a figure, in noise floors; clean logs stay below 1.15
 constexpr double far_above_noise = 2.0;
+constexpr double nowhere_near = 6.0;
 constexpr std::string_view dropout_name = "encoder_dropout";
 constexpr std::uint64_t floor_seed = 1;
 constexpr std::size_t most_regimes = 6;
@@ -227,10 +228,16 @@ Excess Analysis::what_is_left() const {
   return largest_excess(result_.train, result_.tail_held_out ? result_.train : result_.test);
 }
 
-// Whatever helps a little is not what is missing, where free runs stay far off all the same.
+// Whatever helps a little is not what is missing, where free runs stay far off all the same. What explains a
+// lot may stand although more is missing.
 bool Analysis::leaves_most_of_it() const {
+  constexpr double explains_a_lot_nats = 100.0;
+  const bool helps_a_little = std::ranges::any_of(result_.found, [](const Finding& found) {
+    return found.setting.name != dropout_name && found.heldout_gain_nats < explains_a_lot_nats;
+  });
+  if (!helps_a_little) return false;
   const Excess left = what_is_left();
-  return left.times >= far_above_noise && left.closed < 0.5;
+  return left.times >= nowhere_near || (left.times >= far_above_noise && left.closed < 0.5);
 }
 
 void Analysis::mention_what_is_left() {
