@@ -18,12 +18,4 @@ namespace wheelwright::gap {
 std::optional<TrialEffect> find_command_steps(const GapProblem& train, const GapFit& fit,
                                               const EffectInfo& info, const ForEach& for_each);
 
-// `model` with its command_quantization, if it has one, where its free runs are best: a command close to a
-// rise goes up or not, so that there is no slope for a fit to follow.
-TrialModel with_steps_tuned(const GapProblem& train, TrialModel model, const ForEach& for_each);
-
-// `model` with its command_quantization, if it has one, in the middle of all that explain these runs as well:
-// between two commands that were given, a rise may lie anywhere.
-TrialModel with_steps_centred(const GapProblem& train, TrialModel model, const ForEach& for_each);
-
 }  // namespace wheelwright::gap

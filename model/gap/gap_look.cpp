@@ -5,6 +5,7 @@
 
 #include "model/gap/command_steps.hpp"
 #include "model/gap/decoys.hpp"
+#include "model/gap/step_tuning.hpp"
 #include "model/gap/wheel_angles.hpp"
 
 namespace wheelwright::gap {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "model/gap/command_steps.hpp"
 #include "model/gap/decoys.hpp"
 #include "model/gap/gap_look.hpp"
+#include "model/gap/step_tuning.hpp"
 
 namespace wheelwright::gap {
 namespace {

@@ -36,5 +36,5 @@ TEST_CASE("Steps of the command are found though only the right step rounds the 
   const auto analysis = analysed("command_quantization", test::Severity::large, 25.0);
   REQUIRE(analysis.verdict == Verdict::named);
   CHECK(analysis.found.front().setting.name == "command_quantization");
-  CHECK_THAT(analysis.found.front().setting.parameters[0], WithinRel(0.035, 0.005));
+  CHECK_THAT(analysis.found.front().setting.parameters[0], WithinRel(0.035, 0.01));
 }
