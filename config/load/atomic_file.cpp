@@ -17,12 +17,27 @@ bool write_all(int descriptor, const std::string& text) {
     if (n <= 0) return false;
     written += static_cast<std::size_t>(n);
   }
-  return ::fsync(descriptor) == 0;
+  return true;
+}
+
+// A device or a pipe stays what it is: a file in the place of /dev/null would spoil the machine.
+std::optional<std::string> write_into(const std::filesystem::path& path, const std::string& text) {
+  const auto failure = [&] { return path.string() + ": cannot be written: " + std::strerror(errno); };
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) return failure();
+  const bool written = write_all(descriptor, text);
+  const int write_error = errno;
+  ::close(descriptor);
+  errno = write_error;
+  return written ? std::nullopt : std::optional(failure());
 }
 
 }  // namespace
 
 std::optional<std::string> write_file_atomically(const std::filesystem::path& path, const std::string& text) {
+  std::error_code unknown;
+  const auto status = std::filesystem::status(path, unknown);
+  if (std::filesystem::is_other(status)) return write_into(path, text);
   const std::string temporary = path.string() + ".part";
   const auto failure = [&](const char* what) {
     std::string message = path.string() + ": " + what + ": " + std::strerror(errno);
@@ -31,7 +46,7 @@ std::optional<std::string> write_file_atomically(const std::filesystem::path& pa
   };
   const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (descriptor < 0) return failure("cannot be created");
-  const bool written = write_all(descriptor, text);
+  const bool written = write_all(descriptor, text) && ::fsync(descriptor) == 0;
   const int write_error = errno;
   ::close(descriptor);
   if (!written) {
