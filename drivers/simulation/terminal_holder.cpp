@@ -1,5 +1,7 @@
 #include "drivers/simulation/terminal_holder.hpp"
 
+#include <sys/stat.h>
+
 #include <charconv>
 #include <fstream>
 
@@ -19,12 +21,24 @@ bool is_end_of(const fs::path& descriptor_info, const std::string& terminal_numb
   return false;
 }
 
+// A container has terminals of its own, which are counted from 0 as well.
+bool is_of_this_system(const fs::path& descriptor) {
+  struct stat held {};
+  struct stat own {};
+  if (::stat(descriptor.c_str(), &held) != 0) return false;
+  for (const char* const maker : {"/dev/ptmx", "/dev/pts/ptmx"}) {
+    if (::stat(maker, &own) == 0 && own.st_dev == held.st_dev) return true;
+  }
+  return false;
+}
+
 bool holds(const fs::path& process, const std::string& terminal_number) {
   std::error_code error;
   for (fs::directory_iterator at(process / "fd", error), end; !error && at != end; at.increment(error)) {
     std::error_code gone;
     const fs::path target = fs::read_symlink(at->path(), gone);
-    if (target.filename() == "ptmx" && is_end_of(process / "fdinfo" / at->path().filename(), terminal_number))
+    if (target.filename() == "ptmx" && is_of_this_system(at->path()) &&
+        is_end_of(process / "fdinfo" / at->path().filename(), terminal_number))
       return true;
   }
   return false;

@@ -14,7 +14,8 @@
 using namespace wheelwright;
 
 TEST_CASE("A file is replaced whole, and nothing is left beside it") {
-  const auto folder = test::temporary_folder();
+  const auto folder = test::temporary_folder() / "replaced";
+  std::filesystem::create_directory(folder);
   CHECK_FALSE(config::write_file_atomically(folder / "model.yaml", "one"));
   CHECK_FALSE(config::write_file_atomically(folder / "model.yaml", "two"));
   std::ifstream file(folder / "model.yaml");
