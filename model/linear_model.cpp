@@ -15,6 +15,14 @@ double dot(const std::vector<double>& weights, const double* history) {
   return std::inner_product(weights.begin(), weights.end(), history, 0.0);
 }
 
+// Most wheels know nothing of the other one's command: a row of zeros need not be summed in every sample.
+WheelResponse without_idle_weights(WheelResponse response) {
+  for (auto* weights : {&response.from_left, &response.from_right, &response.from_own_past}) {
+    while (!weights->empty() && weights->back() == 0.0) weights->pop_back();
+  }
+  return response;
+}
+
 }  // namespace
 
 DcGain dc_gain(const WheelResponse& response) {
@@ -71,8 +79,8 @@ void LinearPredictor::History::clear() {
 LinearPredictor::LinearPredictor(const LinearModel& model)
     : left_commands_(std::max(model.left.from_left.size(), model.right.from_left.size())),
       right_commands_(std::max(model.left.from_right.size(), model.right.from_right.size())),
-      left_{model.left, History(model.left.from_own_past.size())},
-      right_{model.right, History(model.right.from_own_past.size())} {}
+      left_{without_idle_weights(model.left), History(model.left.from_own_past.size())},
+      right_{without_idle_weights(model.right), History(model.right.from_own_past.size())} {}
 
 WheelPair LinearPredictor::step(const WheelPair& command) {
   left_commands_.push(command.left);

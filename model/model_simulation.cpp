@@ -26,7 +26,7 @@ ModelSimulation::ModelSimulation(const LinearModel& core, std::vector<std::uniqu
 }
 
 ModelSimulation::ModelSimulation(const ModelSimulation& other)
-    : core_(other.core_), around_(other.around_), motion_(other.motion_) {
+    : core_(other.core_), around_(other.around_), motion_(other.motion_), with_place_(other.with_place_) {
   for (const auto& effect : other.effects_) effects_.push_back(effect->clone());
 }
 
@@ -36,6 +36,7 @@ ModelSimulation& ModelSimulation::operator=(const ModelSimulation& other) {
   core_ = other.core_;
   around_ = other.around_;
   motion_ = other.motion_;
+  with_place_ = other.with_place_;
   for (std::size_t i = 0; i < effects_.size(); ++i) effects_[i]->assign(*other.effects_[i]);
   return *this;
 }
@@ -55,7 +56,11 @@ const ModelSimulation::Motion& ModelSimulation::step(const WheelPair& command_m_
   for (const auto& effect : effects_) effect->body(motion_.twist, around_);
 
   const double period_s = around_.period_s;
-  around_.pose = move_along_arc(around_.pose, motion_.twist, period_s);
+  if (with_place_) {
+    around_.pose = move_along_arc(around_.pose, motion_.twist, period_s);
+  } else {
+    around_.pose.theta_rad += motion_.twist.w_rad_s * period_s;
+  }
   around_.speed_m_s = motion_.wheel_m_s;
   around_.distance_m.left += motion_.wheel_m_s.left * period_s;
   around_.distance_m.right += motion_.wheel_m_s.right * period_s;

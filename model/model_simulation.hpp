@@ -49,6 +49,10 @@ class ModelSimulation {
   // Rolled by the wheels since the start (and before it, as reset was told), as the encoders see it.
   const WheelPair& distance_m() const { return around_.distance_m; }
 
+  // Without its place, x and y of the pose stay where they are and a step takes a fifth less time; for those who
+  // look at wheels only, of a model in which no effect acts by place.
+  void leave_out_place() { with_place_ = false; }
+
   // Sets the pose, not the motion.
   void set_pose(const Pose& pose) { around_.pose = pose; }
   // To rest at a pose, at the start of a run. `rolled_before_m` tells the angle at which the wheels stand.
@@ -61,6 +65,7 @@ class ModelSimulation {
   std::vector<std::unique_ptr<Effect>> effects_;  // in the order in which they act
   Surroundings around_;
   Motion motion_;
+  bool with_place_ = true;
 };
 
 }  // namespace wheelwright

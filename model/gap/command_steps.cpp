@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
-
-#include "model/gap/gap_contest.hpp"
+#include <map>
 
 namespace wheelwright::gap {
 namespace {
@@ -23,9 +21,11 @@ struct Steps {
   double rises_at;
 };
 
-struct WheelSeries {
-  std::vector<double> command_m_s;
-  std::vector<double> evidence;  // residual speed, turned round: what a change of each command would explain
+// All periods of a wheel in which it was told the same.
+struct Commanded {
+  double command_m_s = 0.0;
+  double periods = 0.0;
+  double evidence = 0.0;  // residual speed, turned round: what a change of this command would explain
 };
 
 // What the model leaves of a wheel's travel, per period. Empty where it is not known closely enough.
@@ -93,29 +93,41 @@ std::vector<double> turned_round(const std::vector<double>& residuals, const std
   return evidence;
 }
 
-std::vector<WheelSeries> gathered(const GapProblem& problem, const TrialModel& model) {
-  std::vector<WheelSeries> all;
+std::vector<Commanded> by_command(const GapRun& run, bool right, const std::vector<double>& evidence) {
+  std::map<double, Commanded> all;
+  for (std::size_t k = 0; k < std::min(run.commands_m_s.size(), evidence.size()); ++k) {
+    const double u = right ? run.commands_m_s[k].right : run.commands_m_s[k].left;
+    if (u == 0.0) continue;
+    Commanded& same = all[u];
+    same.command_m_s = u;
+    same.periods += 1.0;
+    same.evidence += evidence[k];
+  }
+  std::vector<Commanded> commands;
+  for (const auto& [u, same] : all) commands.push_back(same);
+  return commands;
+}
+
+using WheelCommands = std::vector<std::vector<Commanded>>;  // of each wheel in each run
+
+WheelCommands gathered(const GapProblem& problem, const TrialModel& model) {
+  WheelCommands all;
   for (const auto& run : problem.runs()) {
     if (!run.has_counts && run.sparse) continue;
     const auto residuals = residual_speeds(run, model);
     for (const bool right : {false, true}) {
       const auto& of_wheel = residuals[right ? 1 : 0];
       if (of_wheel.empty()) continue;
-      WheelSeries series;
-      for (const auto& command : run.commands_m_s) {
-        series.command_m_s.push_back(right ? command.right : command.left);
-      }
-      series.evidence = turned_round(of_wheel, impulse_response(model, right));
-      all.push_back(std::move(series));
+      all.push_back(by_command(run, right, turned_round(of_wheel, impulse_response(model, right))));
     }
   }
   return all;
 }
 
-std::vector<Steps> steps_to_try(const std::vector<WheelSeries>& wheels) {
+std::vector<Steps> steps_to_try(const WheelCommands& wheels) {
   double fastest = 0.0;
   for (const auto& wheel : wheels) {
-    for (const double u : wheel.command_m_s) fastest = std::max(fastest, std::abs(u));
+    for (const auto& told : wheel) fastest = std::max(fastest, std::abs(told.command_m_s));
   }
   std::vector<Steps> steps;
   if (fastest <= 0.0) return steps;
@@ -141,44 +153,44 @@ std::vector<Steps> steps_around(const Steps& middle) {
   return steps;
 }
 
+double sign_of(double value) {
+  return value > 0.0 ? 1.0 : -1.0;
+}
+
 // Correlation of the evidence with what the effect does to the commands, over the size of that. What a gain
 // or a loss by sign explains is no sign of steps.
-double likeness(const std::vector<WheelSeries>& wheels, const EffectInfo& info, const Steps& steps) {
+double likeness(const WheelCommands& wheels, const EffectInfo& info, const Steps& steps) {
   const std::array parameters{steps.step_m_s, steps.rises_at};
   const auto effect = info.make({parameters, 0});
   double agreement = 0.0;
   double power = 0.0;
   for (const auto& wheel : wheels) {
-    const std::size_t count = std::min(wheel.command_m_s.size(), wheel.evidence.size());
-    std::vector<double> change(count);
+    std::vector<double> change(wheel.size());
     double by_command = 0.0;
     double by_sign = 0.0;
     double commands = 0.0;
     double signs = 0.0;
     double both = 0.0;
-    for (std::size_t k = 0; k < count; ++k) {
-      const double u = wheel.command_m_s[k];
-      if (u == 0.0) continue;
+    for (std::size_t i = 0; i < wheel.size(); ++i) {
+      const auto& [u, periods, evidence] = wheel[i];
       WheelPair acted{u, u};
       effect->command(acted, {});
-      change[k] = acted.left - u;
-      const double sign = u > 0.0 ? 1.0 : -1.0;
-      by_command += change[k] * u;
-      by_sign += change[k] * sign;
-      commands += u * u;
-      signs += 1.0;
-      both += u * sign;
+      change[i] = acted.left - u;
+      by_command += periods * change[i] * u;
+      by_sign += periods * change[i] * sign_of(u);
+      commands += periods * u * u;
+      signs += periods;
+      both += periods * std::abs(u);
     }
     const double determinant = commands * signs - both * both;
     if (!(determinant > 1e-9 * commands * signs)) continue;
     const double gain = (by_command * signs - by_sign * both) / determinant;
     const double loss = (by_sign * commands - by_command * both) / determinant;
-    for (std::size_t k = 0; k < count; ++k) {
-      const double u = wheel.command_m_s[k];
-      if (u == 0.0) continue;
-      const double left = change[k] - gain * u - loss * (u > 0.0 ? 1.0 : -1.0);
-      agreement += left * wheel.evidence[k];
-      power += left * left;
+    for (std::size_t i = 0; i < wheel.size(); ++i) {
+      const auto& [u, periods, evidence] = wheel[i];
+      const double left = change[i] - gain * u - loss * sign_of(u);
+      agreement += left * evidence;
+      power += periods * left * left;
     }
   }
   return power > 0.0 ? agreement / std::sqrt(power) : 0.0;
@@ -196,7 +208,7 @@ struct BestSteps {
   bool stands_out = false;
 };
 
-BestSteps best_of(const std::vector<Steps>& steps, const std::vector<WheelSeries>& wheels,
+BestSteps best_of(const std::vector<Steps>& steps, const WheelCommands& wheels,
                   const EffectInfo& info, const ForEach& for_each) {
   std::vector<double> likenesses(steps.size());
   for_each(steps.size(), [&](std::size_t i) { likenesses[i] = likeness(wheels, info, steps[i]); });
@@ -210,7 +222,7 @@ BestSteps best_of(const std::vector<Steps>& steps, const std::vector<WheelSeries
 
 std::optional<TrialEffect> find_command_steps(const GapProblem& train, const GapFit& fit,
                                               const EffectInfo& info, const ForEach& for_each) {
-  const std::vector<WheelSeries> wheels = gathered(train, fit.model);
+  const WheelCommands wheels = gathered(train, fit.model);
   const std::vector<Steps> steps = steps_to_try(wheels);
   if (steps.empty()) return std::nullopt;
   const BestSteps near = best_of(steps, wheels, info, for_each);

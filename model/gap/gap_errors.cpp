@@ -1,5 +1,6 @@
 #include "model/gap/gap_errors.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace wheelwright::gap {
@@ -165,6 +166,8 @@ void measure_motion(GapRun& run) {
 
 RunErrors free_run_errors(const TrialModel& model, const GapRun& run, Part part) {
   ModelSimulation simulation = model.simulation();
+  const auto by_place = [](const TrialEffect& effect) { return effect.info->needs.place; };
+  if (part == Part::wheels && std::ranges::none_of(model.effects, by_place)) simulation.leave_out_place();
   const Path path = simulate(simulation, run);
   RunErrors errors;
   for (const Channel channel : {Channel::left, Channel::right}) {
