@@ -9,7 +9,9 @@ namespace {
 class AsymmetricResponse final : public EffectOf<AsymmetricResponse> {
  public:
   explicit AsymmetricResponse(const EffectArguments& arguments)
-      : extra_lag_s_(arguments.parameters[0]), of_command_(arguments.variant == 0) {}
+      : extra_lag_s_(arguments.parameters[0]),
+        quick_lag_s_(arguments.parameters[1]),
+        of_command_(arguments.variant == 0) {}
 
   void command(WheelPair& command_m_s, const Surroundings& around) override {
     if (of_command_) follow(command_m_s, around.period_s);
@@ -27,11 +29,13 @@ class AsymmetricResponse final : public EffectOf<AsymmetricResponse> {
   }
   void follow(double& now, double wanted, double period_s) const {
     const bool slowing = std::abs(wanted) < std::abs(now) || wanted * now < 0.0;
-    const bool lags = slowing == (extra_lag_s_ > 0.0);
-    now += (wanted - now) * (lags ? period_s / (period_s + std::abs(extra_lag_s_)) : 1.0);
+    const bool slow = slowing == (extra_lag_s_ > 0.0);
+    const double lag_s = quick_lag_s_ + (slow ? std::abs(extra_lag_s_) : 0.0);
+    now += (wanted - now) * period_s / (period_s + lag_s);
   }
 
   double extra_lag_s_;
+  double quick_lag_s_;
   bool of_command_;
   WheelPair now_;
 };
@@ -50,7 +54,15 @@ EffectInfo asymmetric_response() {
             -0.6,
             0.6,
             {-0.2, -0.1, -0.05, -0.025, 0.025, 0.05, 0.1, 0.2},
-            0.003}},
+            0.003},
+           {"quick_lag",
+            "s",
+            "time constant of the quicker of the two, as far as the linear core does not hold it",
+            0.0,
+            0.6,
+            {0.0},
+            0.0,
+            false}},
           {.variety = true},
           [](const EffectArguments& arguments) { return std::make_unique<AsymmetricResponse>(arguments); }};
 }

@@ -1,18 +1,25 @@
 // gain_curve: gain bends with command size.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "model/effects/effect.hpp"
 
 namespace wheelwright::effects {
 namespace {
 
+// size (1 - curvature size - cubic size^2), up to where it would fall again.
 class GainCurve final : public EffectOf<GainCurve> {
  public:
   explicit GainCurve(const EffectArguments& arguments)
       : curvature_(arguments.parameters[0]),
-        cubic_(arguments.variant == 1 || arguments.variant == 3),
-        of_command_(arguments.variant < 2) {}
+        cubic_(arguments.parameters[1] / usual_command_m_s),
+        of_command_(arguments.variant == 0) {
+    const double discriminant = curvature_ * curvature_ + 3.0 * cubic_;
+    if (discriminant < 0.0) return;
+    const double per_m_s = curvature_ + std::sqrt(discriminant);
+    if (per_m_s > 0.0) top_m_s_ = 1.0 / per_m_s;
+  }
 
   void command(WheelPair& command_m_s, const Surroundings&) override {
     if (of_command_) bend(command_m_s);
@@ -22,26 +29,19 @@ class GainCurve final : public EffectOf<GainCurve> {
   }
 
  private:
-  static constexpr double usual_command_m_s = 0.3;  // gives both variants the same unit
+  static constexpr double usual_command_m_s = 0.3;  // gives both parameters the same unit
 
   void bend(WheelPair& pair) const {
-    both(pair, [this](double u) { return cubic_ ? cubic(u) : quadratic(u); });
-  }
-
-  // Where the parabola would fall again, the speed stays.
-  double quadratic(double u) const {
-    const double size = curvature_ > 0.0 ? std::min(std::abs(u), 0.5 / curvature_) : std::abs(u);
-    return std::copysign(size * (1.0 - curvature_ * size), u);
-  }
-  double cubic(double u) const {
-    const double c = curvature_ / usual_command_m_s;
-    const double size = c > 0.0 ? std::min(std::abs(u), 1.0 / std::sqrt(3.0 * c)) : std::abs(u);
-    return std::copysign(size * (1.0 - c * size * size), u);
+    both(pair, [this](double u) {
+      const double size = std::min(std::abs(u), top_m_s_);
+      return std::copysign(size * (1.0 - size * (curvature_ + cubic_ * size)), u);
+    });
   }
 
   double curvature_;
-  bool cubic_;
+  double cubic_;
   bool of_command_;
+  double top_m_s_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace
@@ -50,21 +50,15 @@ EffectInfo gain_curve() {
   return {"gain_curve",
           "gain bends with command size",
           "Motor drivers and firmware tables that give less (or more) for large commands in proportion. "
-          "'quadratic': "
-          "the gain falls by curvature times |command|; 'cubic': with its square, as much at 0.3 m/s; "
-          "'speed' and "
-          "'speed_cubic': the same of the wheel's speed, behind its lag.",
-          {{"quadratic", EffectStage::command},
-           {"cubic", EffectStage::command},
-           {"speed", EffectStage::wheel},
-           {"speed_cubic", EffectStage::wheel}},
-          {{"curvature",
+          "'command': of what the motor is told, 'speed': of what the wheel does, behind its lag.",
+          {{"command", EffectStage::command}, {"speed", EffectStage::wheel}},
+          {{"curvature", "s/m", "relative loss of gain per m/s of command", -3.0, 3.0, {0.1}},
+           {"cubic",
             "s/m",
-            "relative loss of gain per m/s of command",
+            "further loss that grows with the square of the command, by as much at 0.3 m/s",
             -3.0,
             3.0,
-            {-1.0, -0.3, -0.1, 0.1, 0.3, 1.0},
-            0.02}},
+            {0.1}}},
           {.variety = true},
           [](const EffectArguments& arguments) { return std::make_unique<GainCurve>(arguments); }};
 }

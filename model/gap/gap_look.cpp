@@ -1,6 +1,8 @@
 #include "model/gap/gap_look.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iterator>
 
 #include "model/gap/command_steps.hpp"
@@ -13,6 +15,15 @@ namespace {
 
 constexpr double least_screened_nats = 4.0;
 constexpr double least_screened_share = 0.08;  // of the best one's: less does not become the best by a fit
+constexpr std::array usual_lags_s{0.03, 0.06, 0.15};
+
+// A core that remembers longer than a motor can has taken up something else.
+bool reaches_far(const TrialModel& model) {
+  constexpr double longest_lag_s = 0.5;
+  const LinearModel core = model.linear();
+  return std::max(largest_pole(core.left), largest_pole(core.right)) >
+         std::exp(-model.period_s / longest_lag_s);
+}
 
 }  // namespace
 
@@ -53,25 +64,43 @@ std::optional<TrialEffect> GapLook::align_wheels(const GapFit& without,
   return angles->start;
 }
 
-// What a linear core has taken up, it does not give back step by step: a delay, say, that it holds as lag.
-// Such an effect is tried beside a bare core too.
-std::optional<TrialModel> GapLook::from_bare_core(const TrialModel& without,
-                                                  const std::vector<const EffectInfo*>& candidates) const {
-  const auto info = std::ranges::find_if(candidates, &EffectInfo::linear);
-  if (info == candidates.end()) return std::nullopt;
-  const double period_s = without.period_s;
+// What a linear core has taken up, it does not give back step by step: of models with one of these effects
+// beside a core that has not seen the data, the closest.
+TrialModel GapLook::beside_bare_core(const TrialModel& without, const std::vector<TrialEffect>& effects,
+                                     std::span<const double> lags_s) const {
   std::vector<TrialModel> models;
-  for (const double lag_s : {0.03, 0.06, 0.15}) {
-    const TrialModel bare = first_guess(without.shape, period_s, without.wheel_base_m, lag_s, 2.0 * period_s);
-    for (const double size : (*info)->parameters.front().sizes) {
+  for (const double lag_s : lags_s) {
+    const TrialModel bare =
+        first_guess(without.shape, without.period_s, without.wheel_base_m, lag_s, 2.0 * without.period_s);
+    for (const TrialEffect& effect : effects) {
       models.push_back(without);
       models.back().core = bare.core;
-      models.back().effects.push_back({*info, 0, {size}});
+      models.back().effects.push_back(effect);
     }
   }
   std::vector<double> squares(models.size());
   for_each_(models.size(), [&](std::size_t i) { squares[i] = squares_of(train_.residuals(models[i])); });
   return models[static_cast<std::size_t>(std::ranges::min_element(squares) - squares.begin())];
+}
+
+// Effects that hold what a core usually holds: a delay, two lags.
+std::vector<TrialModel> GapLook::instead_of_core(const TrialModel& without,
+                                                 const std::vector<const EffectInfo*>& candidates) const {
+  constexpr std::array nothing_beside_s{0.01};
+  std::vector<TrialModel> models;
+  for (const EffectInfo* info : candidates) {
+    std::vector<TrialEffect> effects;
+    if (info->linear) {
+      for (const double size : info->parameters.front().sizes) effects.push_back({info, 0, {size}});
+      models.push_back(beside_bare_core(without, effects, usual_lags_s));
+    } else if (info->name == "asymmetric_response") {
+      for (const double extra_lag_s : {-0.1, -0.04, 0.05, 0.15}) {
+        for (const double quick_lag_s : {0.04, 0.1}) effects.push_back({info, 1, {extra_lag_s, quick_lag_s}});
+      }
+      models.push_back(beside_bare_core(without, effects, nothing_beside_s));
+    }
+  }
+  return models;
 }
 
 // A step is looked for anew only beside more effects than before, which may have hidden it.
@@ -97,11 +126,13 @@ GapLook::Starts GapLook::starts(const GapFit& without, std::vector<TrialEffect> 
     more_starts.push_back(screened.start);
   }
   Starts all;
+  all.singles = instead_of_core(without.model, absent);
+  const bool far = reaches_far(without.model);
   for (const auto& effect : more_starts) {
     all.singles.push_back(without.model);
     all.singles.back().effects.push_back(effect);
+    if (far) all.singles.push_back(beside_bare_core(without.model, {effect}, usual_lags_s));
   }
-  if (const auto bare = from_bare_core(without.model, absent)) all.singles.push_back(*bare);
   if (screening.pair) {
     all.pair = without.model;
     std::ranges::copy(screening.pair->start, std::back_inserter(all.pair->effects));

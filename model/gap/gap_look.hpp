@@ -39,8 +39,10 @@ class GapLook {
   std::vector<const EffectInfo*> absent_from(const TrialModel& model) const;
 
  private:
-  std::optional<TrialModel> from_bare_core(const TrialModel& without,
-                                           const std::vector<const EffectInfo*>& candidates) const;
+  TrialModel beside_bare_core(const TrialModel& without, const std::vector<TrialEffect>& effects,
+                              std::span<const double> lags_s) const;
+  std::vector<TrialModel> instead_of_core(const TrialModel& without,
+                                          const std::vector<const EffectInfo*>& candidates) const;
   std::optional<TrialEffect> align_wheels(const GapFit& without,
                                           const std::vector<const EffectInfo*>& candidates);
   std::optional<TrialEffect> steps_beside(const GapFit& without, const EffectInfo& info);

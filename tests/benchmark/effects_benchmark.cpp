@@ -11,7 +11,7 @@ namespace {
 void simulated_sample_with_three_effects(benchmark::State& state) {
   const DriveLog log = plant_log(120.0);
   const std::vector<EffectSetting> effects{{"dead_zone", "cut", {0.01}},
-                                           {"gain_curve", "quadratic", {0.1}},
+                                           {"gain_curve", "command", {0.1, 0.0}},
                                            {"turn_speed_loss", "relative", {0.05}}};
   LinearModel core = plant_model(9);
   core.type = ModelType::arma;
