@@ -5,24 +5,17 @@
 
 #include "model/effect_library.hpp"
 #include "model/gap/decoys.hpp"
+#include "model/gap/gap_look.hpp"
 #include "model/gap/gap_size.hpp"
+#include "model/gap/gap_verdict.hpp"
 
 namespace wheelwright::gap {
 namespace {
 
-constexpr double sure = 0.9;             // posterior from which on a name stands
 constexpr double more_than_noise = 1.5;  // of a figure, in noise floors; clean logs stay below 1.15
-constexpr double far_above_noise = 2.0;
-constexpr double nowhere_near = 6.0;
 constexpr std::string_view dropout_name = "encoder_dropout";
 constexpr std::uint64_t floor_seed = 1;
 constexpr std::size_t most_regimes = 6;
-
-std::string in_words(const Excess& excess) {
-  const auto tenths = std::lround(10.0 * excess.times);
-  return std::string(excess.figure) + " is off " + std::to_string(tenths / 10) + "." +
-         std::to_string(tenths % 10) + " times as far as by noise alone";
-}
 
 class Analysis {
  public:
@@ -36,18 +29,15 @@ class Analysis {
   TrialModel start();
   void search();
   void conclude();
-  void mention_wheel_angles();
   void describe_where();
   void size_up();
-  RobotModel model_of(const TrialModel& trial, bool with_effects) const;
-  void set_verdict();
-  bool runs_differ();
-  bool gap_remains();
-  bool closes_the_gap() const;
-  Excess what_is_left() const;
-  bool leaves_most_of_it() const;
-  void mention_what_is_left();
+  RobotModel linear_model_of(const TrialModel& trial) const;
+  RobotModel whole_model_of(const TrialModel& trial) const;
+  RobotModel model_found() const;
+  GapFigures figures(const RobotModel& before, const RobotModel& after,
+                     const std::vector<DriveLog>& logs) const;
   bool leave_out_linear_effects();
+  void drop_idle_linear_effects();
 
   const GapOptions& options_;
   const ForEach& for_each_;
@@ -123,15 +113,10 @@ void Analysis::search() {
   train_problem_.emplace(gathered_.train.runs, gathered_.train.metres_per_tick, for_each_);
   test_problem_.emplace(gathered_.test.runs, gathered_.test.metres_per_tick, for_each_);
   const auto still_missing = [this](const TrialModel& trial) {
-    RobotModel model = model_of(trial, false);
-    for (const auto& setting : trial.settings()) model.effects.push_back({setting, {}, {}, {}, {}, {}});
-    const auto figures = [&](const std::vector<DriveLog>& logs) {
-      return GapFigures{
-          {}, gap_size(model, logs), noise_floor(model, logs, train_problem_->noise(), floor_seed)};
-    };
-    const GapFigures train = figures(gathered_.train.logs);
-    return largest_excess(train, result_.tail_held_out ? train : figures(gathered_.test.logs)).times >=
-           more_than_noise;
+    const RobotModel model = whole_model_of(trial);
+    const GapFigures train = figures(model, model, gathered_.train.logs);
+    const GapFigures test = result_.tail_held_out ? train : figures(model, model, gathered_.test.logs);
+    return largest_excess(train, test).times >= more_than_noise;
   };
   result_.search = search_gap(*train_problem_, *test_problem_, start(), testability_.candidates,
                               options_.limits, still_missing, for_each_, progress_);
@@ -143,7 +128,7 @@ void Analysis::search() {
   }
 }
 
-RobotModel Analysis::model_of(const TrialModel& trial, bool with_effects) const {
+RobotModel Analysis::linear_model_of(const TrialModel& trial) const {
   RobotModel model;
   if (options_.model) {
     model.robot = options_.model->robot;
@@ -151,123 +136,39 @@ RobotModel Analysis::model_of(const TrialModel& trial, bool with_effects) const 
   }
   for (const auto& log : gathered_.train.logs) model.source.push_back(log.name);
   model.core = trial.linear();
-  if (!with_effects) return model;
-  // In the order in which they act; what the data gate found is put in front.
-  const auto add = [&](const Finding& found) {
-    AddedEffect added;
-    added.setting = found.setting;
-    added.intervals = found.intervals;
-    added.source = model.source;
-    added.heldout_gain_nats = found.heldout_gain_nats;
-    added.p_value = found.p_value;
-    model.effects.push_back(std::move(added));
-  };
-  for (const auto& found : result_.found) {
-    if (found.setting.name == dropout_name) add(found);
-  }
-  for (const auto& setting : trial.settings()) {
-    for (const auto& found : result_.found) {
-      if (found.setting.name == setting.name) add(found);
-    }
-  }
   return model;
 }
 
-void Analysis::set_verdict() {
-  const GapSearch& search = result_.search;
-  const auto doubtful =
-      std::ranges::find_if(result_.found, [](const Finding& found) { return found.posterior < sure; });
-  if (doubtful != result_.found.end()) {
-    result_.verdict = Verdict::ambiguous;
-    result_.summary =
-        "Something is missing, but these runs do not tell " + doubtful->setting.name + " from " +
-        (doubtful->rivals.empty() ? std::string("others") : doubtful->rivals.front().effect) + ".";
-    return;
-  }
-  if (!result_.found.empty()) {
-    result_.verdict = Verdict::named;
-    result_.summary = "Missing:";
-    for (const auto& found : result_.found) result_.summary += " " + found.setting.name;
-    result_.summary += ".";
-    return;
-  }
-  const auto& last = search.rounds.back().contenders;
-  const bool structured =
-      !last.empty() &&
-      last.front().heldout_nats / last.front().inflation > options_.limits.least_heldout_nats &&
-      last.front().train_nats / last.front().inflation > options_.limits.least_train_nats;
-  if (structured && is_decoy(*last.front().effect.info)) {
-    result_.verdict = Verdict::unnamed;
-    result_.summary = "Something is missing that no effect of the library explains.";
-    return;
-  }
-  if (runs_differ()) return;
-  if (!result_.data_faults.empty() && std::ranges::any_of(result_.data_faults, &DataFault::distorts)) {
-    result_.verdict = Verdict::bad_data;
-    result_.summary =
-        "Faults of the data explain the gap; without those rows nothing is missing that could show.";
-    return;
-  }
-  if (gap_remains()) return;
-  result_.verdict = Verdict::nothing_missing;
-  result_.summary = "Nothing is missing that these runs could show.";
+RobotModel Analysis::whole_model_of(const TrialModel& trial) const {
+  RobotModel model = linear_model_of(trial);
+  for (const auto& setting : trial.settings()) model.effects.push_back({setting, {}, {}, {}, {}, {}});
+  return model;
 }
 
-// That no effect was found does not mean that nothing is missing: where the free runs are off by more than
-// noise explains, in the runs that were fitted and in those that were not, something is.
-bool Analysis::gap_remains() {
-  const Excess excess = what_is_left();
-  if (excess.times < more_than_noise) return false;
-  result_.verdict = Verdict::unnamed;
-  result_.summary =
-      "Something is missing that no effect of the library explains: in free runs " + in_words(excess) + ".";
-  return true;
+// With the evidence. Effects stand in the order in which they act; what the data gate found is put in front.
+RobotModel Analysis::model_found() const {
+  RobotModel model = linear_model_of(result_.search.final.model);
+  const auto add = [&](const std::string& name) {
+    for (const auto& found : result_.found) {
+      if (found.setting.name != name) continue;
+      AddedEffect added;
+      added.setting = found.setting;
+      added.intervals = found.intervals;
+      added.source = model.source;
+      added.heldout_gain_nats = found.heldout_gain_nats;
+      added.p_value = found.p_value;
+      model.effects.push_back(std::move(added));
+    }
+  };
+  add(std::string(dropout_name));
+  for (const auto& setting : result_.search.final.model.settings()) add(setting.name);
+  return model;
 }
 
-Excess Analysis::what_is_left() const {
-  return largest_excess(result_.train, result_.tail_held_out ? result_.train : result_.test);
-}
-
-// Whatever helps a little is not what is missing, where free runs stay far off all the same. What explains a
-// lot may stand although more is missing.
-bool Analysis::leaves_most_of_it() const {
-  constexpr double explains_a_lot_nats = 100.0;
-  const bool helps_a_little = std::ranges::any_of(result_.found, [](const Finding& found) {
-    return found.setting.name != dropout_name && found.heldout_gain_nats < explains_a_lot_nats;
-  });
-  if (!helps_a_little) return false;
-  const Excess left = what_is_left();
-  return left.times >= nowhere_near || (left.times >= far_above_noise && left.closed < 0.5);
-}
-
-void Analysis::mention_what_is_left() {
-  const Excess left = what_is_left();
-  if (result_.verdict != Verdict::named || left.times < far_above_noise) return;
-  result_.summary += " More may be: in free runs " + in_words(left) + ".";
-}
-
-// The held-out runs may be another robot's, or the same one's on another day: a gain that changed between
-// runs, whose cause no run shows.
-bool Analysis::runs_differ() {
-  constexpr double much_worse = 1.5;  // mean square of held-out residuals against those of training
-  constexpr double least_change = 0.01;
-  const double train = result_.search.final.squares / static_cast<double>(train_problem_->readings());
-  const double test = result_.search.heldout_squares_after / static_cast<double>(test_problem_->readings());
-  if (test < much_worse * train) return false;
-  std::string changes;
-  for (const auto& run : gathered_.test.runs) {
-    const double gain = travel_gain(result_.search.final.model, run);
-    if (std::abs(gain - 1.0) < least_change) continue;
-    changes += (changes.empty() ? "" : ", ") + run.name + " by " +
-               std::to_string(static_cast<int>(std::lround(1000.0 * (gain - 1.0)))) + " per mille";
-    result_.where.push_back({"run " + run.name, 1.0 / static_cast<double>(gathered_.test.runs.size()),
-                             1.0 / static_cast<double>(gathered_.test.runs.size())});
-  }
-  if (changes.empty()) return false;
-  result_.verdict = Verdict::unnamed;
-  result_.summary =
-      "The gain changed between training and held-out runs (" + changes + "); these logs cannot say why.";
-  return true;
+GapFigures Analysis::figures(const RobotModel& before, const RobotModel& after,
+                             const std::vector<DriveLog>& logs) const {
+  return {gap_size(before, logs), gap_size(after, logs),
+          noise_floor(after, logs, train_problem_->noise(), floor_seed)};
 }
 
 void Analysis::describe_where() {
@@ -286,46 +187,30 @@ void Analysis::describe_where() {
 }
 
 void Analysis::size_up() {
-  result_.before = options_.model ? *options_.model : model_of(result_.search.baseline.model, false);
-  result_.after = model_of(result_.search.final.model, true);
-  const NoiseModel& noise = train_problem_->noise();
-  const auto figures = [&](const std::vector<DriveLog>& logs) {
-    return GapFigures{gap_size(result_.before, logs), gap_size(result_.after, logs),
-                      noise_floor(result_.after, logs, noise, floor_seed)};
-  };
-  result_.train = figures(gathered_.train.logs);
-  if (!result_.tail_held_out) result_.test = figures(gathered_.test.logs);
+  result_.before = options_.model ? *options_.model : linear_model_of(result_.search.baseline.model);
+  result_.after = model_found();
+  result_.train = figures(result_.before, result_.after, gathered_.train.logs);
+  if (!result_.tail_held_out) {
+    result_.test = figures(result_.before, result_.after, gathered_.test.logs);
+  }
 }
 
-// What is named has to show where a person looks, some figure of the held-out free runs must fall; or it has
-// to be beyond doubt.
-bool Analysis::closes_the_gap() const {
-  constexpr double least_fall = 0.03;
-  constexpr double beyond_doubt_nats = 30.0;
-  const GapFigures& figures = result_.tail_held_out ? result_.train : result_.test;
-  // A linear effect is no more than a better linear model, unless the gap was one to be seen above the noise;
-  // and what stands in for one that was left out is no more than that.
-  constexpr double above_noise = 1.15;
-  const auto& effects = result_.search.final.model.effects;
-  const bool linear = linear_left_out_ || std::ranges::all_of(effects, [](const TrialEffect& effect) {
-                        return effect.info->linear;
-                      });
-  const auto beyond_doubt = [](const Finding& found) {
-    return found.heldout_gain_nats > beyond_doubt_nats && found.posterior > sure;
-  };
-  if (!linear && std::ranges::any_of(result_.found, beyond_doubt)) return true;
-  return some_figure_falls(figures, least_fall, linear ? above_noise : 0.0);
-}
-
-// What was found holds for a run whose wheels begin at a known angle: that has to be said.
-void Analysis::mention_wheel_angles() {
-  const auto& effects = result_.search.final.model.effects;
-  const bool rippling =
-      std::ranges::any_of(effects, [](const TrialEffect& effect) { return effect.info->by_wheel_angle; });
-  const auto apart = [](const WheelPair& way) { return way.left != 0.0 || way.right != 0.0; };
-  if (!rippling || std::ranges::none_of(result_.search.train_rolled_m, apart)) return;
-  result_.summary +=
-      " The wheels began each run at another angle; the figures take the angles that each run showed.";
+// Beside other effects too, a linear one is no more than a better linear model, unless free runs come closer
+// by it.
+void Analysis::drop_idle_linear_effects() {
+  GapSearch& search = result_.search;
+  const auto& logs = result_.tail_held_out ? gathered_.train.logs : gathered_.test.logs;
+  for (std::size_t i = search.final.model.effects.size(); i-- > 0;) {
+    const auto place = static_cast<std::ptrdiff_t>(i);
+    if (!search.final.model.effects[i].info->linear || search.final.model.effects.size() == 1) continue;
+    TrialModel others = search.final.model;
+    others.effects.erase(others.effects.begin() + place);
+    GapFit without = train_problem_->fit(others, steps_of_a_fit);
+    if (shows(figures(whole_model_of(without.model), whole_model_of(search.final.model), logs))) continue;
+    search.final = std::move(without);
+    search.heldout_squares_after = squares_of(test_problem_->residuals(search.final.model));
+    if (i < search.checks.size()) search.checks.erase(search.checks.begin() + place);
+  }
 }
 
 // A linear effect that is no more than a better linear model may stand before one that is: the search is made
@@ -342,21 +227,21 @@ bool Analysis::leave_out_linear_effects() {
 }
 
 void Analysis::conclude() {
+  drop_idle_linear_effects();
   result_.found = findings_of(*train_problem_, result_.search);
   if (auto dropout = dropout_finding(gathered_.dropouts, gathered_.watched_s)) {
     result_.found.insert(result_.found.begin(), *std::move(dropout));
   }
   size_up();
-  const bool nothing_closes = !result_.search.final.model.effects.empty() && !closes_the_gap();
+  const bool any = !result_.search.final.model.effects.empty();
+  const bool nothing_closes = any && !closes_the_gap(result_, linear_left_out_);
   if (nothing_closes && leave_out_linear_effects()) return conclude();
-  if (nothing_closes || (!result_.search.final.model.effects.empty() && leaves_most_of_it())) {
+  if (nothing_closes || (any && leaves_most_of_it(result_))) {
     std::erase_if(result_.found, [](const Finding& found) { return found.setting.name != dropout_name; });
     result_.search.final = result_.search.baseline;
     size_up();
   }
-  set_verdict();
-  mention_wheel_angles();
-  mention_what_is_left();
+  reach_verdict(result_, options_.limits, changed_gains(result_.search, *train_problem_, *test_problem_));
   describe_where();
   result_.not_testable = testability_.untestable;
   const double inflation = 1.5;  // what is usual of a search that ended well
@@ -379,24 +264,6 @@ tl::expected<GapAnalysis, GapRefusal> Analysis::run(std::span<const DriveLog> tr
 }
 
 }  // namespace
-
-std::string_view verdict_name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::named:
-      return "named";
-    case Verdict::nothing_missing:
-      return "nothing_missing";
-    case Verdict::unnamed:
-      return "unnamed";
-    case Verdict::ambiguous:
-      return "ambiguous";
-    case Verdict::not_testable:
-      return "not_testable";
-    case Verdict::bad_data:
-      return "bad_data";
-  }
-  return "";
-}
 
 tl::expected<GapAnalysis, GapRefusal> analyse_gap(std::span<const DriveLog> train,
                                                   std::span<const DriveLog> test, const GapOptions& options,

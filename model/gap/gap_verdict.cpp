@@ -1,0 +1,181 @@
+#include "model/gap/gap_verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/gap/decoys.hpp"
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr double sure = 0.9;             // posterior from which on a name stands
+constexpr double more_than_noise = 1.5;  // of a figure, in noise floors; clean logs stay below 1.15
+constexpr double far_above_noise = 2.0;
+constexpr double nowhere_near = 6.0;
+constexpr double least_fall = 0.03;  // of a figure
+
+// Counts that stood still are found by the data gate, not by free runs.
+bool of_free_runs(const Finding& found) {
+  return found.setting.name != "encoder_dropout";
+}
+
+std::string in_words(const Excess& excess) {
+  const auto tenths = std::lround(10.0 * excess.times);
+  return std::string(excess.figure) + " is off " + std::to_string(tenths / 10) + "." +
+         std::to_string(tenths % 10) + " times as far as by noise alone";
+}
+
+Excess what_is_left(const GapAnalysis& analysis) {
+  return largest_excess(analysis.train, analysis.tail_held_out ? analysis.train : analysis.test);
+}
+
+struct Judgement {
+  Verdict verdict;
+  std::string summary;
+  std::vector<Regime> where = {};
+};
+
+Judgement of_findings(const std::vector<Finding>& found) {
+  const auto doubtful = std::ranges::find_if(found, [](const Finding& one) { return one.posterior < sure; });
+  if (doubtful != found.end()) {
+    return {Verdict::ambiguous,
+            "Something is missing, but these runs do not tell " + doubtful->setting.name + " from " +
+                (doubtful->rivals.empty() ? std::string("others") : doubtful->rivals.front().effect) + "."};
+  }
+  Judgement named{Verdict::named, "Missing:"};
+  for (const auto& one : found) named.summary += " " + one.setting.name;
+  named.summary += ".";
+  return named;
+}
+
+// Whether the best of the last round would have been accepted, had it a name.
+bool decoy_explains(const GapSearch& search, const SearchLimits& limits) {
+  const auto& last = search.rounds.back().contenders;
+  return !last.empty() && is_decoy(*last.front().effect.info) &&
+         last.front().heldout_nats / last.front().inflation > limits.least_heldout_nats &&
+         last.front().train_nats / last.front().inflation > limits.least_train_nats;
+}
+
+std::string in_words(std::span<const GainChange> changes) {
+  std::string words;
+  for (const auto& change : changes) {
+    words += (words.empty() ? "" : ", ") + change.run + " by " +
+             std::to_string(std::lround(1000.0 * (change.gain - 1.0))) + " per mille";
+  }
+  return words;
+}
+
+Judgement of_nothing_found(const GapAnalysis& analysis, const SearchLimits& limits,
+                           std::span<const GainChange> changes) {
+  if (decoy_explains(analysis.search, limits)) {
+    return {Verdict::unnamed, "Something is missing that no effect of the library explains."};
+  }
+  if (!changes.empty()) {
+    Judgement changed{Verdict::unnamed, "The gain changed between training and held-out runs (" +
+                                            in_words(changes) + "); these logs cannot say why."};
+    const double share = 1.0 / static_cast<double>(analysis.test_runs);
+    for (const auto& change : changes) changed.where.push_back({"run " + change.run, share, share});
+    return changed;
+  }
+  if (std::ranges::any_of(analysis.data_faults, &DataFault::distorts)) {
+    return {Verdict::bad_data,
+            "Faults of the data explain the gap; without those rows nothing is missing that could show."};
+  }
+  // That no effect was found does not mean that nothing is missing: where the free runs are off by more than
+  // noise explains, in the runs that were fitted and in those that were not, something is.
+  if (const Excess left = what_is_left(analysis); left.times >= more_than_noise) {
+    return {Verdict::unnamed, "Something is missing that no effect of the library explains: in free runs " +
+                                  in_words(left) + "."};
+  }
+  return {Verdict::nothing_missing, "Nothing is missing that these runs could show."};
+}
+
+// What was found holds for a run whose wheels begin at a known angle: that has to be said.
+bool wheels_began_apart(const GapSearch& search) {
+  const bool rippling = std::ranges::any_of(
+      search.final.model.effects, [](const TrialEffect& effect) { return effect.info->by_wheel_angle; });
+  const auto apart = [](const WheelPair& way) { return way.left != 0.0 || way.right != 0.0; };
+  return rippling && std::ranges::any_of(search.train_rolled_m, apart);
+}
+
+}  // namespace
+
+std::string_view verdict_name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::named:
+      return "named";
+    case Verdict::nothing_missing:
+      return "nothing_missing";
+    case Verdict::unnamed:
+      return "unnamed";
+    case Verdict::ambiguous:
+      return "ambiguous";
+    case Verdict::not_testable:
+      return "not_testable";
+    case Verdict::bad_data:
+      return "bad_data";
+  }
+  return "";
+}
+
+std::vector<GainChange> changed_gains(const GapSearch& search, const GapProblem& train,
+                                      const GapProblem& heldout) {
+  constexpr double much_worse = 1.5;  // mean square of held-out residuals against those of training
+  constexpr double least_change = 0.01;
+  const double fitted = search.final.squares / static_cast<double>(train.readings());
+  const double held_out = search.heldout_squares_after / static_cast<double>(heldout.readings());
+  std::vector<GainChange> changes;
+  if (held_out < much_worse * fitted) return changes;
+  for (const auto& run : heldout.runs()) {
+    const double gain = travel_gain(search.final.model, run);
+    if (std::abs(gain - 1.0) >= least_change) changes.push_back({run.name, gain});
+  }
+  return changes;
+}
+
+bool shows(const GapFigures& figures) {
+  constexpr double above_noise = 1.15;
+  return some_figure_falls(figures, least_fall, above_noise);
+}
+
+bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out) {
+  constexpr double beyond_doubt_nats = 30.0;
+  const auto& effects = analysis.search.final.model.effects;
+  const bool linear = linear_left_out || std::ranges::all_of(effects, [](const TrialEffect& effect) {
+                        return effect.info->linear;
+                      });
+  const auto beyond_doubt = [](const Finding& found) {
+    return found.heldout_gain_nats > beyond_doubt_nats && found.posterior > sure;
+  };
+  if (!linear && std::ranges::any_of(analysis.found, beyond_doubt)) return true;
+  const GapFigures& figures = analysis.tail_held_out ? analysis.train : analysis.test;
+  return linear ? shows(figures) : some_figure_falls(figures, least_fall, 0.0);
+}
+
+bool leaves_most_of_it(const GapAnalysis& analysis) {
+  constexpr double explains_a_lot_nats = 100.0;
+  const bool helps_a_little = std::ranges::any_of(analysis.found, [](const Finding& found) {
+    return of_free_runs(found) && found.heldout_gain_nats < explains_a_lot_nats;
+  });
+  if (!helps_a_little) return false;
+  const Excess left = what_is_left(analysis);
+  return left.times >= nowhere_near || (left.times >= far_above_noise && left.closed < 0.5);
+}
+
+void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, std::span<const GainChange> changes) {
+  Judgement judgement =
+      analysis.found.empty() ? of_nothing_found(analysis, limits, changes) : of_findings(analysis.found);
+  analysis.verdict = judgement.verdict;
+  analysis.summary = std::move(judgement.summary);
+  analysis.where = std::move(judgement.where);
+  if (wheels_began_apart(analysis.search)) {
+    analysis.summary +=
+        " The wheels began each run at another angle; the figures take the angles that each run showed.";
+  }
+  const Excess left = what_is_left(analysis);
+  if (analysis.verdict == Verdict::named && left.times >= far_above_noise) {
+    analysis.summary += " More may be: in free runs " + in_words(left) + ".";
+  }
+}
+
+}  // namespace wheelwright::gap

@@ -1,0 +1,39 @@
+// What an analysis comes to: one word, and a sentence or two for a person.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/gap/gap_analysis.hpp"
+
+namespace wheelwright::gap {
+
+// Of a run that was held out: what it travelled for each metre that the model predicts.
+struct GainChange {
+  std::string run;
+  double gain = 1.0;
+};
+
+// Held-out runs may be another robot's, or the same one's on another day: a gain that changed between runs,
+// whose cause no run shows. Empty where the model explains them about as well as those that it was fitted to.
+std::vector<GainChange> changed_gains(const GapSearch& search, const GapProblem& train,
+                                      const GapProblem& heldout);
+
+// Whether a linear effect is more than a better linear model: a gap that was to be seen above the noise
+// becomes smaller by it.
+bool shows(const GapFigures& figures);
+
+// Whether what was found shows where a person looks: some figure of the held-out free runs falls by it; or it
+// is beyond doubt. Linear effects alone have to show, and so has what stands in for one that was left out
+// (`linear_left_out`).
+bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out);
+
+// Whatever helps a little is not what is missing, where free runs stay far off all the same. What explains a
+// lot may stand although more is missing.
+bool leaves_most_of_it(const GapAnalysis& analysis);
+
+// Sets verdict and summary, and `where` for gains that changed, from all else that the analysis holds.
+void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, std::span<const GainChange> changes);
+
+}  // namespace wheelwright::gap
