@@ -55,7 +55,7 @@ EffectInfo backlash() {
             0.0,
             0.05,
             {0.0005, 0.001, 0.002, 0.004, 0.007, 0.012},
-            0.0002}},
+            0.0003}},
           {.reversal = true},
           [](const EffectArguments& arguments) { return std::make_unique<Backlash>(arguments); }};
 }

@@ -40,7 +40,7 @@ EffectInfo turn_scrub() {
             -0.3,
             1.5,
             {0.01, 0.03, 0.06, 0.12, 0.25},
-            0.005}},
+            0.002}},
           {.reference = true, .heading = true, .turning = true},
           [](const EffectArguments& arguments) { return std::make_unique<TurnScrub>(arguments); },
           true};

@@ -17,6 +17,16 @@ constexpr std::string_view dropout_name = "encoder_dropout";
 constexpr std::uint64_t floor_seed = 1;
 constexpr std::size_t most_regimes = 6;
 
+bool may_be_idle(const GapSearch& search, std::size_t effect) {
+  constexpr double helps_a_little_nats = 40.0;
+  const EffectInfo* info = search.final.model.effects[effect].info;
+  if (info->linear || effect >= search.checks.size()) return info->linear;
+  const auto& contenders = search.checks[effect].contenders;
+  const auto itself = std::ranges::find_if(
+      contenders, [&](const Contender& contender) { return contender.effect.info == info; });
+  return itself == contenders.end() || itself->heldout_nats / itself->inflation < helps_a_little_nats;
+}
+
 class Analysis {
  public:
   Analysis(const GapOptions& options, const ForEach& for_each, const Progress& progress)
@@ -37,7 +47,7 @@ class Analysis {
   GapFigures figures(const RobotModel& before, const RobotModel& after,
                      const std::vector<DriveLog>& logs) const;
   bool leave_out_linear_effects();
-  void drop_idle_linear_effects();
+  void drop_idle_effects();
 
   const GapOptions& options_;
   const ForEach& for_each_;
@@ -195,14 +205,14 @@ void Analysis::size_up() {
   }
 }
 
-// Beside other effects too, a linear one is no more than a better linear model, unless free runs come closer
-// by it.
-void Analysis::drop_idle_linear_effects() {
+// Beside other effects too, a linear one is no more than a better linear model, and one that helps a little is
+// often the shape of the others: such an effect stays only where free runs come closer by it.
+void Analysis::drop_idle_effects() {
   GapSearch& search = result_.search;
   const auto& logs = result_.tail_held_out ? gathered_.train.logs : gathered_.test.logs;
   for (std::size_t i = search.final.model.effects.size(); i-- > 0;) {
     const auto place = static_cast<std::ptrdiff_t>(i);
-    if (!search.final.model.effects[i].info->linear || search.final.model.effects.size() == 1) continue;
+    if (search.final.model.effects.size() == 1 || !may_be_idle(search, i)) continue;
     TrialModel others = search.final.model;
     others.effects.erase(others.effects.begin() + place);
     GapFit without = train_problem_->fit(others, steps_of_a_fit);
@@ -227,7 +237,7 @@ bool Analysis::leave_out_linear_effects() {
 }
 
 void Analysis::conclude() {
-  drop_idle_linear_effects();
+  drop_idle_effects();
   result_.found = findings_of(*train_problem_, result_.search);
   if (auto dropout = dropout_finding(gathered_.dropouts, gathered_.watched_s)) {
     result_.found.insert(result_.found.begin(), *std::move(dropout));
