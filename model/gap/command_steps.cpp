@@ -16,11 +16,6 @@ constexpr double stands_out = 6.0;  // standard deviations of what wrong steps s
 constexpr std::size_t response_periods = 80;
 constexpr std::size_t farthest_readings_periods = 3;
 
-struct Steps {
-  double step_m_s;
-  double rises_at;
-};
-
 // All periods of a wheel in which it was told the same.
 struct Commanded {
   double command_m_s = 0.0;
@@ -124,12 +119,12 @@ WheelCommands gathered(const GapProblem& problem, const TrialModel& model) {
   return all;
 }
 
-std::vector<Steps> steps_to_try(const WheelCommands& wheels) {
+std::vector<CommandSteps> steps_to_try(const WheelCommands& wheels) {
   double fastest = 0.0;
   for (const auto& wheel : wheels) {
     for (const auto& told : wheel) fastest = std::max(fastest, std::abs(told.command_m_s));
   }
-  std::vector<Steps> steps;
+  std::vector<CommandSteps> steps;
   if (fastest <= 0.0) return steps;
   const double apart = largest_shift_of_phase / fastest;
   for (const double rises_at : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}) {
@@ -141,8 +136,8 @@ std::vector<Steps> steps_to_try(const WheelCommands& wheels) {
 }
 
 // Between those that were tried.
-std::vector<Steps> steps_around(const Steps& middle) {
-  std::vector<Steps> steps;
+std::vector<CommandSteps> steps_around(const CommandSteps& middle) {
+  std::vector<CommandSteps> steps;
   for (int i = -8; i <= 8; ++i) {
     for (int j = -10; j <= 10; ++j) {
       const double rises_at = middle.rises_at + 0.025 * i;
@@ -159,7 +154,7 @@ double sign_of(double value) {
 
 // Correlation of the evidence with what the effect does to the commands, over the size of that. What a gain
 // or a loss by sign explains is no sign of steps.
-double likeness(const WheelCommands& wheels, const EffectInfo& info, const Steps& steps) {
+double likeness(const WheelCommands& wheels, const EffectInfo& info, const CommandSteps& steps) {
   const std::array parameters{steps.step_m_s, steps.rises_at};
   const auto effect = info.make({parameters, 0});
   double agreement = 0.0;
@@ -204,12 +199,12 @@ double median_size(std::vector<double> values) {
 }
 
 struct BestSteps {
-  Steps steps;
+  CommandSteps steps;
   bool stands_out = false;
 };
 
-BestSteps best_of(const std::vector<Steps>& steps, const WheelCommands& wheels,
-                  const EffectInfo& info, const ForEach& for_each) {
+BestSteps best_of(const std::vector<CommandSteps>& steps, const WheelCommands& wheels, const EffectInfo& info,
+                  const ForEach& for_each) {
   std::vector<double> likenesses(steps.size());
   for_each(steps.size(), [&](std::size_t i) { likenesses[i] = likeness(wheels, info, steps[i]); });
   const auto best = std::ranges::max_element(likenesses);
@@ -223,7 +218,7 @@ BestSteps best_of(const std::vector<Steps>& steps, const WheelCommands& wheels,
 std::optional<TrialEffect> find_command_steps(const GapProblem& train, const GapFit& fit,
                                               const EffectInfo& info, const ForEach& for_each) {
   const WheelCommands wheels = gathered(train, fit.model);
-  const std::vector<Steps> steps = steps_to_try(wheels);
+  const std::vector<CommandSteps> steps = steps_to_try(wheels);
   if (steps.empty()) return std::nullopt;
   const BestSteps near = best_of(steps, wheels, info, for_each);
   if (!near.stands_out) return std::nullopt;

@@ -12,6 +12,12 @@
 
 namespace wheelwright::gap {
 
+// Commands act as multiples of a step; at `rises_at` of a step beyond one, they act as the next.
+struct CommandSteps {
+  double step_m_s;
+  double rises_at;
+};
+
 // The step that stands out of all that were tried, and where it rises; nothing where none does, or where
 // these runs show no speeds (no counts, and poses only now and then). `fit` is the model without the effect,
 // `info` is command_quantization.

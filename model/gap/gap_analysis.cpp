@@ -205,8 +205,8 @@ void Analysis::size_up() {
   }
 }
 
-// Beside other effects too, a linear one is no more than a better linear model, and one that helps a little is
-// often the shape of the others: such an effect stays only where free runs come closer by it.
+// Beside other effects too, a linear one is no more than a better linear model, and one that helps a little
+// is often the shape of the others: such an effect stays only where free runs come closer by it.
 void Analysis::drop_idle_effects() {
   GapSearch& search = result_.search;
   const auto& logs = result_.tail_held_out ? gathered_.train.logs : gathered_.test.logs;

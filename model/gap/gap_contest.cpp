@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 namespace wheelwright::gap {
 namespace {
@@ -39,10 +38,6 @@ bool negligible(const TrialEffect& effect) {
 }
 
 }  // namespace
-
-double squares_of(const std::vector<double>& values) {
-  return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
-}
 
 double Contest::price_of_a_parameter() const {
   return 0.5 * std::log(static_cast<double>(train_.readings() + heldout_.readings()));

@@ -42,8 +42,6 @@ struct SearchLimits {
   double least_path_score = 0.4;     // of the best one's, for a path of its own
 };
 
-double squares_of(const std::vector<double>& values);
-
 class Contest {
  public:
   Contest(const GapProblem& train, const GapProblem& heldout, const SearchLimits& limits)

@@ -31,10 +31,6 @@ double step_for(const TrialModel& model, std::size_t index) {
   return value + step > info->upper ? -step : step;
 }
 
-double squares_of(const std::vector<double>& values) {
-  return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
-}
-
 double damping_floor(const Eigen::MatrixXd& information, Eigen::Index i) {
   return information(i, i) > 0.0 ? information(i, i) : 1.0;
 }
@@ -48,6 +44,10 @@ TrialModel moved(const TrialModel& model, const Eigen::VectorXd& step) {
 }
 
 }  // namespace
+
+double squares_of(const std::vector<double>& values) {
+  return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
+}
 
 void for_each_in_turn(std::size_t count, const std::function<void(std::size_t)>& job) {
   for (std::size_t i = 0; i < count; ++i) job(i);

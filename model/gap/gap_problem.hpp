@@ -29,6 +29,8 @@ struct NoiseModel {
   double stretch = 1.0;  // by which the usual noise of a stretch is multiplied
 };
 
+double squares_of(const std::vector<double>& values);
+
 struct GapFit {
   TrialModel model;
   double squares = 0.0;  // sum of squared innovations: minus twice the log likelihood

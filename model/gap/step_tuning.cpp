@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/gap/gap_contest.hpp"
+#include "model/gap/command_steps.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -17,13 +17,8 @@ constexpr double widest_to_centre = 0.04;
 constexpr double closest_to_centre = 0.003;
 constexpr double usual_inflation = 10.0;  // of a likelihood, by correlation
 
-struct Steps {
-  double step_m_s;
-  double rises_at;
-};
-
 // The speeds that the steps stand for stay as they are: the core answers less to what is larger.
-TrialModel with_steps(TrialModel model, std::size_t place, const Steps& steps) {
+TrialModel with_steps(TrialModel model, std::size_t place, const CommandSteps& steps) {
   auto& parameters = model.effects[place].parameters;
   const double times = steps.step_m_s / parameters[0];
   parameters = {steps.step_m_s, std::clamp(steps.rises_at, 0.0, 1.0)};
@@ -66,7 +61,7 @@ double fastest_command_m_s(const GapProblem& problem) {
 // share of a step.
 std::vector<TrialModel> with_moved_rises(const TrialModel& model, std::size_t place, double fastest_m_s,
                                          double apart) {
-  const Steps middle{model.effects[place].parameters[0], model.effects[place].parameters[1]};
+  const CommandSteps middle{model.effects[place].parameters[0], model.effects[place].parameters[1]};
   const double steps_between = std::max(1.0, std::floor(fastest_m_s / middle.step_m_s - middle.rises_at));
   std::vector<TrialModel> all;
   for (int first = -most_moves; first <= most_moves; ++first) {
@@ -80,9 +75,9 @@ std::vector<TrialModel> with_moved_rises(const TrialModel& model, std::size_t pl
 }
 
 // Of all models, by their likelihood.
-Steps mean_steps(const std::vector<TrialModel>& models, const std::vector<double>& squares, double least,
-                 std::size_t place) {
-  Steps mean{0.0, 0.0};
+CommandSteps mean_steps(const std::vector<TrialModel>& models, const std::vector<double>& squares,
+                        double least, std::size_t place) {
+  CommandSteps mean{0.0, 0.0};
   double sum = 0.0;
   for (std::size_t i = 0; i < models.size(); ++i) {
     const auto& parameters = models[i].effects[place].parameters;
