@@ -43,7 +43,14 @@ EffectInfo stiction() {
         {0.01, 0.018, 0.028, 0.042, 0.06, 0.085},
         0.003},
        {"sliding", "m/s", "speed that friction costs a moving wheel", 0.0, 0.2, {0.0, 0.008}, 0.0, false},
-       {"lag", "s", "with which the wheel answers to a change of friction", 0.005, 0.6, {0.1}, 0.0, false}},
+       {"lag",
+        "s",
+        "with which the wheel answers to a change of friction",
+        0.005,
+        0.6,
+        {0.03, 0.1},
+        0.0,
+        false}},
       {.variety = true},
       [](const EffectArguments& arguments) { return std::make_unique<Stiction>(arguments); }};
 }

@@ -5,7 +5,6 @@
 
 #include "model/effect_library.hpp"
 #include "model/gap/decoys.hpp"
-#include "model/gap/gap_look.hpp"
 #include "model/gap/gap_size.hpp"
 #include "model/gap/gap_verdict.hpp"
 
@@ -16,16 +15,6 @@ constexpr double more_than_noise = 1.5;  // of a figure, in noise floors; clean 
 constexpr std::string_view dropout_name = "encoder_dropout";
 constexpr std::uint64_t floor_seed = 1;
 constexpr std::size_t most_regimes = 6;
-
-bool may_be_idle(const GapSearch& search, std::size_t effect) {
-  constexpr double helps_a_little_nats = 40.0;
-  const EffectInfo* info = search.final.model.effects[effect].info;
-  if (info->linear || effect >= search.checks.size()) return info->linear;
-  const auto& contenders = search.checks[effect].contenders;
-  const auto itself = std::ranges::find_if(
-      contenders, [&](const Contender& contender) { return contender.effect.info == info; });
-  return itself == contenders.end() || itself->heldout_nats / itself->inflation < helps_a_little_nats;
-}
 
 class Analysis {
  public:
@@ -47,7 +36,6 @@ class Analysis {
   GapFigures figures(const RobotModel& before, const RobotModel& after,
                      const std::vector<DriveLog>& logs) const;
   bool leave_out_linear_effects();
-  void drop_idle_effects();
 
   const GapOptions& options_;
   const ForEach& for_each_;
@@ -122,14 +110,19 @@ TrialModel Analysis::start() {
 void Analysis::search() {
   train_problem_.emplace(gathered_.train.runs, gathered_.train.metres_per_tick, for_each_);
   test_problem_.emplace(gathered_.test.runs, gathered_.test.metres_per_tick, for_each_);
-  const auto still_missing = [this](const TrialModel& trial) {
-    const RobotModel model = whole_model_of(trial);
-    const GapFigures train = figures(model, model, gathered_.train.logs);
-    const GapFigures test = result_.tail_held_out ? train : figures(model, model, gathered_.test.logs);
-    return largest_excess(train, test).times >= more_than_noise;
-  };
+  const FreeRuns free_runs{
+      [this](const TrialModel& trial) {
+        const RobotModel model = whole_model_of(trial);
+        const GapFigures train = figures(model, model, gathered_.train.logs);
+        const GapFigures test = result_.tail_held_out ? train : figures(model, model, gathered_.test.logs);
+        return largest_excess(train, test).times >= more_than_noise;
+      },
+      [this](const TrialModel& without, const TrialModel& with) {
+        const auto& logs = result_.tail_held_out ? gathered_.train.logs : gathered_.test.logs;
+        return shows(figures(whole_model_of(without), whole_model_of(with), logs));
+      }};
   result_.search = search_gap(*train_problem_, *test_problem_, start(), testability_.candidates,
-                              options_.limits, still_missing, for_each_, progress_);
+                              options_.limits, free_runs, for_each_, progress_);
   for (std::size_t r = 0; r < gathered_.train.logs.size(); ++r) {
     gathered_.train.logs[r].rolled_before_m = result_.search.train_rolled_m[r];
   }
@@ -205,24 +198,6 @@ void Analysis::size_up() {
   }
 }
 
-// Beside other effects too, a linear one is no more than a better linear model, and one that helps a little
-// is often the shape of the others: such an effect stays only where free runs come closer by it.
-void Analysis::drop_idle_effects() {
-  GapSearch& search = result_.search;
-  const auto& logs = result_.tail_held_out ? gathered_.train.logs : gathered_.test.logs;
-  for (std::size_t i = search.final.model.effects.size(); i-- > 0;) {
-    const auto place = static_cast<std::ptrdiff_t>(i);
-    if (search.final.model.effects.size() == 1 || !may_be_idle(search, i)) continue;
-    TrialModel others = search.final.model;
-    others.effects.erase(others.effects.begin() + place);
-    GapFit without = train_problem_->fit(others, steps_of_a_fit);
-    if (shows(figures(whole_model_of(without.model), whole_model_of(search.final.model), logs))) continue;
-    search.final = std::move(without);
-    search.heldout_squares_after = squares_of(test_problem_->residuals(search.final.model));
-    if (i < search.checks.size()) search.checks.erase(search.checks.begin() + place);
-  }
-}
-
 // A linear effect that is no more than a better linear model may stand before one that is: the search is made
 // again without it. False where there is none to leave out.
 bool Analysis::leave_out_linear_effects() {
@@ -237,7 +212,6 @@ bool Analysis::leave_out_linear_effects() {
 }
 
 void Analysis::conclude() {
-  drop_idle_effects();
   result_.found = findings_of(*train_problem_, result_.search);
   if (auto dropout = dropout_finding(gathered_.dropouts, gathered_.watched_s)) {
     result_.found.insert(result_.found.begin(), *std::move(dropout));
@@ -254,6 +228,10 @@ void Analysis::conclude() {
   reach_verdict(result_, options_.limits, changed_gains(result_.search, *train_problem_, *test_problem_));
   describe_where();
   result_.not_testable = testability_.untestable;
+  std::erase_if(result_.not_testable, [this](const Untestable& untestable) {
+    return std::ranges::any_of(result_.found,
+                               [&](const Finding& found) { return found.setting.name == untestable.effect; });
+  });
   const double inflation = 1.5;  // what is usual of a search that ended well
   result_.detectable = detectable_sizes(result_.search.last_look, options_.limits.least_train_nats, inflation,
                                         result_.not_testable);

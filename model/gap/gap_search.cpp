@@ -23,12 +23,12 @@ struct Path {
 class Search {
  public:
   Search(GapProblem& train, GapProblem& heldout, std::span<const EffectInfo* const> candidates,
-         const SearchLimits& limits, const StillMissing& still_missing, const ForEach& for_each,
+         const SearchLimits& limits, const FreeRuns& free_runs, const ForEach& for_each,
          const Progress& progress)
       : train_(train),
         heldout_(heldout),
         limits_(limits),
-        still_missing_(still_missing),
+        free_runs_(free_runs),
         for_each_(for_each),
         progress_(progress),
         contest_(train, heldout, limits_),
@@ -49,12 +49,13 @@ class Search {
   GapFit in_place(const Contender& contender, std::size_t place) const;
   bool improve_by_swaps(GapSearch& result, Swaps swaps);
   void swap_while_better(GapSearch& result);
+  bool drop_idle(GapSearch& result);
   void size_up(GapSearch& result);
 
   GapProblem& train_;
   GapProblem& heldout_;
   SearchLimits limits_;
-  const StillMissing& still_missing_;
+  const FreeRuns& free_runs_;
   const ForEach& for_each_;
   const Progress& progress_;
   Contest contest_;
@@ -87,8 +88,8 @@ Round Search::first_round(const TrialModel& start) {
 
 bool Search::accepted(const Contender* best, const Round& round, const std::vector<Round>& so_far) const {
   if (best == nullptr || so_far.size() >= limits_.most_effects) return false;
-  const bool worth =
-      contest_.worth_adding(*best, so_far) || (contest_.clear(*best) && still_missing_(round.without.model));
+  const bool worth = contest_.worth_adding(*best, so_far) ||
+                     (contest_.clear(*best) && free_runs_.still_off(round.without.model));
   if (!worth) return false;
   if (best == round.contenders.data()) return true;
   TrialModel with_both = round.contenders.front().fit.model;
@@ -214,6 +215,32 @@ void Search::swap_while_better(GapSearch& result) {
   improve_by_swaps(result, Swaps::only_looked_at);
 }
 
+// Beside other effects, a linear one is no more than a better linear model, and one that helps a little is
+// often the shape of the others: such an effect stays only where free runs come closer by it. One at a time,
+// the least needed first, since two may stand for each other.
+bool Search::drop_idle(GapSearch& result) {
+  std::vector<std::pair<double, std::size_t>> idle;
+  for (std::size_t i = 0; i < result.final.model.effects.size(); ++i) {
+    const EffectInfo* info = result.final.model.effects[i].info;
+    const auto& contenders = result.checks[i].contenders;
+    const auto itself = std::ranges::find_if(
+        contenders, [&](const Contender& contender) { return contender.effect.info == info; });
+    const double nats = itself == contenders.end() ? 0.0 : itself->heldout_nats / itself->inflation;
+    if (info->linear || nats < limits_.least_idle_nats) idle.emplace_back(nats, i);
+  }
+  if (result.final.model.effects.size() < 2) return false;
+  std::ranges::sort(idle);
+  for (const auto& [nats, place] : idle) {
+    TrialModel others = result.final.model;
+    others.effects.erase(others.effects.begin() + static_cast<std::ptrdiff_t>(place));
+    GapFit without = train_.fit(others, steps_of_a_fit);
+    if (free_runs_.closer(without.model, result.final.model)) continue;
+    result.final = std::move(without);
+    return true;
+  }
+  return false;
+}
+
 void Search::size_up(GapSearch& result) {
   result.final = look_.settle(result.final.model, 1);
   result.final = train_.fit(with_steps_centred(train_, result.final.model, for_each_), steps_of_a_refit);
@@ -239,6 +266,7 @@ GapSearch Search::run(const TrialModel& start) {
   result.rounds = std::move(path.rounds);
   progress_("rivals", 0.75);
   swap_while_better(result);
+  while (drop_idle(result)) improve_by_swaps(result, Swaps::only_looked_at);
   progress_("what would have shown", 0.92);
   size_up(result);
   return result;
@@ -248,8 +276,8 @@ GapSearch Search::run(const TrialModel& start) {
 
 GapSearch search_gap(GapProblem& train, GapProblem& heldout, const TrialModel& start,
                      std::span<const EffectInfo* const> candidates, const SearchLimits& limits,
-                     const StillMissing& still_missing, const ForEach& for_each, const Progress& progress) {
-  return Search(train, heldout, candidates, limits, still_missing, for_each, progress).run(start);
+                     const FreeRuns& free_runs, const ForEach& for_each, const Progress& progress) {
+  return Search(train, heldout, candidates, limits, free_runs, for_each, progress).run(start);
 }
 
 }  // namespace wheelwright::gap

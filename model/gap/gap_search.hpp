@@ -28,13 +28,18 @@ struct GapSearch {
 // Called before each longer piece of work with a word for it and the share done.
 using Progress = std::function<void(const std::string& what, double share)>;
 
-// Whether free runs of a model are off by more than noise explains: then a further effect may be small beside
-// the first one.
-using StillMissing = std::function<bool(const TrialModel& model)>;
+// What a search asks of the free runs.
+struct FreeRuns {
+  // Whether those of a model are off by more than noise explains: then a further effect may be small beside
+  // the first one.
+  std::function<bool(const TrialModel& model)> still_off;
+  // Whether those that were held out come closer by what one model has and the other has not.
+  std::function<bool(const TrialModel& without, const TrialModel& with)> closer;
+};
 
 // `candidates` are the effects that the data can show at all, decoys among them.
 GapSearch search_gap(GapProblem& train, GapProblem& heldout, const TrialModel& start,
                      std::span<const EffectInfo* const> candidates, const SearchLimits& limits,
-                     const StillMissing& still_missing, const ForEach& for_each, const Progress& progress);
+                     const FreeRuns& free_runs, const ForEach& for_each, const Progress& progress);
 
 }  // namespace wheelwright::gap

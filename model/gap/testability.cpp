@@ -83,6 +83,13 @@ std::string missing_for(const EffectInfo& info, const Contents& contents) {
   return "";
 }
 
+// Where it cannot be seen what an effect does to the body, it may still load the wheels.
+bool shows_at_wheels(EffectInfo info, const Contents& contents) {
+  if (!info.may_load_wheels || !contents.counts) return false;
+  info.needs.reference = info.needs.heading = info.needs.place = false;
+  return missing_for(info, contents).empty();
+}
+
 }  // namespace
 
 Testability testability(std::span<const DriveLog> logs) {
@@ -91,7 +98,10 @@ Testability testability(std::span<const DriveLog> logs) {
   for (const auto& info : effect_library()) {
     const std::string why = missing_for(info, contents);
     if (!why.empty()) {
-      result.untestable.push_back({info.name, why});
+      const bool at_wheels = shows_at_wheels(info, contents);
+      result.untestable.push_back(
+          {info.name, why + (at_wheels ? "; only what it does to the wheels shows" : "")});
+      if (at_wheels) result.candidates.push_back(&info);
     } else if (info.variants.front().stage != EffectStage::counts) {
       result.candidates.push_back(&info);
     }
@@ -114,6 +124,7 @@ std::vector<Detectable> detectable_sizes(const Screening& look, double nats_to_b
   };
   std::map<std::string, Best> best;
   for (const auto& visibility : look.visibility) {
+    if (std::ranges::count(untestable, visibility.effect.info->name, &Untestable::effect) > 0) continue;
     if (visibility.effect.variant != 0 && best.contains(visibility.effect.info->name) &&
         best[visibility.effect.info->name].seen != nullptr) {
       continue;

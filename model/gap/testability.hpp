@@ -25,7 +25,8 @@ struct Detectable {
 
 struct Testability {
   std::vector<const EffectInfo*> candidates;  // with the decoys that belong to them
-  std::vector<Untestable> untestable;
+  std::vector<Untestable>
+      untestable;  // some are candidates all the same: what they do to the wheels may show
 };
 
 // By what the logs hold: counts, references, reversals, turns, voltage.
