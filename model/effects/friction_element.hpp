@@ -15,6 +15,7 @@ struct FrictionLevels {
   double breakaway_m_s = 0.0;  // drive that a standing wheel needs
   double sliding_m_s = 0.0;    // speed that friction costs a moving one
   double lag_s = 0.1;
+  double sticking_m_s = 0.002;  // a slower wheel stands again, unless its drive would break it away
 };
 
 class FrictionElement {
@@ -34,7 +35,7 @@ class FrictionElement {
     }
     taken_ += share * (levels.sliding_m_s * direction_ - taken_);
     const double speed = frictionless_m_s - taken_;
-    const bool stopped = speed * direction_ <= 0.0 || std::abs(speed) < standing_m_s;
+    const bool stopped = speed * direction_ <= 0.0 || std::abs(speed) < levels.sticking_m_s;
     if (stopped && std::abs(drive) <= levels.breakaway_m_s) {
       rests_ = true;
       return 0.0;
@@ -45,8 +46,6 @@ class FrictionElement {
   void reset() { *this = {}; }
 
  private:
-  static constexpr double standing_m_s = 0.002;
-
   double frictionless_before_ = 0.0;
   double taken_ = 0.0;  // from the frictionless speed, by now
   double direction_ = 1.0;

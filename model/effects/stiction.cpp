@@ -9,7 +9,7 @@ class Stiction final : public EffectOf<Stiction> {
  public:
   explicit Stiction(const EffectArguments& arguments)
       : levels_{arguments.parameters[0] + arguments.parameters[1], arguments.parameters[1],
-                arguments.parameters[2]} {}
+                arguments.parameters[2], arguments.parameters[3]} {}
 
   void wheel(WheelPair& speed_m_s, const Surroundings& around) override {
     speed_m_s = {left_.step(speed_m_s.left, levels_, around.period_s),
@@ -49,6 +49,14 @@ EffectInfo stiction() {
         0.005,
         0.6,
         {0.03, 0.1},
+        0.0,
+        false},
+       {"sticking_speed",
+        "m/s",
+        "at which friction has risen so far that a moving wheel stands (Stribeck)",
+        0.0005,
+        0.1,
+        {0.002, 0.012},
         0.0,
         false}},
       {.variety = true},
