@@ -35,7 +35,7 @@ std::vector<double> steps_to_try() {
 }  // namespace
 
 EffectInfo command_quantization() {
-  return {
+  EffectInfo info{
       "command_quantization",
       "commands act in steps",
       "The motor controller works in coarse units, e.g. whole encoder ticks per control period (28.5 mm/s on "
@@ -52,6 +52,8 @@ EffectInfo command_quantization() {
         false}},
       {.variety = true},
       [](const EffectArguments& arguments) { return std::make_unique<CommandQuantization>(arguments); }};
+  info.acts_first = true;
+  return info;
 }
 
 }  // namespace wheelwright::effects

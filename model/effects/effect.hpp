@@ -116,6 +116,7 @@ struct EffectInfo {
   std::function<std::unique_ptr<Effect>(const EffectArguments&)> make;
   bool may_load_wheels = false;  // what it does to the body may show in the wheels: at_the_wheels.hpp
   bool linear = false;           // a linear core can take it up, and then hides it
+  bool acts_first = false;       // on the command as it was sent, before all that happens to it
   bool by_wheel_angle = false;   // hangs on the angle at which the wheels stood when a run began
 };
 

@@ -47,7 +47,7 @@ ParameterInfo ripple(const std::string& name, const std::string& meaning) {
 }  // namespace
 
 EffectInfo wheel_eccentricity() {
-  return {
+  EffectInfo info{
       "wheel_eccentricity",
       "speed ripples once per wheel turn",
       "A wheel that is mounted off its centre or is not round. The wheel's angle is counted from the start "
@@ -62,10 +62,9 @@ EffectInfo wheel_eccentricity() {
        ripple("right_cosine", "in cosine"),
        {"circumference", "m", "of a wheel", 0.05, 2.0, {0.2042, 0.2199, 0.2262, 0.2356, 0.251}, 0.0, false}},
       {},
-      [](const EffectArguments& arguments) { return std::make_unique<WheelEccentricity>(arguments); },
-      false,
-      false,
-      true};
+      [](const EffectArguments& arguments) { return std::make_unique<WheelEccentricity>(arguments); }};
+  info.by_wheel_angle = true;
+  return info;
 }
 
 }  // namespace wheelwright::effects

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "model/at_the_wheels.hpp"
+
 namespace wheelwright::gap {
 namespace {
 
@@ -110,6 +112,7 @@ class BodyCoupling final : public EffectOf<BodyCoupling> {
     if (variant_ == 1) twist.w_rad_s += size_ * t.v_m_s * std::abs(t.v_m_s) / usual_speed_m_s;
     if (variant_ == 2) twist.w_rad_s += size_ * t.w_rad_s * std::abs(t.v_m_s) / usual_speed_m_s;
     if (variant_ == 3) twist.v_m_s += size_ * t.v_m_s * std::abs(t.v_m_s) / usual_speed_m_s;
+    if (variant_ == 4) twist.w_rad_s += size_ * std::abs(t.w_rad_s);
   }
 
  private:
@@ -147,8 +150,8 @@ std::vector<EffectInfo> make_decoys() {
                        {{"sine", "1", "", -0.5, 0.5, {0.05}},
                         {"cosine", "1", "", -0.5, 0.5, {0.05}},
                         {"period", "s", "", 2.0, 300.0, {5.0, 15.0, 40.0}, 0.0, false}}),
-      decoy<BodyCoupling>("decoy_body", {"v*w", "v*|v| to w", "w*|v|", "v*|v|"}, EffectStage::body,
-                          {size(0.05)}),
+      with_variants_at_the_wheels(decoy<BodyCoupling>(
+          "decoy_body", {"v*w", "v*|v| to w", "w*|v|", "v*|v|", "|w|"}, EffectStage::body, {size(0.05)})),
   };
 }
 

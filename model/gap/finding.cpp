@@ -35,7 +35,11 @@ Finding finding(const GapSearch& search, std::size_t index) {
   for (const auto& [name, score] : best_score) largest = std::max(largest, score);
   double sum = std::exp(-largest);
   for (const auto& [name, score] : best_score) sum += std::exp(score - largest);
+  const double own_score = best_score[found.setting.name];
   for (const auto& [name, score] : best_score) {
+    if (name != found.setting.name && own_score > 0.0) {
+      found.rival_share = std::max(found.rival_share, score / own_score);
+    }
     const double posterior = std::exp(score - largest) / sum;
     if (name == found.setting.name) {
       found.posterior = posterior;

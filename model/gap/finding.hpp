@@ -23,6 +23,7 @@ struct Finding {
   double heldout_gain_nats = 0.0;  // deflated for correlation
   double p_value = 1.0;
   double posterior = 0.0;
+  double rival_share = 0.0;   // of what it explains, what the best rival would explain in its place
   std::vector<Rival> rivals;  // the most probable first
 };
 

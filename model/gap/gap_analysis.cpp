@@ -144,7 +144,9 @@ RobotModel Analysis::linear_model_of(const TrialModel& trial) const {
 
 RobotModel Analysis::whole_model_of(const TrialModel& trial) const {
   RobotModel model = linear_model_of(trial);
-  for (const auto& setting : trial.settings()) model.effects.push_back({setting, {}, {}, {}, {}, {}});
+  TrialModel acting = trial;
+  acting.effects = trial.acting();
+  for (const auto& setting : acting.settings()) model.effects.push_back({setting, {}, {}, {}, {}, {}});
   return model;
 }
 
@@ -164,7 +166,7 @@ RobotModel Analysis::model_found() const {
     }
   };
   add(std::string(dropout_name));
-  for (const auto& setting : result_.search.final.model.settings()) add(setting.name);
+  for (const auto& effect : result_.search.final.model.acting()) add(effect.info->name);
   return model;
 }
 

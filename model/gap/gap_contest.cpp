@@ -78,6 +78,9 @@ Contender Contest::judged(const GapFit& without, const std::vector<double>& held
 void Contest::judge(Round& round) const {
   const std::vector<double> heldout_without = heldout_.residuals(round.without.model);
   round.heldout_squares = squares_of(heldout_without);
+  // What an effect of no consequence explains, its core explains.
+  std::erase_if(round.contenders,
+                [](const Contender& contender) { return negligible(contender.fit.model.effects.back()); });
   for (auto& contender : round.contenders) {
     contender = judged(round.without, heldout_without, std::move(contender.fit));
   }
@@ -130,8 +133,7 @@ double Contest::advantage(const GapFit& one, const GapFit& other) const {
 }
 
 bool Contest::good_enough(const Contender& contender) const {
-  return !negligible(contender.effect) &&
-         contender.heldout_nats / contender.inflation > limits_.least_heldout_nats &&
+  return contender.heldout_nats / contender.inflation > limits_.least_heldout_nats &&
          contender.train_nats / contender.inflation > limits_.least_train_nats && contender.score > 0.0;
 }
 

@@ -51,7 +51,8 @@ class Contest {
   // Whether the wheels of each run began at angles of their own: that is paid for.
   void set_angles_differ(bool differ) { angles_differ_ = differ; }
 
-  // Judges the fits of all contenders against the model without them, and puts the best first.
+  // Judges the fits of all contenders against the model without them, and puts the best first. Those whose
+  // effect came out of no consequence are gone.
   void judge(Round& round) const;
 
   // Whether a richer core that was fitted to the same runs is worth its parameters; nothing or less if not.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "model/gap/command_steps.hpp"
 #include "model/gap/decoys.hpp"
@@ -83,6 +84,21 @@ TrialModel GapLook::beside_bare_core(const TrialModel& without, const std::vecto
   return models[static_cast<std::size_t>(std::ranges::min_element(squares) - squares.begin())];
 }
 
+GapFit GapLook::with_core_afresh(const GapFit& fit) {
+  TrialModel bare = fit.model;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double lag_s : usual_lags_s) {
+    TrialModel model = fit.model;
+    model.core =
+        first_guess(model.shape, model.period_s, model.wheel_base_m, lag_s, 2.0 * model.period_s).core;
+    const double squares = squares_of(train_.residuals(model));
+    if (squares < least) bare = model;
+    least = std::min(least, squares);
+  }
+  GapFit afresh = train_.fit(bare, 2 * steps_of_a_fit);
+  return afresh.squares < fit.squares ? afresh : fit;
+}
+
 // Effects that hold what a core usually holds: a delay, two lags.
 std::vector<TrialModel> GapLook::instead_of_core(const TrialModel& without,
                                                  const std::vector<const EffectInfo*>& candidates) const {
@@ -152,17 +168,17 @@ Part GapLook::part_of_last(const TrialModel& model, std::size_t effects) const {
 Round GapLook::look(const GapFit& without, std::vector<TrialEffect> more_starts) {
   Round round{without, 0.0, {}, {}};
   const Starts tried = starts(without, std::move(more_starts));
-  const std::size_t singles = tried.singles.size();
-  round.contenders.resize(singles);
+  round.contenders.resize(tried.singles.size());
   if (tried.pair) round.pair.emplace().model = *tried.pair;
   const auto fit_all = [&](int steps) {
+    const std::size_t singles = round.contenders.size();
     for_each_(singles + (round.pair ? 1 : 0), [&](std::size_t i) {
       GapFit& fit = i < singles ? round.contenders[i].fit : *round.pair;
       fit = train_.fit(fit.model, steps, part_of_last(fit.model, i < singles ? 1 : 2));
     });
     contest_.judge(round);
   };
-  for (std::size_t i = 0; i < singles; ++i) round.contenders[i].fit.model = tried.singles[i];
+  for (std::size_t i = 0; i < tried.singles.size(); ++i) round.contenders[i].fit.model = tried.singles[i];
   fit_all(steps_of_a_fit);
   const bool by_pair = round.pair && contest_.pair_worth_adding(*round.pair, round);
   const bool by_single =

@@ -36,6 +36,10 @@ class GapLook {
   // then what the best one leaves, since before, it holds what is missing; and all are fitted again under it.
   Round look(const GapFit& without, std::vector<TrialEffect> more_starts = {});
 
+  // The same effects beside a core that was found anew, where that explains more: what a core had taken up of
+  // an effect that has come in since, it does not give back step by step.
+  GapFit with_core_afresh(const GapFit& fit);
+
   std::vector<const EffectInfo*> absent_from(const TrialModel& model) const;
 
  private:

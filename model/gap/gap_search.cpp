@@ -107,7 +107,9 @@ Path Search::grown(Path path) {
     const Contender* best = best_named(round);
     const bool single = accepted(best, round, path.rounds);
     const bool pair = !single && pair_accepted(round, path.rounds.size());
-    path.model = single ? best->fit : pair ? *round.pair : round.without;
+    path.model = single ? look_.with_core_afresh(best->fit)
+                 : pair ? look_.with_core_afresh(*round.pair)
+                        : round.without;
     path.rounds.push_back(std::move(round));
     if (!single && !pair) return path;
   }
@@ -137,10 +139,12 @@ std::vector<const Contender*> Search::first_effects(const Round& first) const {
 Path Search::best_path(const Round& first) {
   std::vector<Path> paths;
   for (const Contender* contender : first_effects(first)) {
-    Path path{{first}, look_.settle(contender->fit.model, 1)};
+    Path path{{first}, look_.with_core_afresh(look_.settle(contender->fit.model, 1))};
     paths.push_back(grown(std::move(path)));
   }
-  if (pair_accepted(first, 0)) paths.push_back(grown({{first}, look_.settle(first.pair->model, 1)}));
+  if (pair_accepted(first, 0)) {
+    paths.push_back(grown({{first}, look_.with_core_afresh(look_.settle(first.pair->model, 1))}));
+  }
   if (paths.empty()) return {{first}, first.without};
   if (paths.size() == 1) return std::move(paths.front());
   const auto closest =

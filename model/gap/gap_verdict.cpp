@@ -154,8 +154,10 @@ bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out) {
 
 bool leaves_most_of_it(const GapAnalysis& analysis) {
   constexpr double explains_a_lot_nats = 100.0;
+  constexpr double without_rival = 0.5;
   const bool helps_a_little = std::ranges::any_of(analysis.found, [](const Finding& found) {
-    return of_free_runs(found) && found.heldout_gain_nats < explains_a_lot_nats;
+    return of_free_runs(found) && found.heldout_gain_nats < explains_a_lot_nats &&
+           found.rival_share > without_rival;
   });
   if (!helps_a_little) return false;
   const Excess left = what_is_left(analysis);

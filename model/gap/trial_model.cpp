@@ -33,7 +33,7 @@ LinearModel TrialModel::linear() const {
 
 ModelSimulation TrialModel::simulation() const {
   std::vector<std::unique_ptr<Effect>> made;
-  for (const auto& effect : effects) made.push_back(effect.info->make({effect.parameters, effect.variant}));
+  for (const auto& effect : acting()) made.push_back(effect.info->make({effect.parameters, effect.variant}));
   return {linear(), std::move(made)};
 }
 
@@ -120,6 +120,12 @@ std::vector<EffectSetting> TrialModel::settings() const {
     settings.push_back({effect.info->name, effect.info->variants[effect.variant].name, effect.parameters});
   }
   return settings;
+}
+
+std::vector<TrialEffect> TrialModel::acting() const {
+  std::vector<TrialEffect> acting = effects;
+  std::ranges::stable_partition(acting, [](const TrialEffect& effect) { return effect.info->acts_first; });
+  return acting;
 }
 
 TrialModel first_guess(const CoreShape& shape, double period_s, double wheel_base_m, double lag_s,

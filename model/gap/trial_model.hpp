@@ -54,7 +54,10 @@ struct TrialModel {
   TrialModel with_larger_core() const;
   // The same model with a core that is crossed.
   TrialModel with_crossed_core() const;
+  // Of the effects, as they are listed.
   std::vector<EffectSetting> settings() const;
+  // The effects in the order in which they act: as they are listed, but for those that act first.
+  std::vector<TrialEffect> acting() const;
 };
 
 // A first-order lag behind a delay, with a gain of 1: where every search begins.
