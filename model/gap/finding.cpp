@@ -51,6 +51,17 @@ Finding finding(const GapSearch& search, std::size_t index) {
   return found;
 }
 
+// What was found first explained most by itself. What else was found may have taken some of that over since:
+// only what would be missed far more stands before it.
+void put_first_what_is_missed_most(std::vector<Finding>& found) {
+  constexpr double far_more = 3.0;
+  if (found.empty()) return;
+  const auto most = std::ranges::max_element(found, {}, &Finding::heldout_gain_nats);
+  const bool other_first = most->heldout_gain_nats > far_more * found.front().heldout_gain_nats;
+  std::ranges::stable_sort(found.begin() + (other_first ? 0 : 1), found.end(), std::greater<>{},
+                           &Finding::heldout_gain_nats);
+}
+
 }  // namespace
 
 std::vector<Finding> findings_of(const GapProblem& train, const GapSearch& search) {
@@ -64,12 +75,13 @@ std::vector<Finding> findings_of(const GapProblem& train, const GapSearch& searc
     from = to;
     all.push_back(std::move(found));
   }
-  std::ranges::stable_sort(all, std::greater<>{}, &Finding::heldout_gain_nats);
+  put_first_what_is_missed_most(all);
   return all;
 }
 
 std::optional<Finding> dropout_finding(std::span<const Dropout> dropouts, double watched_s) {
-  if (dropouts.empty() || watched_s <= 0.0) return std::nullopt;
+  constexpr std::size_t more_than_chance = 2;
+  if (dropouts.size() < more_than_chance || watched_s <= 0.0) return std::nullopt;
   double lost_s = 0.0;
   for (const auto& dropout : dropouts) lost_s += dropout.duration_s;
   Finding found;

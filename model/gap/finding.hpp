@@ -27,11 +27,13 @@ struct Finding {
   std::vector<Rival> rivals;  // the most probable first
 };
 
-// All that a search accepted, first what is missed most where it is taken out of the model. The posterior of
-// a name is that in its place, the others being there.
+// All that a search accepted: first what it found first, unless another would be missed far more, then by
+// what is missed most where it is taken out of the model. The posterior of a name is that in its place, the
+// others being there.
 std::vector<Finding> findings_of(const GapProblem& train, const GapSearch& search);
 
-// Counts that stood still are an effect of the library, but one that the data gate finds.
+// Counts that stood still are an effect of the library, but one that the data gate finds. A single time is a
+// fault of the data and no more.
 std::optional<Finding> dropout_finding(std::span<const Dropout> dropouts, double watched_s);
 
 }  // namespace wheelwright::gap

@@ -154,12 +154,13 @@ bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out) {
 
 bool leaves_most_of_it(const GapAnalysis& analysis) {
   constexpr double explains_a_lot_nats = 100.0;
-  constexpr double without_rival = 0.5;
-  const bool helps_a_little = std::ranges::any_of(analysis.found, [](const Finding& found) {
-    return of_free_runs(found) && found.heldout_gain_nats < explains_a_lot_nats &&
-           found.rival_share > without_rival;
-  });
-  if (!helps_a_little) return false;
+  constexpr double no_rival = 0.5;
+  const auto of_runs = std::ranges::count_if(analysis.found, of_free_runs);
+  const auto stands = [&](const Finding& found) {
+    if (!of_free_runs(found)) return false;
+    return found.heldout_gain_nats >= explains_a_lot_nats || (of_runs == 1 && found.rival_share < no_rival);
+  };
+  if (of_runs == 0 || std::ranges::any_of(analysis.found, stands)) return false;
   const Excess left = what_is_left(analysis);
   return left.times >= nowhere_near || (left.times >= far_above_noise && left.closed < 0.5);
 }
