@@ -8,7 +8,7 @@ namespace {
 class GainCurve final : public EffectOf<GainCurve> {
  public:
   explicit GainCurve(const EffectArguments& arguments)
-      : bend_(arguments.parameters[0], arguments.parameters[1] / usual_command_m_s),
+      : bend_(arguments.parameters[0], arguments.parameters[1] / usual_command_m_s, least_top_m_s),
         of_command_(arguments.variant == 0) {}
 
   void command(WheelPair& command_m_s, const Surroundings&) override {
@@ -20,6 +20,7 @@ class GainCurve final : public EffectOf<GainCurve> {
 
  private:
   static constexpr double usual_command_m_s = 0.3;  // gives both parameters the same unit
+  static constexpr double least_top_m_s = 0.35;     // what is level below that is a saturation
 
   OddBend bend_;
   bool of_command_;

@@ -10,11 +10,15 @@ namespace wheelwright::effects {
 
 class OddBend {
  public:
-  OddBend(double a, double b) : a_(a), b_(b) {
+  OddBend(double a, double b, double least_top) : a_(a), b_(b) {
     const double discriminant = a * a + 3.0 * b;
     if (discriminant < 0.0) return;
     const double inverse_of_top = a + std::sqrt(discriminant);
-    if (inverse_of_top > 0.0) top_ = 1.0 / inverse_of_top;
+    if (!(inverse_of_top > 0.0)) return;
+    const double less = std::min(1.0, 1.0 / (inverse_of_top * least_top));
+    a_ *= less;
+    b_ *= less * less;
+    top_ = 1.0 / (less * inverse_of_top);
   }
 
   double operator()(double value) const {

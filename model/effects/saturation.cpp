@@ -1,5 +1,6 @@
 // saturation: wheel speed is limited.
 #include <algorithm>
+#include <cmath>
 
 #include "model/effects/effect.hpp"
 
@@ -11,6 +12,8 @@ class Saturation final : public EffectOf<Saturation> {
   explicit Saturation(const EffectArguments& arguments)
       : limit_(arguments.parameters[0]),
         motor_lag_s_(arguments.parameters[1]),
+        knee_(arguments.parameters[2]),
+        far_below_(std::exp(-16.0 * knee_)),  // there the knee takes less than 1e-7
         of_command_(arguments.variant == 0) {}
 
   void command(WheelPair& command_m_s, const Surroundings& around) override {
@@ -22,18 +25,30 @@ class Saturation final : public EffectOf<Saturation> {
   void reset() override { now_ = {}; }
 
  private:
+  // The drive that it takes to be there in time, as far as there is so much.
   void limit(WheelPair& wanted, double period_s) {
     const double share = period_s / (period_s + motor_lag_s_);
     const auto follow = [&](double& now, double to) {
-      now += std::clamp(to - now, share * (-limit_ - now), share * (limit_ - now));
+      now += share * (below_limit(now + (to - now) / share) - now);
     };
     follow(now_.left, wanted.left);
     follow(now_.right, wanted.right);
     wanted = now_;
   }
 
+  double below_limit(double drive) const {
+    if (knee_ < sharp) return std::clamp(drive, -limit_, limit_);
+    const double ratio = std::abs(drive) / limit_;
+    if (ratio < far_below_) return drive;
+    return drive * std::pow(1.0 + std::pow(ratio, 1.0 / knee_), -knee_);
+  }
+
+  static constexpr double sharp = 0.02;
+
   double limit_;
   double motor_lag_s_;
+  double knee_;
+  double far_below_;
   bool of_command_;
   WheelPair now_;
 };
@@ -56,6 +71,15 @@ EffectInfo saturation() {
         0.0,
         1.0,
         {0.0, 0.06},
+        0.0,
+        false},
+       {"knee",
+        "1",
+        "how round the way into the limit is: at the limit's own command, the speed lacks about 0.7 times "
+        "this",
+        0.0,
+        0.5,
+        {0.05},
         0.0,
         false}},
       {.variety = true},

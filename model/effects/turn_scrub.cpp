@@ -9,11 +9,13 @@ namespace {
 class TurnScrub final : public EffectOf<TurnScrub> {
  public:
   explicit TurnScrub(const EffectArguments& arguments)
-      : bend_(arguments.parameters[0], arguments.parameters[1]) {}
+      : bend_(arguments.parameters[0], arguments.parameters[1], least_top_rad_s) {}
 
   void body(Twist& twist, const Surroundings&) override { twist.w_rad_s = bend_(twist.w_rad_s); }
 
  private:
+  static constexpr double least_top_rad_s = 0.5;
+
   OddBend bend_;
 };
 

@@ -22,10 +22,10 @@ struct Grid {
   std::vector<double> y;
 };
 
-// Places where the robot has been, a quarter of a metre apart.
+// Places where the robot has been.
 std::vector<Pose> visited_places(const GapProblem& problem, const TrialModel& model) {
-  constexpr double apart_m = 0.3;
-  constexpr std::size_t most = 60;
+  constexpr double apart_m = 0.35;
+  constexpr std::size_t most = 40;
   std::vector<Pose> places;
   for (const auto& run : problem.runs()) {
     const auto states = model_states(model, run);
