@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 #include "model/gap/command_steps.hpp"
 #include "model/gap/decoys.hpp"
@@ -24,6 +23,12 @@ bool reaches_far(const TrialModel& model) {
   const LinearModel core = model.linear();
   return std::max(largest_pole(core.left), largest_pole(core.right)) >
          std::exp(-model.period_s / longest_lag_s);
+}
+
+TrialModel with_bare_core(TrialModel model, double lag_s) {
+  const double delay_s = 2.0 * model.period_s;
+  model.core = first_guess(model.shape, model.period_s, model.wheel_base_m, lag_s, delay_s).core;
+  return model;
 }
 
 }  // namespace
@@ -65,38 +70,31 @@ std::optional<TrialEffect> GapLook::align_wheels(const GapFit& without,
   return angles->start;
 }
 
-// What a linear core has taken up, it does not give back step by step: of models with one of these effects
-// beside a core that has not seen the data, the closest.
-TrialModel GapLook::beside_bare_core(const TrialModel& without, const std::vector<TrialEffect>& effects,
-                                     std::span<const double> lags_s) const {
-  std::vector<TrialModel> models;
-  for (const double lag_s : lags_s) {
-    const TrialModel bare =
-        first_guess(without.shape, without.period_s, without.wheel_base_m, lag_s, 2.0 * without.period_s);
-    for (const TrialEffect& effect : effects) {
-      models.push_back(without);
-      models.back().core = bare.core;
-      models.back().effects.push_back(effect);
-    }
-  }
+const TrialModel& GapLook::closest(const std::vector<TrialModel>& models) const {
   std::vector<double> squares(models.size());
   for_each_(models.size(), [&](std::size_t i) { squares[i] = squares_of(train_.residuals(models[i])); });
   return models[static_cast<std::size_t>(std::ranges::min_element(squares) - squares.begin())];
 }
 
 GapFit GapLook::with_core_afresh(const GapFit& fit) {
-  TrialModel bare = fit.model;
-  double least = std::numeric_limits<double>::infinity();
-  for (const double lag_s : usual_lags_s) {
-    TrialModel model = fit.model;
-    model.core =
-        first_guess(model.shape, model.period_s, model.wheel_base_m, lag_s, 2.0 * model.period_s).core;
-    const double squares = squares_of(train_.residuals(model));
-    if (squares < least) bare = model;
-    least = std::min(least, squares);
-  }
-  GapFit afresh = train_.fit(bare, 2 * steps_of_a_fit);
+  std::vector<TrialModel> models;
+  for (const double lag_s : usual_lags_s) models.push_back(with_bare_core(fit.model, lag_s));
+  GapFit afresh = train_.fit(closest(models), 2 * steps_of_a_fit);
   return afresh.squares < fit.squares ? afresh : fit;
+}
+
+// What a linear core has taken up, it does not give back step by step: one of these effects beside a core
+// that has not seen the data.
+TrialModel GapLook::beside_bare_core(const TrialModel& without, const std::vector<TrialEffect>& effects,
+                                     std::span<const double> lags_s) const {
+  std::vector<TrialModel> models;
+  for (const double lag_s : lags_s) {
+    for (const TrialEffect& effect : effects) {
+      models.push_back(with_bare_core(without, lag_s));
+      models.back().effects.push_back(effect);
+    }
+  }
+  return closest(models);
 }
 
 // Effects that hold what a core usually holds: a delay, two lags.

@@ -43,6 +43,7 @@ class GapLook {
   std::vector<const EffectInfo*> absent_from(const TrialModel& model) const;
 
  private:
+  const TrialModel& closest(const std::vector<TrialModel>& models) const;
   TrialModel beside_bare_core(const TrialModel& without, const std::vector<TrialEffect>& effects,
                               std::span<const double> lags_s) const;
   std::vector<TrialModel> instead_of_core(const TrialModel& without,
