@@ -47,6 +47,15 @@ Excess largest_excess(const GapFigures& train, const GapFigures& test) {
   return largest;
 }
 
+bool some_figure_above_noise(const GapFigures& figures) {
+  const Values before = values_of(figures.before);
+  const Values floor = values_of(figures.floor);
+  for (std::size_t i = 0; i < figure_count; ++i) {
+    if (before.at(i) && floor.at(i) && *before.at(i) > *floor.at(i)) return true;
+  }
+  return false;
+}
+
 bool some_figure_falls(const GapFigures& figures, double least_fall, double above_floor) {
   const Values before = values_of(figures.before);
   const Values after = values_of(figures.after);

@@ -1,0 +1,121 @@
+// What effects do to a motion, against what can be said of it on paper.
+#include <cmath>
+
+#include "model/drive_log.hpp"
+#include "model/effect_library.hpp"
+#include "model/gap/gap_figures.hpp"
+#include "model/gap/testability.hpp"
+#include "model/model_simulation.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gap_plant/gap_case.hpp"
+
+using namespace wheelwright;
+
+namespace {
+
+constexpr double period_s = 0.018;
+
+// A wheel that does at once what it is told, but for the effect.
+ModelSimulation only(const EffectSetting& effect) {
+  const LinearModel core{ModelType::arma, period_s, 0.258, {{1.0}, {0.0}, {}}, {{0.0}, {1.0}, {}}};
+  return {core, std::vector{effect}};
+}
+
+double speed_after(ModelSimulation& simulation, double command_m_s, int periods) {
+  double speed_m_s = 0.0;
+  for (int k = 0; k < periods; ++k) speed_m_s = simulation.step({command_m_s, command_m_s}).wheel_m_s.left;
+  return speed_m_s;
+}
+
+// Share of the way that a first-order lag (backward Euler) has left after some periods.
+double left_of_way(double lag_s, int periods) {
+  return std::pow(lag_s / (period_s + lag_s), periods);
+}
+
+}  // namespace
+
+TEST_CASE("A drive with an asymmetric response speeds up with one lag and slows down with the other") {
+  ModelSimulation simulation = only({"asymmetric_response", "speed", {0.1, 0.05}});
+  CHECK_THAT(speed_after(simulation, 0.2, 10), WithinAbs(0.2 * (1.0 - left_of_way(0.05, 10)), 1e-12));
+  const double before_m_s = speed_after(simulation, 0.2, 200);
+  CHECK_THAT(speed_after(simulation, 0.0, 10), WithinAbs(before_m_s * left_of_way(0.15, 10), 1e-12));
+}
+
+TEST_CASE("A motor at its full voltage approaches its limit with its own lag") {
+  ModelSimulation simulation = only({"saturation", "speed", {0.2, 0.1, 0.0}});
+  CHECK_THAT(speed_after(simulation, 0.4, 10), WithinAbs(0.2 * (1.0 - left_of_way(0.1, 10)), 1e-12));
+  CHECK(speed_after(simulation, 0.4, 500) <= 0.2);
+}
+
+TEST_CASE("A limit is met sharply or by a knee") {
+  ModelSimulation sharp = only({"saturation", "command", {0.2, 0.0, 0.0}});
+  CHECK(speed_after(sharp, 0.2, 1) == 0.2);
+  CHECK(speed_after(sharp, 0.3, 1) == 0.2);
+  ModelSimulation round = only({"saturation", "command", {0.2, 0.0, 0.1}});
+  CHECK_THAT(speed_after(round, 0.2, 1), WithinAbs(0.2 * std::pow(2.0, -0.1), 1e-12));
+  CHECK_THAT(speed_after(round, 0.05, 1), WithinAbs(0.05, 1e-7));
+}
+
+TEST_CASE("A gain that bends never makes a wheel slower for a larger command") {
+  for (const double curvature : {-1.0, 0.5, 3.0}) {
+    for (const double cubic : {-3.0, 0.0, 3.0}) {
+      INFO(curvature << " " << cubic);
+      ModelSimulation simulation = only({"gain_curve", "command", {curvature, cubic}});
+      double before_m_s = 0.0;
+      for (int step = 1; step <= 60; ++step) {
+        const double speed_m_s = speed_after(simulation, 0.01 * step, 1);
+        CHECK(speed_m_s >= before_m_s);
+        before_m_s = speed_m_s;
+      }
+    }
+  }
+  ModelSimulation parabola = only({"gain_curve", "command", {0.5, 0.0}});
+  CHECK_THAT(speed_after(parabola, 0.2, 1), WithinAbs(0.2 * (1.0 - 0.5 * 0.2), 1e-12));
+}
+
+TEST_CASE("A wheel with stiction stands again at the speed below which friction has risen") {
+  const auto stands_at = [](double sticking_m_s) {
+    ModelSimulation simulation = only({"stiction", "", {0.03, 0.002, 0.01, sticking_m_s}});
+    double moved_at = speed_after(simulation, 0.05, 100);
+    for (double command = 0.05; command > 0.0; command -= 0.0001) {
+      const double speed = speed_after(simulation, command, 1);
+      if (speed == 0.0) return moved_at;
+      moved_at = speed;
+    }
+    return 0.0;
+  };
+  CHECK_THAT(stands_at(0.012), WithinAbs(0.012, 0.0005));
+  CHECK_THAT(stands_at(0.004), WithinAbs(0.004, 0.0005));
+}
+
+TEST_CASE("Logs without poses show what loads the wheels, and say that the body is not seen") {
+  test::GapCaseSpec spec;
+  spec.name = "clean";
+  spec.channels = test::Channels::ticks;
+  spec.runs = 2;
+  spec.seconds = 30.0;
+  const auto contents = gap::testability(test::make_gap_case(spec).runs);
+  const auto candidate = [&](std::string_view name) {
+    return std::ranges::count(contents.candidates, name,
+                              [](const EffectInfo* info) -> std::string_view { return info->name; }) > 0;
+  };
+  const auto listed = [&](std::string_view name) {
+    return std::ranges::count(contents.untestable, name, &gap::Untestable::effect) > 0;
+  };
+  CHECK(candidate("turn_scrub"));
+  CHECK(listed("turn_scrub"));
+  CHECK_FALSE(candidate("lever_arm"));
+  CHECK(listed("lever_arm"));
+  CHECK(candidate("dead_zone"));
+  CHECK_FALSE(listed("dead_zone"));
+}
+
+TEST_CASE("A figure is above the noise where it was larger than its floor before the analysis") {
+  gap::GapFigures figures;
+  figures.before.distance_rms_m = 0.004;
+  figures.floor.distance_rms_m = 0.005;
+  CHECK_FALSE(gap::some_figure_above_noise(figures));
+  figures.before.position_rms_m = AtHorizon{10.0, 0.008};
+  figures.floor.position_rms_m = AtHorizon{10.0, 0.007};
+  CHECK(gap::some_figure_above_noise(figures));
+}
