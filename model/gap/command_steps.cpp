@@ -99,6 +99,7 @@ std::vector<Commanded> by_command(const GapRun& run, bool right, const std::vect
     same.evidence += evidence[k];
   }
   std::vector<Commanded> commands;
+  commands.reserve(all.size());
   for (const auto& [u, same] : all) commands.push_back(same);
   return commands;
 }

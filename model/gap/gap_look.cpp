@@ -78,6 +78,7 @@ const TrialModel& GapLook::closest(const std::vector<TrialModel>& models) const 
 
 GapFit GapLook::with_core_afresh(const GapFit& fit) {
   std::vector<TrialModel> models;
+  models.reserve(usual_lags_s.size());
   for (const double lag_s : usual_lags_s) models.push_back(with_bare_core(fit.model, lag_s));
   GapFit afresh = train_.fit(closest(models), 2 * steps_of_a_fit);
   return afresh.squares < fit.squares ? afresh : fit;

@@ -124,7 +124,8 @@ std::vector<EffectSetting> TrialModel::settings() const {
 
 std::vector<TrialEffect> TrialModel::acting() const {
   std::vector<TrialEffect> acting = effects;
-  std::ranges::stable_partition(acting, [](const TrialEffect& effect) { return effect.info->acts_first; });
+  std::stable_partition(acting.begin(), acting.end(),
+                        [](const TrialEffect& effect) { return effect.info->acts_first; });
   return acting;
 }
 
