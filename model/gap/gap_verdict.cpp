@@ -156,13 +156,14 @@ bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out) {
 bool leaves_most_of_it(const GapAnalysis& analysis) {
   constexpr double explains_a_lot_nats = 100.0;
   constexpr double no_rival = 0.5;
+  const Excess left = what_is_left(analysis);
   const auto of_runs = std::ranges::count_if(analysis.found, of_free_runs);
   const auto stands = [&](const Finding& found) {
     if (!of_free_runs(found)) return false;
-    return found.heldout_gain_nats >= explains_a_lot_nats || (of_runs == 1 && found.rival_share < no_rival);
+    const bool alone = of_runs == 1 && found.rival_share < no_rival && left.times < nowhere_near;
+    return found.heldout_gain_nats >= explains_a_lot_nats || alone;
   };
   if (of_runs == 0 || std::ranges::any_of(analysis.found, stands)) return false;
-  const Excess left = what_is_left(analysis);
   return left.times >= nowhere_near || (left.times >= far_above_noise && left.closed < 0.5);
 }
 

@@ -30,7 +30,8 @@ bool shows(const GapFigures& figures);
 bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out);
 
 // Whatever helps a little is not what is missing, where free runs stay far off all the same. What explains a
-// lot may stand although more is missing, and so may a single effect to which no other comes near.
+// lot may stand although more is missing, and so may a single effect to which no other comes near, unless
+// free runs stay nowhere near the measured ones.
 bool leaves_most_of_it(const GapAnalysis& analysis);
 
 // Sets verdict and summary, and `where` for gains that changed, from all else that the analysis holds.
