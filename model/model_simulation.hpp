@@ -49,8 +49,8 @@ class ModelSimulation {
   // Rolled by the wheels since the start (and before it, as reset was told), as the encoders see it.
   const WheelPair& distance_m() const { return around_.distance_m; }
 
-  // Without its place, x and y of the pose stay where they are and a step takes a fifth less time; for those
-  // who look at wheels only, of a model in which no effect acts by place.
+  // From here on x and y of the pose stay where they are, which saves time: for those who look at wheels
+  // only, of a model in which no effect acts by place.
   void leave_out_place() { with_place_ = false; }
 
   // Sets the pose, not the motion.

@@ -1,5 +1,6 @@
 // A map that bends the same way for both signs: size (1 - a size - b size^2), up to where it would fall
-// again, and level from there.
+// again, and level from there. Where it would be level below `least_top`, it bends less: what is level is a
+// limit, and that is another effect.
 #pragma once
 
 #include <algorithm>

@@ -223,6 +223,7 @@ void Search::swap_while_better(GapSearch& result) {
 // often the shape of the others: such an effect stays only where free runs come closer by it. One at a time,
 // the least needed first, since two may stand for each other.
 bool Search::drop_idle(GapSearch& result) {
+  if (result.final.model.effects.size() < 2) return false;
   std::vector<std::pair<double, std::size_t>> idle;
   for (std::size_t i = 0; i < result.final.model.effects.size(); ++i) {
     const EffectInfo* info = result.final.model.effects[i].info;
@@ -232,7 +233,6 @@ bool Search::drop_idle(GapSearch& result) {
     const double nats = itself == contenders.end() ? 0.0 : itself->heldout_nats / itself->inflation;
     if (info->linear || nats < limits_.least_idle_nats) idle.emplace_back(nats, i);
   }
-  if (result.final.model.effects.size() < 2) return false;
   std::ranges::sort(idle);
   for (const auto& [nats, place] : idle) {
     TrialModel others = result.final.model;

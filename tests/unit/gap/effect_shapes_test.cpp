@@ -5,6 +5,7 @@
 #include "model/effect_library.hpp"
 #include "model/gap/gap_figures.hpp"
 #include "model/gap/testability.hpp"
+#include "model/gap/trial_model.hpp"
 #include "model/model_simulation.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gap_plant/gap_case.hpp"
@@ -69,6 +70,9 @@ TEST_CASE("A gain that bends never makes a wheel slower for a larger command") {
       }
     }
   }
+  ModelSimulation steep = only({"gain_curve", "command", {3.0, 0.0}});
+  CHECK(speed_after(steep, 0.34, 1) > speed_after(steep, 0.3, 1));
+  CHECK(speed_after(steep, 0.4, 1) == speed_after(steep, 0.36, 1));
   ModelSimulation parabola = only({"gain_curve", "command", {0.5, 0.0}});
   CHECK_THAT(speed_after(parabola, 0.2, 1), WithinAbs(0.2 * (1.0 - 0.5 * 0.2), 1e-12));
 }
@@ -86,6 +90,31 @@ TEST_CASE("A wheel with stiction stands again at the speed below which friction 
   };
   CHECK_THAT(stands_at(0.012), WithinAbs(0.012, 0.0005));
   CHECK_THAT(stands_at(0.004), WithinAbs(0.004, 0.0005));
+}
+
+TEST_CASE("Steps act on the command as it was sent, after whatever effect they were found") {
+  gap::TrialModel model = gap::first_guess({}, period_s, 0.258, 0.06, 2.0 * period_s);
+  const EffectInfo* gain = find_effect("direction_gain");
+  const EffectInfo* steps = find_effect("command_quantization");
+  model.effects = {{gain, 0, {-0.1}}, {steps, 0, {0.02, 0.5}}};
+  ModelSimulation simulation = model.simulation();
+  // 0.1 m/s backward is five steps, and nine tenths of that; of 0.09 m/s, the steps would make 0.1 or 0.08.
+  CHECK_THAT(speed_after(simulation, -0.1, 500), WithinAbs(-0.09, 1e-9));
+}
+
+TEST_CASE("Wheels turn the same whether the place of their robot is kept or not") {
+  ModelSimulation with = only({"saturation", "speed", {0.2, 0.1, 0.05}});
+  ModelSimulation without = only({"saturation", "speed", {0.2, 0.1, 0.05}});
+  without.leave_out_place();
+  for (int k = 0; k < 100; ++k) {
+    with.step({0.3, 0.1});
+    without.step({0.3, 0.1});
+  }
+  CHECK(without.distance_m().left == with.distance_m().left);
+  CHECK(without.distance_m().right == with.distance_m().right);
+  CHECK(without.pose().theta_rad == with.pose().theta_rad);
+  CHECK(without.pose().x_m == 0.0);
+  CHECK(with.pose().x_m != 0.0);
 }
 
 TEST_CASE("Logs without poses show what loads the wheels, and say that the body is not seen") {
