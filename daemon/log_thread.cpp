@@ -27,6 +27,8 @@ std::string_view title_of(Activity activity) {
       return "calibration C: random drive";
     case Activity::route:
       return "route: driving";
+    case Activity::commanded_drive:
+      return "commands: driving";
     case Activity::finished:
       return "finished";
     case Activity::stopped:
@@ -98,7 +100,10 @@ void LogThread::take(const LogEntry& entry) {
     ++report_.logged_ticks;
     note_faults(entry.record);
   }
-  if (entry.frame.command.activity == Activity::route) report_.last_route_record = entry.record;
+  const Activity activity = entry.frame.command.activity;
+  if (activity == Activity::route || activity == Activity::commanded_drive) {
+    report_.last_driven_record = entry.record;
+  }
   if (entry.frame.stop != last_stop_) {
     last_stop_ = entry.frame.stop;
     if (last_stop_ != StopReason::none && last_stop_ != StopReason::requested)

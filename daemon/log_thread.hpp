@@ -21,7 +21,7 @@ struct LogReport {
   std::vector<std::string> errors;
   std::uint64_t lost_lines = 0;
   std::uint64_t lost_messages = 0;  // of the MCAP file
-  std::optional<PoseRecord> last_route_record;
+  std::optional<PoseRecord> last_driven_record;
   std::int64_t logged_ticks = 0;
   std::uint64_t faults = 0;        // that the hybrid filter found
   bool recalibration_due = false;  // as it said at last

@@ -25,6 +25,7 @@ using daemon::EndCause;
 struct Options {
   std::string config_file;
   std::string device;
+  std::string commands_file;
   std::string lateness_file;
   std::string status_file;
   bool as_service = false;
@@ -36,6 +37,9 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--config", options.config_file, "configuration (config/wheelwright.yaml shows every key)")
       ->required();
   app.add_option("--device", options.device, "serial port of the robot, instead of link.device");
+  app.add_option("--commands", options.commands_file,
+                 "drive the commands of this drive log as they stand, such as next_experiment.csv of "
+                 "'wheelwright gap', instead of calibrating and driving a route");
   app.add_option("--status", options.status_file,
                  "write how things are to this file every second, for 'wheelwright status' (service: "
                  "status.json in its runtime folder)");
@@ -71,8 +75,8 @@ void set_up_messages(const Options& options, const wheelwright::config::DaemonCo
 }
 
 daemon::ProcessOptions process_options(const Options& options) {
-  daemon::ProcessOptions result{options.config_file, options.device, options.lateness_file,
-                                options.status_file, options.as_service};
+  daemon::ProcessOptions result{options.config_file,   options.device,      options.commands_file,
+                                options.lateness_file, options.status_file, options.as_service};
   const char* folder = std::getenv("RUNTIME_DIRECTORY");
   if (options.as_service && options.status_file.empty() && folder != nullptr) {
     result.status_file = std::filesystem::path(folder) / "status.json";

@@ -15,7 +15,7 @@ std::string_view name_of(ModelType type) {
 
 // A source named after a type of model wants a model of that type.
 void check_type(const config::DaemonConfig& config, ModelType type, const std::string& what) {
-  if (!is_sensorless(config.pose_source)) return;
+  if (config.commanded_drive || !is_sensorless(config.pose_source)) return;
   const ModelType wanted = config.pose_source == PoseSource::arma ? ModelType::arma : ModelType::fir;
   if (type == wanted) return;
   throw ConfigError(what + " a model of type " + std::string(name_of(type)) + ", but run.pose_source is '" +
@@ -30,7 +30,7 @@ void check_model(const config::DaemonConfig& config, const RobotModel& model) {
     throw ConfigError(file + ": was made for another period than link.period_s; calibrate again");
   }
   check_type(config, model.core.type, file + ": holds");
-  if (config.pose_source == PoseSource::hybrid && !model.encoder_scale) {
+  if (!config.commanded_drive && config.pose_source == PoseSource::hybrid && !model.encoder_scale) {
     throw ConfigError(file +
                       ": has no encoder_scale, but run.pose_source is 'hybrid', which needs metres per tick; "
                       "calibrate again, or set it to '" +
@@ -43,8 +43,9 @@ void check_model(const config::DaemonConfig& config, const RobotModel& model) {
 Plan make_plan(const config::DaemonConfig& config, std::optional<RobotModel> model) {
   Plan plan;
   plan.limits = config.limits;
-  const bool calibrate = config.calibrate == config::CalibrateWhen::always ||
-                         (config.calibrate == config::CalibrateWhen::if_needed && !model);
+  const bool calibrate =
+      config.calibrate == config::CalibrateWhen::always ||
+      (config.calibrate == config::CalibrateWhen::if_needed && !model && !config.commanded_drive);
   if (calibrate) {
     check_type(config, config.calibration_type, config.file.string() + ": calibration.type makes");
     plan.mission.encoder_turn = config.encoder_turn;
@@ -54,12 +55,13 @@ Plan make_plan(const config::DaemonConfig& config, std::optional<RobotModel> mod
     check_model(config, *model);
     plan.model = std::move(model);
     if (plan.model->encoder_scale) plan.limits.metres_per_tick = plan.model->encoder_scale->metres_per_tick;
-  } else if (config.pose_source != PoseSource::odometry) {
+  } else if (!config.commanded_drive && config.pose_source != PoseSource::odometry) {
     throw ConfigError(
         config.model_file.string() +
         ": no such model, and calibration.when is 'never'; calibrate once, or drive by odometry");
   }
   plan.mission.route = config.route;
+  plan.mission.commanded_drive = config.commanded_drive;
   plan.mission.pose_source = config.pose_source;
   plan.mission.adapt = config.adapt;
   return plan;

@@ -17,6 +17,7 @@ namespace wheelwright::daemon {
 struct ProcessOptions {
   std::filesystem::path config_file;
   std::filesystem::path device;         // instead of the configuration's; empty: that one
+  std::filesystem::path commands_file;  // drive log whose commands are driven, and nothing else; empty: none
   std::filesystem::path lateness_file;  // histogram of the loop's wake-ups, written at the end; empty: none
   std::filesystem::path status_file;    // written anew every second (daemon/status_file.hpp); empty: none
   bool as_service = false;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 
 namespace wheelwright::daemon {
 namespace {
@@ -68,8 +69,8 @@ void add_faults(Table& table, const CalibrationReport& calibration, const LogRep
 }
 
 void add_route(Table& table, const config::DaemonConfig& config, const LogReport& log) {
-  if (!config.route || !log.last_route_record) return;
-  const PoseRecord& last = *log.last_route_record;
+  if (!config.route || !log.last_driven_record) return;
+  const PoseRecord& last = *log.last_driven_record;
   table.title("Route '" + config.route->name + "', steered by " + steered_by(config.pose_source));
   table.row("checkpoints visited", "{} of {}", last.visited, config.route->checkpoints.size());
   if (!is_closed(*config.route)) return;
@@ -81,6 +82,20 @@ void add_route(Table& table, const config::DaemonConfig& config, const LogReport
               std::hypot(last.hybrid->pose.x_m, last.hybrid->pose.y_m));
   }
   table.row("loop closure by odometry", "{:.4f} m", std::hypot(last.odometry.x_m, last.odometry.y_m));
+}
+
+void add_commanded_drive(Table& table, const config::DaemonConfig& config, const LogReport& log) {
+  if (!config.commanded_drive || !log.last_driven_record) return;
+  const PoseRecord& last = *log.last_driven_record;
+  table.title("Commands of '" + config.commanded_drive->name + "', given as they stand");
+  const auto end = [&](const std::string& by, const Pose& pose) {
+    table.row("end by " + by, "x {:.3f} m, y {:.3f} m, heading {:.1f} deg", pose.x_m, pose.y_m,
+              pose.theta_rad * 180.0 / std::numbers::pi);
+  };
+  table.row("duration", "{:.1f} s", config.commanded_drive->duration_s);
+  if (last.has_prediction) end("the model", last.predicted);
+  if (last.hybrid) end("the filter", last.hybrid->pose);
+  end("odometry", last.odometry);
 }
 
 void add_loop(Table& table, const config::DaemonConfig& config, const roomba::Session& session,
@@ -135,6 +150,7 @@ std::string summary(const config::DaemonConfig& config, const RunOutcome& outcom
   if (calibration.refusal) table.row("calibration refused", "{}", *calibration.refusal);
   add_calibration(table, calibration);
   add_route(table, config, log);
+  add_commanded_drive(table, config, log);
   add_faults(table, calibration, log);
   add_loop(table, config, session, real_time, dropped);
   add_files(table, config, calibration, log);

@@ -32,6 +32,8 @@ std::string_view name_of(Activity activity) {
       return "await_arma";
     case Activity::route:
       return "route";
+    case Activity::commanded_drive:
+      return "commanded_drive";
     case Activity::finished:
       return "finished";
     case Activity::stopped:

@@ -26,6 +26,7 @@ enum class Activity : std::uint8_t {
   random_drive,  // of the ARMA calibration (PAPER.md, calibration C)
   await_arma,
   route,
+  commanded_drive,  // commands as they stand (model/brain/commanded_drive.hpp)
   finished,
   stopped,
 };

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <system_error>
 
+#include "config/load/commands_file.hpp"
 #include "config/load/route_file.hpp"
 
 namespace wheelwright::config {
@@ -166,6 +167,15 @@ void read_run(YamlReader& file, DaemonConfig& config) {
   } else if (run->has("route")) {
     config.route = load_route(run->existing_file("route"));
   }
+  if (run->has_section("commands")) {
+    auto commands = run->section("commands");
+    config.commanded_drive = read_commands(*commands, config.limits.largest_wheel_speed_m_s);
+  } else if (run->has("commands")) {
+    config.commanded_drive =
+        load_commands(run->existing_file("commands"), config.limits.largest_wheel_speed_m_s);
+  }
+  if (config.route && config.commanded_drive)
+    run->fail("commands", "stands beside a route; keep one of them");
   config.pose_source = run->choice<PoseSource>("pose_source",
                                                {{"fir", PoseSource::fir},
                                                 {"arma", PoseSource::arma},

@@ -58,7 +58,8 @@ struct DaemonConfig {
   RandomDrivePlan random_drive;
   bool adapt = true;                                // keep the model up to date while a route is driven
   std::filesystem::path model_file = "model.yaml";  // read where calibration is not needed, written by it
-  std::optional<Route> route;
+  std::optional<Route> route;                       // or
+  std::optional<CommandedDrive> commanded_drive;    // none of both: only calibrate
   PoseSource pose_source = PoseSource::fir;
   bool arm_at_start = true;
   AtEnd at_end = AtEnd::exit;

@@ -114,6 +114,22 @@ void add_run(Yaml& yaml, const DaemonConfig& config) {
     }
     yaml.word("  checkpoints", "[" + points + "]");
   }
+  if (config.commanded_drive) {
+    yaml.subsection("commands");
+    yaml.text("  name", config.commanded_drive->name);
+    yaml.number("  duration_s", config.commanded_drive->duration_s);
+    const auto list = [&](const std::string& key, const auto& number_of) {
+      std::string numbers;
+      for (const auto& row : config.commanded_drive->rows) {
+        numbers += (numbers.empty() ? "" : ", ") + plain_number(number_of(row));
+      }
+      yaml.word("  " + key, "[" + numbers + "]");
+    };
+    using Row = CommandedDrive::Row;
+    list("t_s", [](const Row& row) { return row.t_s; });
+    list("left_m_s", [](const Row& row) { return row.command_m_s.left; });
+    list("right_m_s", [](const Row& row) { return row.command_m_s.right; });
+  }
   yaml.word("pose_source", std::string(wheelwright::name_of(config.pose_source)));
   yaml.word("arm", config.arm_at_start ? "at_start" : "by_signal");
   yaml.word("at_end", config.at_end == AtEnd::exit ? "exit" : "stay");

@@ -110,8 +110,10 @@ bool Scene::take(const LogEntry& entry) {
   const PoseRecord& record = entry.record;
   const Activity activity = entry.frame.command.activity;
   // Where the route starts, all poses are zero anew; so are they where another run begins.
-  const bool begins = activity != activity_ && (activity == Activity::route || activity_ == Activity::idle ||
-                                                activity == Activity::wait_until_still);
+  const bool drives = activity == Activity::route || activity == Activity::commanded_drive;
+  const bool begins = activity != activity_ &&
+                      (drives || activity_ == Activity::idle ||
+                       (activity == Activity::wait_until_still && activity_ != Activity::commanded_drive));
   activity_ = activity;
   if (begins) start_anew();
   if (activity == Activity::idle) return begins;

@@ -62,6 +62,12 @@ void Brain::plan_steps() {
     steps_.push_back({Stage::route, nullptr, Activity::route});
     steps_.push_back({Stage::coast, nullptr, Activity::route});
   }
+  if (mission_.commanded_drive) {
+    manoeuvre(make_wait_until_still(period));
+    steps_.push_back({Stage::commanded_drive, make_commanded_drive(*mission_.commanded_drive, period),
+                      Activity::commanded_drive});
+    manoeuvre(make_wait_until_still(period));
+  }
 }
 
 Brain::Stage Brain::stage() const {
@@ -91,6 +97,8 @@ void Brain::enter_step() {
     stand_at(odometry_.pose());
   } else if (step.stage == Stage::route) {
     follower_.restart();
+    stand_at({});
+  } else if (step.stage == Stage::commanded_drive) {
     stand_at({});
   }
 }
@@ -213,6 +221,7 @@ int Brain::ticks_ahead() const {
 
 bool Brain::is_sensorless_stage() const {
   if (stage() == Stage::random_drive) return model_ != nullptr;
+  if (stage() == Stage::commanded_drive) return true;
   const bool on_route = stage() == Stage::route || stage() == Stage::coast;
   return on_route && is_sensorless(mission_.pose_source);
 }
@@ -256,6 +265,7 @@ std::optional<WheelOrder> Brain::stage_order() {
   const Step& step = steps_[step_];
   switch (step.stage) {
     case Stage::manoeuvre:
+    case Stage::commanded_drive:
       return step.manoeuvre->next(latest_);
     case Stage::await:
       return await_order(step.activity);

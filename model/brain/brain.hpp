@@ -80,7 +80,7 @@ class Brain {
 
  private:
   // What is done one after the other.
-  enum class Stage : std::uint8_t { manoeuvre, await, random_drive, route, coast };
+  enum class Stage : std::uint8_t { manoeuvre, await, random_drive, route, coast, commanded_drive };
   struct Prediction {
     std::int64_t tick = -1;
     Pose pose;

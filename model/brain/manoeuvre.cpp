@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 namespace wheelwright {
 namespace {
@@ -162,6 +163,30 @@ class ResponseActions final : public Manoeuvre {
   int ticks_in_action_ = 0;
 };
 
+class CommandedManoeuvre final : public Manoeuvre {
+ public:
+  CommandedManoeuvre(CommandedDrive drive, double period_s) : drive_(std::move(drive)), period_s_(period_s) {}
+
+  void restart() override {
+    tick_ = 0;
+    row_ = 0;
+  }
+
+  std::optional<WheelOrder> next(const SensorFrame& /*latest*/) override {
+    const double nearest_until_s = (static_cast<double>(tick_) + 0.5) * period_s_;
+    if (drive_.rows.empty() || nearest_until_s > drive_.duration_s) return std::nullopt;
+    while (row_ + 1 < drive_.rows.size() && drive_.rows[row_ + 1].t_s <= nearest_until_s) ++row_;
+    ++tick_;
+    return WheelOrder{drive_.rows[row_].command_m_s, Activity::commanded_drive, 0};
+  }
+
+ private:
+  CommandedDrive drive_;
+  double period_s_;
+  std::size_t tick_ = 0;
+  std::size_t row_ = 0;
+};
+
 }  // namespace
 
 std::unique_ptr<Manoeuvre> make_wait_until_still(double period_s) {
@@ -178,6 +203,10 @@ std::unique_ptr<Manoeuvre> make_encoder_turn(const EncoderTurnPlan& plan, double
 
 std::unique_ptr<Manoeuvre> make_response_actions(const ResponsePlan& plan, double period_s) {
   return std::make_unique<ResponseActions>(plan, period_s);
+}
+
+std::unique_ptr<Manoeuvre> make_commanded_drive(CommandedDrive drive, double period_s) {
+  return std::make_unique<CommandedManoeuvre>(std::move(drive), period_s);
 }
 
 }  // namespace wheelwright

@@ -34,5 +34,7 @@ std::unique_ptr<Manoeuvre> make_encoder_check(double period_s);
 std::unique_ptr<Manoeuvre> make_encoder_turn(const EncoderTurnPlan& plan, double period_s);
 // Left on, left off, right on, right off, as often as planned; each off lasts until the robot stands.
 std::unique_ptr<Manoeuvre> make_response_actions(const ResponsePlan& plan, double period_s);
+// Gives commands from the tick that is nearest to their time on, at any period; the one that reads no sensor.
+std::unique_ptr<Manoeuvre> make_commanded_drive(CommandedDrive drive, double period_s);
 
 }  // namespace wheelwright

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "model/brain/commanded_drive.hpp"
 #include "model/calibration/encoder_scale_fit.hpp"
 #include "model/pose.hpp"
 #include "model/route/route.hpp"
@@ -64,6 +65,7 @@ struct Mission {
   std::optional<ResponsePlan> response;
   std::optional<RandomDrivePlan> random_drive;
   std::optional<Route> route;
+  std::optional<CommandedDrive> commanded_drive;
   PoseSource pose_source = PoseSource::fir;
   // Keep the model up to date while a route is driven (model/adaptation/continuous_calibration.hpp).
   bool adapt = false;

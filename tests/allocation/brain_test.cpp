@@ -142,3 +142,12 @@ TEST_CASE("Brain and link drive at random without the heap") {
   CHECK(drive->activity() == Activity::await_arma);
   CHECK(drive->calls == 0);
 }
+
+TEST_CASE("Brain and link drive given commands without the heap") {
+  Mission mission;
+  mission.commanded_drive =
+      CommandedDrive{"both ways round", {{0.0, {0.1, -0.05}}, {2.0, {-0.05, 0.1}}}, 4.0};
+  const auto drive = std::make_unique<CountedDrive>(mission, with(roomba::Transport::query));
+  CHECK(drive->drive_to_the_end());
+  CHECK(drive->calls == 0);
+}

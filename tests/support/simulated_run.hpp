@@ -16,9 +16,9 @@ namespace wheelwright::test {
 
 inline simulation::SimulationConfig robot_in_room(const std::string& robot, const std::string& room,
                                                   std::uint64_t seed) {
-  const std::string folder = std::string(WHEELWRIGHT_SOURCE_DIR) + "/config/robots/";
-  auto config = config::load_simulation_config(folder + robot + ".yaml");
-  config.room = config::load_room(folder + "rooms/" + room + ".yaml");
+  const auto folder = std::filesystem::path(WHEELWRIGHT_SOURCE_DIR) / "config/robots";
+  auto config = config::load_simulation_config(folder / (robot + ".yaml"));
+  config.room = config::load_room(folder / "rooms" / (room + ".yaml"));
   config.seed = seed;
   return config;
 }

@@ -8,7 +8,7 @@ const phases = {
   left_on: 'Calibration B: left wheel on', left_off: 'Calibration B: left wheel off',
   right_on: 'Calibration B: right wheel on', right_off: 'Calibration B: right wheel off',
   await_response: 'Calibration B: fitting the response', random_drive: 'Calibration C: random drive',
-  await_arma: 'Calibration C: fitting the model', route: 'Driving', finished: 'Finished', stopped: 'Stopped',
+  await_arma: 'Calibration C: fitting the model', route: 'Driving', commanded_drive: 'Driving given commands', finished: 'Finished', stopped: 'Stopped',
 };
 const wheelSeries = [{ ink: 'quiet', width: 1.5, dash: [2, 3], steps: true }, { ink: 'text', width: 1.2, clip: true },
                      { ink: 'accent', width: 2.2 }];

@@ -109,6 +109,41 @@ TEST_CASE("What a run keeps of its configuration reads back the same, route incl
   CHECK(back.route->checkpoints[0].y_m == 0.25);
 }
 
+TEST_CASE("Commands are read from a drive log beside the configuration, and kept in what a run keeps") {
+  std::ofstream(test::temporary_folder() / "forth_and_back.csv")
+      << "# wheelwright_drive_log: 1\n# wheel_base_m: 0.235\n# period_s: 0.1\nt,cmd_left,cmd_right\n"
+         "0,0.2,0.1\n0.1,0.2,0.1\n0.2,-0.2,-0.1\n";
+  const auto config = load_daemon_config(written("run: {commands: forth_and_back.csv}\n"));
+  REQUIRE(config.commanded_drive);
+  CHECK(config.commanded_drive->name == "forth_and_back.csv");
+  CHECK(config.commanded_drive->rows.size() == 2);
+
+  const std::string text = config::daemon_config_to_yaml(config);
+  const auto back = load_daemon_config(written(text));
+  CHECK(config::daemon_config_to_yaml(back) == text);
+  REQUIRE(back.commanded_drive);
+  CHECK(back.commanded_drive->rows[1].command_m_s.left == -0.2);
+  CHECK_THAT(back.commanded_drive->duration_s, WithinAbs(0.3, 1e-9));
+
+  CHECK_THAT(error_of("limits: {largest_speed_m_s: 0.15}\nrun: {commands: forth_and_back.csv}\n"),
+             ContainsSubstring("forth_and_back.csv:5: commands 0.2 m/s, more than limits.largest_speed_m_s"));
+  CHECK_THAT(error_of("run:\n  commands: forth_and_back.csv\n"
+                      "  route: {name: there, checkpoints: [[0.5, 0.25]]}\n"),
+             ContainsSubstring("'commands' stands beside a route"));
+}
+
+TEST_CASE("Commands in the configuration itself that are no drive are refused") {
+  const auto commands = [](const std::string& keys) {
+    return error_of("run: {commands: {name: x, duration_s: 1, " + keys + "}}\n");
+  };
+  CHECK(commands("t_s: [0, 0.5], left_m_s: [0.1, 0], right_m_s: [0.1, 0]") == "no error");
+  CHECK_THAT(commands("t_s: [0, 0.5], left_m_s: [0.1], right_m_s: [0.1, 0]"),
+             ContainsSubstring("one time for each number"));
+  CHECK_THAT(commands("t_s: [0.5, 0], left_m_s: [0.1, 0], right_m_s: [0.1, 0]"),
+             ContainsSubstring("must begin at 0 and rise"));
+  CHECK_THAT(commands("t_s: [0], left_m_s: [0.4], right_m_s: [0.1]"), ContainsSubstring("left_m_s"));
+}
+
 TEST_CASE("The live view listens on this machine alone unless it is given a token") {
   const auto shipped = load_daemon_config(std::string(WHEELWRIGHT_SOURCE_DIR) + "/config/wheelwright.yaml");
   CHECK(shipped.live_view.address == "127.0.0.1");

@@ -53,3 +53,18 @@ TEST_CASE("The hybrid source is refused where the model has no encoder scale") {
   CHECK_THAT(refusal(PoseSource::hybrid, model), ContainsSubstring("encoder_scale"));
   CHECK(refusal(PoseSource::fir, model).empty());
 }
+
+TEST_CASE("Given commands need no model and calibrate only where that is always done") {
+  config::DaemonConfig config;
+  config.commanded_drive = CommandedDrive{"x", {{0.0, {0.1, 0.1}}}, 1.0};
+  for (const auto when :
+       {config::CalibrateWhen::never, config::CalibrateWhen::if_needed, config::CalibrateWhen::always}) {
+    config.calibrate = when;
+    const auto plan = daemon::make_plan(config, std::nullopt);
+    CHECK(plan.mission.commanded_drive);
+    CHECK(plan.mission.encoder_turn.has_value() == (when == config::CalibrateWhen::always));
+  }
+  config.calibrate = config::CalibrateWhen::never;
+  config.pose_source = PoseSource::arma;
+  CHECK(daemon::make_plan(config, model_of(ModelType::fir)).model);
+}

@@ -106,6 +106,25 @@ TEST_CASE("Replay of a drive in which an encoder jumps finds the same fault at t
   }
 }
 
+TEST_CASE("Replay of given commands gives the same pose log, with a model and without") {
+  auto config = configuration(PoseSource::fir, false);
+  config.route.reset();
+  config.commanded_drive =
+      CommandedDrive{"both ways round", {{0.0, {0.1, -0.05}}, {1.5, {-0.05, 0.1}}, {3.0, {}}}, 3.5};
+  for (const bool known : {true, false}) {
+    INFO((known ? "with a model" : "without"));
+    const auto start = known ? std::optional(model()) : std::nullopt;
+    const auto run = drive(config, start, 6);
+    INFO(name_of(run.stop));
+    REQUIRE(run.finished);
+    const auto driven = std::ranges::count_if(run.frames, [](const SensorFrame& frame) {
+      return frame.command.activity == Activity::commanded_drive && frame.command.speed_m_s.left == 0.1;
+    });
+    CHECK(driven == 83);  // 1.5 s
+    check_the_same(replayed(run, config, start));
+  }
+}
+
 TEST_CASE("Replay of a run that calibrates and drives by the hybrid pose gives the same pose log") {
   const auto config = configuration(PoseSource::hybrid, true);
   const auto run = drive(config, {}, 2);

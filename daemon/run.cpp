@@ -1,0 +1,177 @@
+#include "daemon/run.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <cstdio>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "config/load/atomic_file.hpp"
+#include "config/load/model_file.hpp"
+#include "daemon/lateness_file.hpp"
+#include "daemon/predictor_thread.hpp"
+#include "daemon/summary.hpp"
+
+namespace wheelwright::daemon {
+namespace {
+
+std::filesystem::path make_run_folder(const config::DaemonConfig& config) {
+  std::string name = utc_now();
+  for (char& c : name) {
+    if (c == ':') c = '-';
+  }
+  std::filesystem::path folder = config.log_folder / name;
+  std::error_code ignored;
+  for (int next = 2; std::filesystem::exists(folder, ignored); ++next) {
+    folder = config.log_folder / (name + "_" + std::to_string(next));
+  }
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw config::ConfigError(config.file.string() + ": log_folder: " + folder.string() +
+                              " cannot be made (" + error.message() + "); name a folder that may be written");
+  }
+  return folder;
+}
+
+GuardianConfig guardian_config(const config::DaemonConfig& config) {
+  const bool real_time = config.real_time.policy != config::RealTimePolicy::off;
+  return {config.link.drive_mode, guardian_patience(config.link, false),
+          real_time ? config.real_time.priority + 1 : 0, real_time && config.real_time.lock_memory};
+}
+
+std::string ending_of(const RunOutcome& outcome) {
+  if (outcome.finished()) return "finished";
+  return outcome.reload ? "the configuration is loaded anew" : "stopped, " + outcome.stopped;
+}
+
+}  // namespace
+
+Run::Run(const config::DaemonConfig& config, const ProcessOptions& options, Service& service)
+    : config_(config),
+      options_(options),
+      service_(service),
+      plan_(make_plan(config, known_model(config))),
+      guardian_(guardian_config(config)),
+      port_(open_device(config.device, config.baud)),
+      folder_(make_run_folder(config)),
+      real_time_(set_up_process(config.real_time)),
+      wiring_(std::make_unique<Wiring>()),
+      client_(*wiring_),
+      session_({config.link, config.device, config.baud}, port_, client_, &guardian_),
+      brain_(plan_.mission, plan_.limits,
+             plan_.model ? std::make_unique<DrivingModel>(*plan_.model) : nullptr),
+      calibrator_(config, plan_, folder_, session_, *wiring_),
+      log_(config, folder_, plan_.limits.metres_per_tick, *wiring_, board_),
+      live_view_(config, session_, *wiring_) {
+  keep_inputs();
+}
+
+// What replay needs beside the drive log: the run's folder explains itself.
+void Run::keep_inputs() const {
+  const auto keep = [this](const char* name, const std::string& text) {
+    if (const auto error = config::write_file_atomically(folder_ / name, text)) spdlog::error("{}", *error);
+  };
+  keep("config.yaml", config::daemon_config_to_yaml(config_));
+  if (plan_.model) keep("model.yaml", config::model_to_yaml(*plan_.model));
+}
+
+RunOutcome Run::drive(const sigset_t& signals) {
+  start_loop();
+  tell_how_it_is_set_up();
+  start_threads();
+  RunOutcome outcome =
+      Supervisor({config_, options_, session_, guardian_, *wiring_, board_, real_time_, folder_}, service_)
+          .run(signals);
+  end_threads(outcome);
+
+  LogReport logs = log_.report();
+  write_lateness(logs);
+  std::fputs(
+      summary(config_, outcome, calibrator_.report(), logs, session_, real_time_, wiring_->dropped.load())
+          .c_str(),
+      stdout);
+  std::fflush(stdout);
+  const bool complete = logs.errors.empty() && !calibrator_.report().file_error;
+  if (outcome.cause == EndCause::done && !complete) outcome.cause = EndCause::files_lost;
+  return outcome;
+}
+
+// The real-time rights are settled before anything moves.
+void Run::start_loop() {
+  loop_ = std::thread([this] {
+    name_thread("ww-loop");
+    set_up_loop_thread(config_.real_time, real_time_);
+    const bool refused =
+        config_.real_time.policy == config::RealTimePolicy::require && !real_time_.shortfall.empty();
+    scheduled_.store(refused ? -1 : 1);
+    scheduled_.notify_one();
+    if (!refused) session_.run();
+  });
+  scheduled_.wait(0);
+  if (scheduled_.load() > 0) return;
+  loop_.join();
+  throw StartFailure(EndCause::no_permission,
+                     config_.file.string() + ": real_time.policy is 'require', but " + real_time_.shortfall);
+}
+
+void Run::tell_how_it_is_set_up() {
+  guardian_.set_patience(guardian_patience(config_.link, real_time_.priority > 0));
+  spdlog::info("{}: {}{}", config_.device.string(), describe(real_time_),
+               port_.low_latency ? ", low-latency port" : "");
+  if (!real_time_.shortfall.empty()) spdlog::warn("{}", real_time_.shortfall);
+  if (port_.latency_timer_ms && *port_.latency_timer_ms > 2) {
+    spdlog::warn("the adapter holds data for {} ms; systemd/ has the udev rule that sets 1 ms",
+                 *port_.latency_timer_ms);
+  }
+}
+
+void Run::start_threads() {
+  threads_.emplace_back([this] {
+    name_thread("ww-predict");
+    set_up_predictor_thread(real_time_);
+    run_predictor(brain_, *wiring_);
+  });
+  threads_.emplace_back([this] {
+    name_thread("ww-calibrate");
+    calibrator_.run();
+  });
+  threads_.emplace_back([this] {
+    name_thread("ww-log");
+    log_.run();
+  });
+  live_view_thread_ = std::thread([this] {
+    name_thread("ww-live-view");
+    live_view_.run();
+  });
+}
+
+void Run::end_threads(const RunOutcome& outcome) {
+  if (!outcome.reload) service_.notifier.stopping();
+  session_.request_end();
+  loop_.join();
+  wiring_->ending.store(true);
+  wiring_->frame_arrived.release();
+  for (std::thread& thread : threads_) thread.join();
+  live_view_.end(ending_of(outcome));
+  live_view_thread_.join();
+}
+
+// The same text in the folder of the run and, where one was asked for, in a file elsewhere.
+void Run::write_lateness(LogReport& logs) const {
+  const std::string text = lateness_text(
+      lateness_record(session_.lateness(), session_.counts(), config_.link.period_s, describe(real_time_)));
+  const auto write = [&](const std::filesystem::path& file) {
+    if (const auto error = config::write_file_atomically(file, text)) {
+      spdlog::error("{}", *error);
+      logs.errors.push_back(*error);
+    } else {
+      logs.files.push_back(file);
+    }
+  };
+  write(folder_ / lateness_file_name);
+  if (!options_.lateness_file.empty()) write(options_.lateness_file);
+}
+
+}  // namespace wheelwright::daemon

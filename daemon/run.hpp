@@ -1,0 +1,71 @@
+// One run of the daemon: its parts, its threads, and its folder, from the plan to the summary.
+#pragma once
+
+#include <sys/signal.h>
+
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "config/load/daemon_config.hpp"
+#include "daemon/calibrator_thread.hpp"
+#include "daemon/guardian.hpp"
+#include "daemon/log_thread.hpp"
+#include "daemon/open_device.hpp"
+#include "daemon/plan.hpp"
+#include "daemon/process.hpp"
+#include "daemon/real_time.hpp"
+#include "daemon/ring_client.hpp"
+#include "daemon/status_board.hpp"
+#include "daemon/supervisor.hpp"
+#include "daemon/telemetry/live_view.hpp"
+#include "daemon/wiring.hpp"
+#include "drivers/roomba/session.hpp"
+#include "model/brain/brain.hpp"
+
+namespace wheelwright::daemon {
+
+class Run {
+ public:
+  // Opens the robot's port and makes the folder of the run; nothing moves yet. All arguments outlive the run.
+  // Throws StartFailure or ConfigError where it cannot start.
+  Run(const config::DaemonConfig& config, const ProcessOptions& options, Service& service);
+
+  // Starts the threads, waits for the end, ends them, and prints the summary. Throws StartFailure where
+  // real-time scheduling is required and not to be had. `signals` are blocked in every thread.
+  RunOutcome drive(const sigset_t& signals);
+
+ private:
+  void keep_inputs() const;
+  void start_loop();
+  void tell_how_it_is_set_up();
+  void start_threads();
+  void end_threads(const RunOutcome& outcome);
+  void write_lateness(LogReport& logs) const;
+
+  // In the order in which they come; they go the other way round.
+  const config::DaemonConfig& config_;
+  const ProcessOptions& options_;
+  Service& service_;
+  Plan plan_;
+  Guardian guardian_;
+  serial::OpenPort port_;
+  std::filesystem::path folder_;
+  RealTimeStatus real_time_;
+  std::unique_ptr<Wiring> wiring_;
+  RingClient client_;
+  roomba::Session session_;
+  Brain brain_;
+  CalibratorThread calibrator_;
+  StatusBoard board_;
+  LogThread log_;
+  telemetry::LiveView live_view_;
+  std::atomic<int> scheduled_{0};  // the loop: 0 not yet, 1 goes, -1 may not
+  std::thread loop_;
+  std::vector<std::thread> threads_;  // predictor, calibrator, log
+  std::thread live_view_thread_;
+};
+
+}  // namespace wheelwright::daemon
