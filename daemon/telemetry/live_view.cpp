@@ -20,7 +20,7 @@ using std::chrono::steady_clock;
 constexpr auto look_every = milliseconds(40);
 constexpr auto scene_every = milliseconds(200);
 constexpr auto state_every = milliseconds(500);
-constexpr auto goodbye_patience = milliseconds(1500);
+constexpr auto goodbye_patience = milliseconds(2500);
 constexpr std::size_t kept_messages = 200;
 // What all clients together get; beyond it, ticks are left out rather than sent late. About a fifth of one
 // core of a small board.
