@@ -26,7 +26,7 @@ EffectInfo turn_scrub() {
           "turn rate is lost as turning gets harder (nonlinear in turn rate)",
           "The tyres' contact patches are dragged sideways, the more the faster the robot turns.",
           {{"", EffectStage::body}},
-          {{"loss", "s/rad", "share of the turn rate lost per rad/s", -1.0, 2.0, {0.05}},
+          {{"loss", "s/rad", "share of the turn rate lost per rad/s", 0.0, 2.0, {0.05}},
            {"square",
             "s^2/rad^2",
             "further share that grows with the square of the turn rate",

@@ -7,6 +7,7 @@
 
 #include "model/gap/command_steps.hpp"
 #include "model/gap/decoys.hpp"
+#include "model/gap/place_tuning.hpp"
 #include "model/gap/step_tuning.hpp"
 #include "model/gap/wheel_angles.hpp"
 
@@ -39,11 +40,16 @@ void GapLook::set_noise_left_by(const TrialModel& model) {
   heldout_.set_noise(noise);
 }
 
+// What no slope leads to.
+TrialModel GapLook::tuned(const TrialModel& model) const {
+  return with_region_tuned(train_, with_steps_tuned(train_, model, for_each_), for_each_);
+}
+
 GapFit GapLook::settle(TrialModel model, int passes) {
   GapFit fit;
   for (int pass = 0; pass < passes; ++pass) {
     set_noise_left_by(model);
-    fit = train_.fit(with_steps_tuned(train_, model, for_each_), steps_of_a_fit);
+    fit = train_.fit(tuned(model), steps_of_a_fit);
     model = fit.model;
   }
   return fit;
@@ -164,6 +170,19 @@ Part GapLook::part_of_last(const TrialModel& model, std::size_t effects) const {
   return part;
 }
 
+// Of the few best that have a region of the floor in them.
+void GapLook::place_regions(Round& round, int steps) const {
+  constexpr std::size_t few = 3;
+  bool placed = false;
+  for (std::size_t i = 0; i < std::min(few, round.contenders.size()); ++i) {
+    GapFit& fit = round.contenders[i].fit;
+    if (!has_region(fit.model)) continue;
+    fit = train_.fit(with_region_tuned(train_, fit.model, for_each_), steps, part_of_last(fit.model, 1));
+    placed = true;
+  }
+  if (placed) contest_.judge(round);
+}
+
 Round GapLook::look(const GapFit& without, std::vector<TrialEffect> more_starts) {
   Round round{without, 0.0, {}, {}};
   const Starts tried = starts(without, std::move(more_starts));
@@ -176,6 +195,7 @@ Round GapLook::look(const GapFit& without, std::vector<TrialEffect> more_starts)
       fit = train_.fit(fit.model, steps, part_of_last(fit.model, i < singles ? 1 : 2));
     });
     contest_.judge(round);
+    place_regions(round, steps);
   };
   for (std::size_t i = 0; i < tried.singles.size(); ++i) round.contenders[i].fit.model = tried.singles[i];
   fit_all(steps_of_a_fit);

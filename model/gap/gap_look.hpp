@@ -56,6 +56,8 @@ class GapLook {
     std::optional<TrialModel> pair;
   };
   Starts starts(const GapFit& without, std::vector<TrialEffect> more_starts);
+  TrialModel tuned(const TrialModel& model) const;
+  void place_regions(Round& round, int steps) const;
   Part part_of_last(const TrialModel& model, std::size_t effects) const;
 
   GapProblem& train_;

@@ -1,5 +1,6 @@
 // What effects do to a motion, against what can be said of it on paper.
 #include <cmath>
+#include <numbers>
 
 #include "model/drive_log.hpp"
 #include "model/effect_library.hpp"
@@ -55,6 +56,36 @@ TEST_CASE("A limit is met sharply or by a knee") {
   ModelSimulation round = only({"saturation", "command", {0.2, 0.0, 0.1}});
   CHECK_THAT(speed_after(round, 0.2, 1), WithinAbs(0.2 * std::pow(2.0, -0.1), 1e-12));
   CHECK_THAT(speed_after(round, 0.05, 1), WithinAbs(0.05, 1e-7));
+}
+
+TEST_CASE("A dead zone takes its threshold from all commands, from some above it, or from none") {
+  const auto speed = [](double taper, double command_m_s) {
+    ModelSimulation simulation = only({"dead_zone", "", {0.02, taper}});
+    return speed_after(simulation, command_m_s, 1);
+  };
+  for (const double taper : {0.02, 0.5, 1.0}) {
+    CHECK(speed(taper, 0.015) == 0.0);
+    CHECK(speed(taper, -0.015) == 0.0);
+  }
+  CHECK(speed(0.02, 0.03) == 0.03);
+  CHECK_THAT(speed(0.5, 0.03), WithinAbs(0.02, 1e-12));
+  CHECK_THAT(speed(0.5, -0.03), WithinAbs(-0.02, 1e-12));
+  CHECK(speed(0.5, 0.05) == 0.05);
+  CHECK_THAT(speed(1.0, 0.05), WithinAbs(0.03, 1e-12));
+}
+
+TEST_CASE("A region of the floor is a rectangle that may lie askew") {
+  // One metre by half a metre around (1, 0), its length along y.
+  ModelSimulation simulation =
+      only({"surface_patch", "floor", {-0.2, 1.0, 0.0, 1.0, 0.5, 0.5 * std::numbers::pi}});
+  const auto speed_at = [&](double x_m, double y_m) {
+    simulation.reset({x_m, y_m, 0.0});
+    return simulation.step({0.1, 0.1}).twist.v_m_s;
+  };
+  CHECK_THAT(speed_at(1.0, 0.0), WithinAbs(0.08, 1e-9));
+  CHECK_THAT(speed_at(1.2, 0.45), WithinAbs(0.08, 1e-9));
+  CHECK_THAT(speed_at(1.3, 0.0), WithinAbs(0.1, 1e-9));
+  CHECK_THAT(speed_at(1.0, 0.55), WithinAbs(0.1, 1e-9));
 }
 
 TEST_CASE("A gain that bends never makes a wheel slower for a larger command") {
