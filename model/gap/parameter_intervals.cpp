@@ -1,52 +1,64 @@
 #include "model/gap/parameter_intervals.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "model/gap/block_bootstrap.hpp"
+
 namespace wheelwright::gap {
 namespace {
 
-constexpr double block_s = 3.0;
+constexpr double block_s = 3.0;         // longer than what is left hangs together
+constexpr double fewest_blocks = 20.0;  // shorter blocks rather than fewer
+constexpr double most_blocks = 200.0;   // longer ones rather than more
+constexpr std::size_t draws = 1000;
+constexpr std::uint64_t seed = 1;
 constexpr double two_sided_95 = 1.96;
 
-// A pseudo-inverse: directions of which nothing is known stay out.
-Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& information) {
-  Eigen::VectorXd scale(information.rows());
-  for (Eigen::Index i = 0; i < scale.size(); ++i) {
-    scale(i) = information(i, i) > 0.0 ? 1.0 / std::sqrt(information(i, i)) : 0.0;
+double length_of_blocks_s(const GapProblem& problem) {
+  double total_s = 0.0;
+  for (const GapRun& run : problem.runs()) total_s += run.duration_s();
+  return std::clamp(block_s, total_s / most_blocks, total_s / fewest_blocks);
+}
+
+std::vector<BlockSums> sums_of_blocks(const GapProblem& problem, const Eigen::MatrixXd& columns,
+                                      const std::vector<double>& residuals) {
+  const double length_s = length_of_blocks_s(problem);
+  std::map<std::pair<std::size_t, std::size_t>, BlockSums> blocks;
+  const auto& places = problem.places();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double time_s = problem.runs()[places[i].run].period_s * static_cast<double>(places[i].period);
+    BlockSums& block = blocks[{places[i].run, static_cast<std::size_t>(time_s / length_s)}];
+    if (block.gradient.size() == 0) {
+      block = {Eigen::MatrixXd::Zero(columns.cols(), columns.cols()), Eigen::VectorXd::Zero(columns.cols())};
+    }
+    const Eigen::VectorXd row = columns.row(static_cast<Eigen::Index>(i)).transpose();
+    block.information.noalias() += row * row.transpose();
+    block.gradient += residuals[i] * row;
   }
-  const Eigen::MatrixXd scaled = scale.asDiagonal() * information * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled);
-  Eigen::VectorXd inverse = solver.eigenvalues();
-  for (double& value : inverse) value = value > 1e-10 ? 1.0 / value : 0.0;
-  return scale.asDiagonal() * solver.eigenvectors() * inverse.asDiagonal() *
-         solver.eigenvectors().transpose() * scale.asDiagonal();
+  std::vector<BlockSums> result;
+  result.reserve(blocks.size());
+  for (auto& [key, block] : blocks) result.push_back(std::move(block));
+  return result;
 }
 
 }  // namespace
 
 std::vector<ParameterInterval> parameter_intervals(const GapProblem& problem, const GapFit& fit) {
   const Eigen::MatrixXd columns = problem.jacobian(fit.model, fit.residuals);
-  std::map<std::pair<std::size_t, std::size_t>, Eigen::VectorXd> blocks;
-  const auto& places = problem.places();
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const double time_s = problem.runs()[places[i].run].period_s * static_cast<double>(places[i].period);
-    auto& sum = blocks[{places[i].run, static_cast<std::size_t>(time_s / block_s)}];
-    if (sum.size() == 0) sum = Eigen::VectorXd::Zero(columns.cols());
-    sum += fit.residuals[i] * columns.row(static_cast<Eigen::Index>(i)).transpose();
-  }
-  Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(columns.cols(), columns.cols());
-  for (const auto& [key, sum] : blocks) spread += sum * sum.transpose();
-  const Eigen::MatrixXd inverse = inverse_of(columns.transpose() * columns);
-  const Eigen::MatrixXd covariance = inverse * spread * inverse;
+  const auto blocks = sums_of_blocks(problem, columns, fit.residuals);
+  const Bootstrap bootstrap = block_bootstrap(blocks, draws, seed);
   std::vector<ParameterInterval> intervals;
   for (std::size_t i = 0; i < fit.model.parameter_count(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
-    const double deviation = std::sqrt(std::max(covariance(at, at), inverse(at, at)));
+    std::vector<double> sorted(bootstrap.deviations.row(at).begin(), bootstrap.deviations.row(at).end());
+    std::ranges::sort(sorted);
+    const double white = two_sided_95 * bootstrap.white_deviations(at);
     const double value = fit.model.parameter(i);
-    ParameterInterval interval{value - two_sided_95 * deviation, value + two_sided_95 * deviation};
+    const auto tail = static_cast<std::size_t>(0.025 * static_cast<double>(draws));
+    ParameterInterval interval{value + std::min(sorted[tail], -white),
+                               value + std::max(sorted[draws - 1 - tail], white)};
     if (const ParameterInfo* info = fit.model.parameter_info(i)) {
       interval = {std::max(interval.lower, info->lower), std::min(interval.upper, info->upper)};
     }

@@ -8,9 +8,9 @@
 
 namespace wheelwright::gap {
 
-// 95 % intervals of all parameters, core first. What is left hangs together over seconds, so the spread is
-// taken from sums over blocks of time (the sandwich of Huber and White over blocks; for long runs the same as
-// resampling the blocks), and never smaller than white residuals would give.
+// 95 % intervals of all parameters, core first. What is left hangs together over seconds, so they come from a
+// bootstrap over blocks of time (model/gap/block_bootstrap.hpp), by percentiles; never narrower than white
+// residuals would give, and within the bounds of the parameter.
 std::vector<ParameterInterval> parameter_intervals(const GapProblem& problem, const GapFit& fit);
 
 }  // namespace wheelwright::gap
