@@ -11,7 +11,6 @@
 namespace wheelwright::gap {
 namespace {
 
-constexpr double more_than_noise = 1.5;  // of a figure, in noise floors; clean logs stay below 1.15
 constexpr std::string_view dropout_name = "encoder_dropout";
 constexpr std::uint64_t floor_seed = 1;
 constexpr std::size_t most_regimes = 6;
@@ -36,6 +35,9 @@ class Analysis {
   GapFigures figures(const RobotModel& before, const RobotModel& after,
                      const std::vector<DriveLog>& logs) const;
   bool leave_out_linear_effects();
+  std::vector<std::size_t> runs_off_by_more_than_noise() const;
+  void hold_out_others();
+  void note_runs();
 
   const GapOptions& options_;
   const ForEach& for_each_;
@@ -121,8 +123,10 @@ void Analysis::search() {
         const auto& logs = result_.tail_held_out ? gathered_.train.logs : gathered_.test.logs;
         return shows(figures(whole_model_of(without), whole_model_of(with), logs));
       }};
-  result_.search = search_gap(*train_problem_, *test_problem_, start(), testability_.candidates,
-                              options_.limits, free_runs, for_each_, progress_);
+  auto candidates = testability_.candidates;
+  if (linear_left_out_) std::erase_if(candidates, [](const EffectInfo* info) { return info->linear; });
+  result_.search = search_gap(*train_problem_, *test_problem_, start(), candidates, options_.limits,
+                              free_runs, for_each_, progress_);
   for (std::size_t r = 0; r < gathered_.train.logs.size(); ++r) {
     gathered_.train.logs[r].rolled_before_m = result_.search.train_rolled_m[r];
   }
@@ -205,9 +209,7 @@ void Analysis::size_up() {
 bool Analysis::leave_out_linear_effects() {
   const auto& effects = result_.search.final.model.effects;
   const bool linear = std::ranges::any_of(effects, [](const TrialEffect& e) { return e.info->linear; });
-  const auto left_out =
-      std::erase_if(testability_.candidates, [](const EffectInfo* info) { return info->linear; });
-  if (!linear || left_out == 0) return false;
+  if (!linear || linear_left_out_) return false;
   linear_left_out_ = true;
   search();
   return true;
@@ -239,17 +241,73 @@ void Analysis::conclude() {
                                         result_.not_testable);
 }
 
+// Of the training, the one furthest off first.
+std::vector<std::size_t> Analysis::runs_off_by_more_than_noise() const {
+  std::vector<std::pair<double, std::size_t>> off;
+  for (std::size_t r = 0; r < gathered_.train.logs.size(); ++r) {
+    const GapFigures alone = figures(result_.before, result_.after, {gathered_.train.logs[r]});
+    const double times = largest_excess(alone, alone).times;
+    if (times >= more_than_noise) off.emplace_back(times, r);
+  }
+  std::ranges::sort(off, std::greater<>{});
+  std::vector<std::size_t> runs;
+  runs.reserve(off.size());
+  for (const auto& [times, run] : off) runs.push_back(run);
+  return runs;
+}
+
+// What shows in runs of the training alone (a place that no other run visits) cannot be confirmed by those
+// that are held out: one in which it shows is held out in their place, where another is left to find it in.
+void Analysis::hold_out_others() {
+  if (result_.verdict != Verdict::nothing_missing || result_.tail_held_out) return;
+  if (largest_excess(result_.train, result_.train).times < more_than_noise) return;
+  const auto off = runs_off_by_more_than_noise();
+  if (off.size() < 2) return;
+  const GapAnalysis first = result_;
+  const GatheredRuns gathered = gathered_;
+  // The run that shows it the most is the best to find it in.
+  for (const std::size_t run : {off[1], off[std::min<std::size_t>(2, off.size() - 1)], off[0]}) {
+    gathered_ = gathered;
+    while (!gathered_.test.runs.empty()) gathered_.test.move_to(gathered_.train, 0);
+    gathered_.train.move_to(gathered_.test, run);
+    note_runs();
+    linear_left_out_ = false;
+    search();
+    conclude();
+    if (result_.found.empty()) continue;
+    result_.summary += " The runs that were to be held out do not show it: " + result_.held_out.front() +
+                       " was held out in their place.";
+    return;
+  }
+  result_ = first;
+  if (largest_excess(first.train, first.train).times < far_above_noise) return;
+  result_.verdict = Verdict::unnamed;
+  result_.summary = "Something is missing in " + std::to_string(off.size()) +
+                    " of the training runs that no held-out run shows and no effect of the library explains.";
+  const double share = 1.0 / static_cast<double>(gathered.train.runs.size());
+  for (const std::size_t run : off) {
+    result_.where.push_back({"run " + gathered.train.runs[run].name, share, share});
+  }
+}
+
+void Analysis::note_runs() {
+  result_.train_runs = gathered_.train.runs.size();
+  result_.test_runs = gathered_.test.runs.size();
+  result_.held_out.clear();
+  for (const auto& run : gathered_.test.runs) result_.held_out.push_back(run.name);
+}
+
 tl::expected<GapAnalysis, GapRefusal> Analysis::run(std::span<const DriveLog> train,
                                                     std::span<const DriveLog> test) {
   if (auto refusal = gather_runs(train, test, gathered_)) return tl::unexpected(*refusal);
   testability_ = testability(train);
   result_.data_faults = gathered_.faults;
   result_.tail_held_out = gathered_.tail_held_out;
-  result_.train_runs = gathered_.train.runs.size();
-  result_.test_runs = gathered_.test.runs.size();
+  note_runs();
   if (nothing_to_see()) return result_;
   search();
   conclude();
+  hold_out_others();
   return result_;
 }
 

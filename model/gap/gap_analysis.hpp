@@ -39,7 +39,8 @@ struct GapAnalysis {
   GapSearch search;   // the path, for the report
   std::size_t train_runs = 0;
   std::size_t test_runs = 0;
-  bool tail_held_out = false;  // a single run: its last third stands in for a run of its own
+  std::vector<std::string> held_out;  // names of those
+  bool tail_held_out = false;         // a single run: its last third stands in for a run of its own
 };
 
 struct GapOptions {
@@ -49,6 +50,7 @@ struct GapOptions {
 };
 
 // `test` may be empty: then the last runs of `train` are held out whole, or the last third of a single run.
+// Where a gap shows in several runs but in none of those held out, one of the several is held out instead.
 // Refuses logs that do not belong together and logs too short to hold anything out.
 tl::expected<GapAnalysis, GapRefusal> analyse_gap(std::span<const DriveLog> train,
                                                   std::span<const DriveLog> test, const GapOptions& options,

@@ -11,6 +11,9 @@ constexpr std::size_t figure_count = 4;
 constexpr std::array<std::string_view, figure_count> names{"wheel speed", "distance", "position", "heading"};
 constexpr std::size_t first_integrated = 1;  // of wheel speed, most is noise of single ticks
 
+// m/s, m, m, rad: off by so little, a run is as good as right, whatever its noise.
+constexpr std::array<double, figure_count> negligible{0.0, 0.003, 0.006, 0.010};
+
 using Values = std::array<std::optional<double>, figure_count>;
 
 Values values_of(const Score& score) {
@@ -24,7 +27,7 @@ Values values_of(const Score& score) {
 double excess(const GapFigures& figures, std::size_t which) {
   const auto after = values_of(figures.after).at(which);
   const auto floor = values_of(figures.floor).at(which);
-  return after && floor && *floor > 0.0 ? *after / *floor : 0.0;
+  return after && floor && *floor > 0.0 && *after > negligible.at(which) ? *after / *floor : 0.0;
 }
 
 double closed(const GapFigures& figures, std::size_t which) {

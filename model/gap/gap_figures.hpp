@@ -8,6 +8,10 @@
 
 namespace wheelwright::gap {
 
+// Of a figure, in noise floors: from there on something is missing. Clean logs stay below 1.15.
+constexpr double more_than_noise = 1.5;
+constexpr double far_above_noise = 2.0;
+
 // Before, after and floor of one set of runs.
 struct GapFigures {
   Score before;
@@ -24,7 +28,7 @@ struct Excess {
 };
 
 // The figure that lies furthest above its floor in both sets of runs; `times` and `closed` are the smaller of
-// the two.
+// the two. A figure of less than 3 mm of travel, 6 mm of position or 10 mrad of heading does not count.
 Excess largest_excess(const GapFigures& train, const GapFigures& test);
 
 // Whether any figure lies above what noise alone would leave of it, before the analysis.

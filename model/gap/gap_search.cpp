@@ -14,6 +14,12 @@ namespace {
 // stands.
 constexpr double resolution_of_a_fit = 1e-3;
 
+// A delay that no usual core could hold is more than another shape of one.
+bool reaches_beyond_core(const TrialEffect& effect) {
+  constexpr double reach_of_a_core_s = 0.09;
+  return effect.info->linear && effect.parameters.front() > reach_of_a_core_s;
+}
+
 // One way through the effects: the rounds so far, and the model that they led to.
 struct Path {
   std::vector<Round> rounds;
@@ -221,7 +227,8 @@ void Search::swap_while_better(GapSearch& result) {
 
 // Beside other effects, a linear one is no more than a better linear model, and one that helps a little is
 // often the shape of the others: such an effect stays only where free runs come closer by it. One at a time,
-// the least needed first, since two may stand for each other.
+// the least needed first, since two may stand for each other. Free runs hardly tell a delay from a slow
+// motor; one that no core could hold is no mere shape.
 bool Search::drop_idle(GapSearch& result) {
   if (result.final.model.effects.size() < 2) return false;
   std::vector<std::pair<double, std::size_t>> idle;
@@ -231,7 +238,9 @@ bool Search::drop_idle(GapSearch& result) {
     const auto itself = std::ranges::find_if(
         contenders, [&](const Contender& contender) { return contender.effect.info == info; });
     const double nats = itself == contenders.end() ? 0.0 : itself->heldout_nats / itself->inflation;
-    if (info->linear || nats < limits_.least_idle_nats) idle.emplace_back(nats, i);
+    const bool beyond_core =
+        reaches_beyond_core(result.final.model.effects[i]) && nats > limits_.clear_delay_nats;
+    if ((info->linear && !beyond_core) || nats < limits_.least_idle_nats) idle.emplace_back(nats, i);
   }
   std::ranges::sort(idle);
   for (const auto& [nats, place] : idle) {

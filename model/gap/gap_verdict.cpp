@@ -8,9 +8,7 @@
 namespace wheelwright::gap {
 namespace {
 
-constexpr double sure = 0.9;             // posterior from which on a name stands
-constexpr double more_than_noise = 1.5;  // of a figure, in noise floors; clean logs stay below 1.15
-constexpr double far_above_noise = 2.0;
+constexpr double sure = 0.9;  // posterior from which on a name stands
 constexpr double nowhere_near = 6.0;
 constexpr double least_fall = 0.03;  // of a figure
 
@@ -139,18 +137,22 @@ bool shows(const GapFigures& figures) {
 }
 
 bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out) {
+  constexpr double not_by_chance_nats = 25.0;
   const GapFigures& figures = analysis.tail_held_out ? analysis.train : analysis.test;
-  // Where no figure lies above the noise, a small regularity of the robot is not a gap.
-  const double beyond_doubt_nats = some_figure_above_noise(figures) ? 30.0 : 100.0;
   const auto& effects = analysis.search.final.model.effects;
   const bool linear = linear_left_out || std::ranges::all_of(effects, [](const TrialEffect& effect) {
                         return effect.info->linear;
                       });
-  const auto beyond_doubt = [&](const Finding& found) {
-    return found.heldout_gain_nats > beyond_doubt_nats && found.posterior > sure;
+  if (linear) return shows(figures);
+  const auto speaks_for_it = [&](double nats) {
+    return std::ranges::any_of(analysis.found, [nats](const Finding& found) {
+      return found.heldout_gain_nats > nats && found.posterior > sure;
+    });
   };
-  if (!linear && std::ranges::any_of(analysis.found, beyond_doubt)) return true;
-  return linear ? shows(figures) : some_figure_falls(figures, least_fall, 0.0);
+  // Where no figure lies above the noise, a small regularity of the robot is not a gap, and a figure may fall
+  // by chance.
+  if (speaks_for_it(some_figure_above_noise(figures) ? 30.0 : 100.0)) return true;
+  return some_figure_falls(figures, least_fall, speaks_for_it(not_by_chance_nats) ? 0.0 : 1.0);
 }
 
 bool leaves_most_of_it(const GapAnalysis& analysis) {

@@ -10,7 +10,7 @@ namespace {
 // Order 9, with one effect before the core, one behind it and one of the body.
 void simulated_sample_with_three_effects(benchmark::State& state) {
   const DriveLog log = plant_log(120.0);
-  const std::vector<EffectSetting> effects{{"dead_zone", "cut", {0.01}},
+  const std::vector<EffectSetting> effects{{"dead_zone", "", {0.01, 0.02}},
                                            {"gain_curve", "command", {0.1, 0.0}},
                                            {"turn_speed_loss", "relative", {0.05}}};
   LinearModel core = plant_model(9);

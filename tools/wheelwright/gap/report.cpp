@@ -21,17 +21,20 @@ std::vector<gap::GatedLog> gated(std::span<const DriveLog> logs) {
   return result;
 }
 
-// The runs that were held out, as the analysis chose them: those given, else the last of the others.
-std::span<const DriveLog> heldout_runs(const gap::GapAnalysis& analysis, std::span<const DriveLog> train,
-                                       std::span<const DriveLog> test) {
-  return test.empty() ? train.last(std::min(analysis.test_runs, train.size())) : test;
+// The first few of the runs that the analysis held out.
+std::vector<DriveLog> heldout_runs(const gap::GapAnalysis& analysis, std::span<const DriveLog> train,
+                                   std::span<const DriveLog> test) {
+  std::vector<DriveLog> runs;
+  for (const auto logs : {train, test}) {
+    for (const DriveLog& log : logs) {
+      const bool held_out = std::ranges::find(analysis.held_out, log.name) != analysis.held_out.end();
+      if (held_out && runs.size() < most_drawn_runs) runs.push_back(gap::gate(log).log);
+    }
+  }
+  return runs;
 }
 
-std::string figures_section(const gap::GapAnalysis& analysis, std::span<const DriveLog> heldout) {
-  std::vector<DriveLog> runs;
-  for (auto& run : gated(heldout.first(std::min(heldout.size(), most_drawn_runs)))) {
-    runs.push_back(std::move(run.log));
-  }
+std::string figures_section(const gap::GapAnalysis& analysis, const std::vector<DriveLog>& runs) {
   const bool changed = !analysis.found.empty();
   const Figures drawn =
       draw(run_plots(analysis.before, changed ? std::optional(analysis.after) : std::nullopt, runs));
@@ -70,8 +73,11 @@ std::string gap_report(const gap::GapAnalysis& analysis, std::span<const DriveLo
   if (fitted) body += figures_section(analysis, heldout_runs(analysis, train, test));
   body += faults_section(analysis);
   if (next) {
-    body += html::element("h2", "What to drive next") + html::element("p", experiment_text(*next)) +
-            "<p class=\"quiet\">Its commands are in next_experiment.csv; record them as a further run.</p>\n";
+    body +=
+        html::element("h2", "What to drive next") + html::element("p", experiment_text(*next)) +
+        "<p class=\"quiet\">Its commands are in next_experiment.csv: <code>wheelwrightd --config "
+        "my_robot.yaml "
+        "--commands next_experiment.csv</code> drives them, and the log of that run goes beside these.</p>\n";
   }
   body += limits_section(analysis);
   body += search_section(analysis);

@@ -1,0 +1,96 @@
+// When what was found is an answer: rules on evidence and on what free runs show.
+#include "model/gap/gap_verdict.hpp"
+
+#include "model/effect_library.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace wheelwright;
+using namespace wheelwright::gap;
+
+namespace {
+
+// Position errors in floors of noise.
+GapFigures position(double before, double after) {
+  const auto score = [](double value) {
+    Score result;
+    result.position_rms_m = AtHorizon{10.0, 0.01 * value};
+    return result;
+  };
+  return {score(before), score(after), score(1.0)};
+}
+
+Finding finding(const std::string& effect, double nats, double posterior = 1.0, double rival_share = 0.1) {
+  Finding found;
+  found.setting.name = effect;
+  found.heldout_gain_nats = nats;
+  found.posterior = posterior;
+  found.rival_share = rival_share;
+  return found;
+}
+
+GapAnalysis analysis_with(const std::vector<Finding>& found, const GapFigures& figures) {
+  GapAnalysis analysis;
+  analysis.found = found;
+  analysis.train = analysis.test = figures;
+  for (const Finding& one : found) {
+    analysis.search.final.model.effects.push_back({find_effect(one.setting.name), 0, {}});
+  }
+  analysis.search.rounds.emplace_back();
+  return analysis;
+}
+
+Verdict verdict_of(GapAnalysis analysis) {
+  reach_verdict(analysis, {}, {});
+  return analysis.verdict;
+}
+
+}  // namespace
+
+TEST_CASE("An effect closes the gap where a figure above the noise falls by it") {
+  CHECK(closes_the_gap(analysis_with({finding("turn_scrub", 12.0)}, position(2.0, 1.5)), false));
+  CHECK_FALSE(closes_the_gap(analysis_with({finding("turn_scrub", 12.0)}, position(2.0, 1.99)), false));
+}
+
+TEST_CASE(
+    "A figure that falls within the noise may do so by chance, and then more has to speak for an effect") {
+  CHECK_FALSE(closes_the_gap(analysis_with({finding("turn_scrub", 18.0)}, position(0.9, 0.8)), false));
+  CHECK(closes_the_gap(analysis_with({finding("turn_scrub", 30.0)}, position(0.9, 0.8)), false));
+  CHECK_FALSE(closes_the_gap(analysis_with({finding("turn_scrub", 90.0)}, position(0.9, 0.9)), false));
+  CHECK(closes_the_gap(analysis_with({finding("turn_scrub", 120.0)}, position(0.9, 0.9)), false));
+}
+
+TEST_CASE("A delay alone has to show, however likely it is, since a larger core could be as good") {
+  CHECK_FALSE(closes_the_gap(analysis_with({finding("transport_delay", 500.0)}, position(1.1, 0.9)), false));
+  CHECK(closes_the_gap(analysis_with({finding("transport_delay", 500.0)}, position(2.0, 1.5)), false));
+}
+
+TEST_CASE("What explains little is no answer where free runs stay far off, what explains a lot may be one") {
+  CHECK(leaves_most_of_it(analysis_with({finding("floor_slope", 30.0)}, position(8.0, 7.0))));
+  CHECK_FALSE(leaves_most_of_it(analysis_with({finding("floor_slope", 300.0)}, position(8.0, 7.0))));
+  CHECK_FALSE(leaves_most_of_it(analysis_with({finding("floor_slope", 30.0)}, position(8.0, 1.2))));
+}
+
+TEST_CASE("A single effect without a rival stands unless free runs stay nowhere near the measured ones") {
+  const auto alone = finding("floor_slope", 30.0, 1.0, 0.1);
+  const auto rivalled = finding("floor_slope", 30.0, 1.0, 0.9);
+  CHECK_FALSE(leaves_most_of_it(analysis_with({alone}, position(4.0, 3.0))));
+  CHECK(leaves_most_of_it(analysis_with({rivalled}, position(4.0, 3.0))));
+  CHECK(leaves_most_of_it(analysis_with({alone}, position(8.0, 7.0))));
+}
+
+TEST_CASE("A name stands from a probability of 0.9 on; below it the answer is ambiguous") {
+  CHECK(verdict_of(analysis_with({finding("backlash", 50.0, 0.95)}, position(3.0, 1.0))) == Verdict::named);
+  CHECK(verdict_of(analysis_with({finding("backlash", 50.0, 0.95), finding("stiction", 50.0, 0.6)},
+                                 position(3.0, 1.0))) == Verdict::ambiguous);
+}
+
+TEST_CASE("A figure of some millimetres is no gap, however far above its noise it lies") {
+  auto figures = position(3.0, 3.0);
+  for (Score* score : {&figures.before, &figures.after, &figures.floor}) score->position_rms_m->value *= 0.1;
+  CHECK(verdict_of(analysis_with({}, figures)) == Verdict::nothing_missing);
+}
+
+TEST_CASE("Where nothing was found the figures say whether something is missing") {
+  CHECK(verdict_of(analysis_with({}, position(1.1, 1.1))) == Verdict::nothing_missing);
+  CHECK(verdict_of(analysis_with({}, position(1.8, 1.8))) == Verdict::unnamed);
+}

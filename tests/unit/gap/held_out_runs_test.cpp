@@ -1,0 +1,50 @@
+// Which runs an analysis is confirmed on.
+#include <algorithm>
+
+#include "model/gap/gap_analysis.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gap_plant/gap_case.hpp"
+
+using namespace wheelwright;
+using namespace wheelwright::gap;
+
+namespace {
+
+std::vector<DriveLog> runs_with(const std::string& name, int count) {
+  test::GapCaseSpec spec;
+  spec.name = name;
+  spec.severity = test::Severity::large;
+  spec.runs = count;
+  spec.seconds = 40.0;
+  auto runs = test::make_gap_case(spec).runs;
+  for (auto& run : runs) run.name = name + "_" + run.name;
+  return runs;
+}
+
+GapAnalysis analysed(const std::vector<DriveLog>& train, const std::vector<DriveLog>& test) {
+  auto analysis = analyse_gap(train, test, {}, for_each_in_turn, [](const std::string&, double) {});
+  REQUIRE(analysis);
+  return std::move(*analysis);
+}
+
+}  // namespace
+
+TEST_CASE("What no held-out run could show is confirmed on one of the others in which it shows") {
+  const auto analysis = analysed(runs_with("surface_patch", 3), runs_with("clean", 1));
+  INFO(analysis.summary);
+  REQUIRE_FALSE(analysis.found.empty());
+  CHECK(analysis.found.front().setting.name == "surface_patch");
+  REQUIRE(analysis.held_out.size() == 1);
+  CHECK_THAT(analysis.held_out.front(), ContainsSubstring("surface_patch_"));
+  CHECK_THAT(analysis.summary, ContainsSubstring("was held out in their place"));
+  CHECK(analysis.train_runs == 3);
+}
+
+TEST_CASE("Where nothing shows the runs that were given are the ones that were held out") {
+  auto runs = runs_with("clean", 3);
+  const std::vector<DriveLog> held_out{runs.back()};
+  runs.pop_back();
+  const auto analysis = analysed(runs, held_out);
+  CHECK(analysis.verdict == Verdict::nothing_missing);
+  CHECK(analysis.held_out == std::vector<std::string>{held_out.front().name});
+}
