@@ -10,18 +10,26 @@ namespace wheelwright::gap {
 namespace {
 
 constexpr double rest_s = 0.5;
+constexpr double part_s = 0.15;      // of a change too hard to be made at once
 constexpr double used_radius = 0.8;  // share of the free floor that a straight line may take
 constexpr double spin_speed = 0.6;   // of the largest, for wheels that turn against each other
 
-// Lays commands one after the other.
+// Lays commands one after the other, no change harder than the limit.
 class Program {
  public:
-  Program(double period_s, std::string name) : period_s_(period_s), made_{std::move(name), {}} {
+  Program(double period_s, double largest_change_m_s, std::string name)
+      : period_s_(period_s), largest_change_m_s_(largest_change_m_s), made_{std::move(name), {}} {
     rest(rest_s);
   }
   void hold(double left, double right, double seconds) {
-    const auto periods = static_cast<std::size_t>(std::lround(seconds / period_s_));
-    made_.commands_m_s.insert(made_.commands_m_s.end(), periods, WheelPair{left, right});
+    const WheelPair from = made_.commands_m_s.empty() ? WheelPair{} : made_.commands_m_s.back();
+    const double change = std::max(std::abs(left - from.left), std::abs(right - from.right));
+    const double parts = std::ceil(change / largest_change_m_s_ - 1e-9);
+    for (double part = 1.0; part < parts; ++part) {
+      const double share = part / parts;
+      add({from.left + share * (left - from.left), from.right + share * (right - from.right)}, part_s);
+    }
+    add({left, right}, seconds);
   }
   void straight(double speed, double seconds) { hold(speed, speed, seconds); }
   void rest(double seconds) { hold(0.0, 0.0, seconds); }
@@ -40,17 +48,24 @@ class Program {
   }
 
  private:
+  void add(const WheelPair& command, double seconds) {
+    const auto periods = static_cast<std::size_t>(std::lround(seconds / period_s_));
+    made_.commands_m_s.insert(made_.commands_m_s.end(), periods, command);
+  }
+
   double period_s_;
+  double largest_change_m_s_;
   Manoeuvre made_;
 };
 
 struct Floor {
   double speed = 0.0;
+  double largest_change_m_s = 0.0;
   double radius_m = 0.0;
   double wheel_base_m = 0.0;
   double period_s = 0.0;
 
-  Program program(const std::string& name) const { return {period_s, name}; }
+  Program program(const std::string& name) const { return {period_s, largest_change_m_s, name}; }
   // As long as wanted, and no further than the floor goes.
   double seconds(double at_speed, double wanted_s) const {
     return std::min(wanted_s, used_radius * radius_m / at_speed);
@@ -208,7 +223,8 @@ Manoeuvre a_minute(const Floor& floor) {
 }  // namespace
 
 std::vector<Manoeuvre> safe_manoeuvres(const ManoeuvreLimits& limits, double wheel_base_m, double period_s) {
-  const Floor floor{limits.largest_speed_m_s, limits.radius_m, wheel_base_m, period_s};
+  const Floor floor{limits.largest_speed_m_s, limits.largest_change_m_s, limits.radius_m, wheel_base_m,
+                    period_s};
   constexpr std::array menu{slow_triangle, steps,         to_and_fro,    coast_downs, wiggles, spins,
                             bends,         random_binary, four_headings, two_speeds,  a_minute};
   std::vector<Manoeuvre> made;

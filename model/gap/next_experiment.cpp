@@ -212,9 +212,13 @@ ManoeuvreLimits limits_of(std::span<const DriveLog> logs) {
   ManoeuvreLimits limits;
   double largest = 0.0;
   for (const auto& log : logs) {
+    WheelPair before = log.samples.empty() ? WheelPair{} : log.samples.front().command_m_s;
     for (const auto& sample : log.samples) {
       const WheelPair& u = sample.command_m_s;
       largest = std::max({largest, std::abs(u.left), std::abs(u.right)});
+      limits.largest_change_m_s = std::max(
+          {limits.largest_change_m_s, std::abs(u.left - before.left), std::abs(u.right - before.right)});
+      before = u;
     }
   }
   limits.largest_speed_m_s =

@@ -36,7 +36,7 @@ struct NextExperiment {
 std::optional<NextExperiment> next_experiment(const GapAnalysis& analysis, std::span<const DriveLog> train,
                                               const ManoeuvreLimits& limits, const ForEach& for_each);
 
-// The limits that the logs themselves suggest: no faster than the robot was driven there.
+// The limits that the logs themselves suggest: no faster and no harder than the robot was driven there.
 ManoeuvreLimits limits_of(std::span<const DriveLog> logs);
 
 }  // namespace wheelwright::gap

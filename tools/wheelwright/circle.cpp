@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "config/load/atomic_file.hpp"
+#include "config/load/commands_file.hpp"
 #include "config/load/drive_log_file.hpp"
 #include "config/load/model_file.hpp"
 #include "config/load/route_file.hpp"
@@ -40,7 +41,9 @@ struct CircleOptions {
 
 // What chance decides after the robot is made: calibration, recorded drives, and laps do not share their
 // luck.
-enum class Purpose : std::uint64_t { calibrate = 1, learn, drive };
+enum class Purpose : std::uint64_t { calibrate = 1, learn, drive, experiment };
+
+constexpr std::size_t most_experiments = 2;
 
 void write(const fs::path& path, const std::string& text) {
   if (const auto error = config::write_file_atomically(path, text)) throw UsageError(*error);
@@ -67,7 +70,7 @@ class Circle {
     const RobotModel calibrated = calibrate();
     report_.before = laps(calibrated);
     record(calibrated);
-    find_gap();
+    find_gap(calibrated);
     report_.after = laps(config::load_model(folder_ / "gap" / "model.yaml"));
     print();
     return ExitStatus::done;
@@ -120,14 +123,46 @@ class Circle {
     simulation::Noise chance(simulation::Noise(options_.seed).bits());
     const auto logs = learning_drives(options_.drives, robot, model, chance);
     if (!logs) throw DataRefusal("a recorded drive: " + logs.error());
-    for (const DriveLog& log : *logs) {
-      const fs::path path = folder_ / (log.name + ".csv");
-      config::save_drive_log(log, path);
-      logs_.push_back(path.string());
-    }
+    for (const DriveLog& log : *logs) keep(log, logs_.end());
   }
 
-  void find_gap() {
+  void keep(const DriveLog& log, std::vector<std::string>::const_iterator place) {
+    const fs::path path = folder_ / (log.name + ".csv");
+    config::save_drive_log(log, path);
+    logs_.insert(place, path.string());
+  }
+
+  // Where the workflow cannot decide, what it asks for is driven, and it is asked again.
+  void find_gap(const RobotModel& model) {
+    auto json = analyse();
+    RobotTrial robot = trial(Purpose::experiment);
+    for (std::size_t i = 1; i <= most_experiments; ++i) {
+      const auto& next = json["next_experiment"];
+      if (json["verdict"] != "ambiguous" || next.is_null()) break;
+      if (!drive_experiment(robot, model, next, i)) break;
+      json = analyse();
+    }
+    report_.verdict = json["verdict"];
+    for (const auto& added : json["added"]) report_.named.push_back(added["effect"]);
+  }
+
+  // False where the robot did not come to its end.
+  bool drive_experiment(RobotTrial& robot, const RobotModel& model, const nlohmann::json& next,
+                        std::size_t number) {
+    Mission mission;
+    mission.commanded_drive = config::load_commands(next["route_or_commands"].get<std::string>(),
+                                                    RobotLimits{}.largest_wheel_speed_m_s);
+    auto log = robot.record(mission, model, {});
+    report_.experiments.push_back(
+        {next["manoeuvre"], next["seconds"], next["separates"], log ? "" : log.error()});
+    if (!log) return false;
+    log->name = "experiment_" + std::to_string(number);
+    // First, since the last runs are held out.
+    keep(*log, logs_.begin());
+    return true;
+  }
+
+  nlohmann::json analyse() {
     const fs::path folder = folder_ / "gap";
     std::vector<std::string> arguments{"gap", "--train"};
     arguments.insert(arguments.end(), logs_.begin(), logs_.end());
@@ -137,9 +172,7 @@ class Circle {
     const ExitStatus status = run_command_line(arguments, {text, streams_.err});
     if (status != ExitStatus::done) throw DataRefusal("the gap workflow did not come to its end");
     write(folder / "gap.txt", text.str());
-    const auto json = nlohmann::json::parse(std::ifstream(folder / "gap.json"));
-    report_.verdict = json["verdict"];
-    for (const auto& added : json["added"]) report_.named.push_back(added["effect"]);
+    return nlohmann::json::parse(std::ifstream(folder / "gap.json"));
   }
 
   void print() const {

@@ -28,6 +28,7 @@ struct GapCommand {
   std::string model;
   std::string output;
   std::optional<double> largest_speed_m_s;
+  std::optional<double> largest_change_m_s;
   std::optional<double> radius_m;
 };
 
@@ -47,18 +48,45 @@ void make_folder(const std::string& path) {
 gap::ManoeuvreLimits limits_of(const GapCommand& command, const std::vector<DriveLog>& logs) {
   gap::ManoeuvreLimits limits = gap::limits_of(logs);
   limits.largest_speed_m_s = command.largest_speed_m_s.value_or(limits.largest_speed_m_s);
+  limits.largest_change_m_s = command.largest_change_m_s.value_or(limits.largest_change_m_s);
   limits.radius_m = command.radius_m.value_or(limits.radius_m);
   return limits;
 }
 
-// The commands of the next drive, or, where there is none, no file that could be taken for them.
-void write_next(const std::optional<gap::NextExperiment>& next, const std::filesystem::path& path) {
-  if (next) {
-    config::save_drive_log(next->commands, path);
-  } else {
-    std::error_code ignored;
-    std::filesystem::remove(path, ignored);
+// A file of an analysis before this one is not to be taken for one of this.
+void remove_old(const std::filesystem::path& path) {
+  std::error_code ignored;
+  std::filesystem::remove(path, ignored);
+}
+
+// What the analysis leaves in its folder beside the report; says which files that are.
+std::string write_files(const GapCommand& command, const gap::GapAnalysis& analysis,
+                        const std::optional<gap::NextExperiment>& next) {
+  const std::filesystem::path folder = command.output;
+  const auto next_file = std::filesystem::absolute(folder / "next_experiment.csv");
+  const auto model_file = folder / "model.yaml";
+  std::string written = "gap.json, ";
+  write(folder / "gap.json", gap_to_json(analysis, next, next_file.string()));
+  std::error_code ignored;
+  if (!analysis.after.core.left.from_left.empty()) {
+    config::save_model(analysis.after, model_file);
+    written += "model.yaml, ";
+  } else if (!std::filesystem::equivalent(model_file, command.model, ignored)) {
+    remove_old(model_file);
   }
+  if (next) {
+    config::save_drive_log(next->commands, next_file);
+    written += "next_experiment.csv, ";
+  } else {
+    remove_old(next_file);
+  }
+  return written;
+}
+
+void stamp(RobotModel& model, const std::string& robot) {
+  model.created = now_as_text();
+  model.robot = robot;
+  for (auto& effect : model.effects) effect.created = model.created;
 }
 
 ExitStatus run_gap(const GapCommand& command, Streams streams) {
@@ -73,21 +101,18 @@ ExitStatus run_gap(const GapCommand& command, Streams streams) {
   progress.clear();
   if (!analysis) throw UsageError(analysis.error().reason);
   const auto next = gap::next_experiment(*analysis, train, limits_of(command, train), side_by_side());
-  analysis->after.created = now_as_text();
-  analysis->after.robot = robot_name(train.front());
-  for (auto& effect : analysis->after.effects) effect.created = analysis->after.created;
+  stamp(analysis->after, robot_name(train.front()));
 
   const std::filesystem::path folder = command.output;
-  const std::filesystem::path next_file = std::filesystem::absolute(folder / "next_experiment.csv");
-  write_next(next, next_file);
-  write(folder / "gap.json", gap_to_json(*analysis, next, next_file.string()));
-  const bool modelled = !analysis->after.core.left.from_left.empty();
-  if (modelled) config::save_model(analysis->after, folder / "model.yaml");
+  const std::string written = write_files(command, *analysis, next);
   write(folder / "report.html", gap_report(*analysis, train, test, next));
   print_gap(streams.out, *analysis);
-  if (next) streams.out << "\nnext: " << experiment_text(*next) << "\n";
-  streams.out << "\nwrote gap.json, " << (modelled ? "model.yaml, " : "")
-              << (next ? "next_experiment.csv, " : "") << "report.html in " << folder.string() << "\n";
+  if (next) {
+    streams.out << "\nnext: " << experiment_text(*next) << "\n"
+                << "      wheelwrightd --config my_robot.yaml --commands "
+                << (folder / "next_experiment.csv").string() << "\n";
+  }
+  streams.out << "\nwrote " << written << "report.html in " << folder.string() << "\n";
   return ExitStatus::done;
 }
 
@@ -108,6 +133,11 @@ Action add_gap(CLI::App& app) {
       ->add_option("--largest-speed", options->largest_speed_m_s,
                    "Of a wheel in the next experiment, m/s; else that of the logs, 0.3 at most")
       ->check(number_between(0.02, 2.0, "m/s"));
+  command
+      ->add_option("--largest-change", options->largest_change_m_s,
+                   "Of a wheel's command at once in the next experiment, m/s; else that of the logs, or 0.15 "
+                   "where they have none as hard")
+      ->check(number_between(0.01, 2.0, "m/s"));
   command
       ->add_option("--free-radius", options->radius_m,
                    "Of the free floor around the start of the next experiment, m; else 1")

@@ -61,6 +61,22 @@ TEST_CASE("Where no lap came to its end the report says why instead of an offset
   CHECK_THAT(out.str(), ContainsSubstring("did not come to its end: stopped: bump"));
 }
 
+TEST_CASE("A recorded experiment holds its commands as they stand") {
+  auto robot = config::load_simulation_config(perfect);
+  tools::RobotTrial trial(robot, RobotLimits{}, roomba::LinkConfig{}, simulation::Noise(1));
+  const auto model = trial.calibrate_response();
+  REQUIRE(model);
+  Mission mission;
+  mission.commanded_drive = CommandedDrive{"both ways", {{0.0, {0.1, 0.1}}, {2.0, {-0.1, -0.1}}}, 4.0};
+  const auto log = trial.record(mission, *model, {0.0, 0.0});
+  REQUIRE(log);
+  CHECK(log->samples.size() == 222);
+  CHECK(log->samples.front().command_m_s.left == 0.1);
+  CHECK(log->samples.back().command_m_s.right == -0.1);
+  CHECK_THAT(*log->samples[111].reference_x_m, WithinAbs(0.19, 0.02));
+  CHECK_THAT(*log->samples.back().reference_x_m, WithinAbs(0.0, 0.03));
+}
+
 TEST_CASE("A recorded drive holds commands, counts and a reference that agree") {
   auto robot = config::load_simulation_config(perfect);
   tools::RobotTrial trial(robot, RobotLimits{}, roomba::LinkConfig{}, simulation::Noise(1));

@@ -57,14 +57,22 @@ GapAnalysis undecided(const std::string& name, const std::vector<double>& parame
 TEST_CASE("Every manoeuvre begins and ends at rest, keeps to its limits, and lasts as long as it says") {
   for (const double speed : {0.1, 0.3}) {
     for (const double radius : {0.5, 2.0}) {
-      for (const auto& manoeuvre : safe_manoeuvres({speed, radius}, wheel_base_m, period_s)) {
+      const ManoeuvreLimits limits{speed, 0.15, radius};
+      for (const auto& manoeuvre : safe_manoeuvres(limits, wheel_base_m, period_s)) {
         INFO(manoeuvre.name << " at " << speed << " m/s within " << radius << " m");
         const auto& commands = manoeuvre.commands_m_s;
         REQUIRE(commands.size() > 100);
         CHECK((commands.front().left == 0.0 && commands.back().right == 0.0));
         double largest = 0.0;
-        for (const auto& u : commands) largest = std::max({largest, std::abs(u.left), std::abs(u.right)});
+        double hardest = 0.0;
+        WheelPair before;
+        for (const auto& u : commands) {
+          largest = std::max({largest, std::abs(u.left), std::abs(u.right)});
+          hardest = std::max({hardest, std::abs(u.left - before.left), std::abs(u.right - before.right)});
+          before = u;
+        }
         CHECK(largest <= speed * (1.0 + 1e-9));
+        CHECK(hardest <= 0.15 * (1.0 + 1e-9));
         CHECK(period_s * static_cast<double>(commands.size()) < 65.0);
       }
     }
@@ -73,8 +81,8 @@ TEST_CASE("Every manoeuvre begins and ends at rest, keeps to its limits, and las
 
 TEST_CASE("Between two rivals the next experiment names both and parts them by more than noise") {
   const auto logs = one_run(test::Program::one_speed);
-  const auto next = next_experiment(undecided("dead_zone", {0.02}, "coulomb_friction", {0.02, 0.06}), logs,
-                                    {0.3, 1.0}, for_each_in_turn);
+  const auto next = next_experiment(undecided("dead_zone", {0.02, 0.02}, "coulomb_friction", {0.02, 0.06}),
+                                    logs, {0.3, 0.15, 1.0}, for_each_in_turn);
   REQUIRE(next);
   auto pair = next->separates;
   std::ranges::sort(pair);
@@ -86,8 +94,8 @@ TEST_CASE("Between two rivals the next experiment names both and parts them by m
 
 TEST_CASE("On a smaller floor the next experiment stays on it") {
   const auto logs = one_run(test::Program::one_speed);
-  const auto analysis = undecided("dead_zone", {0.02}, "coulomb_friction", {0.02, 0.06});
-  const auto next = next_experiment(analysis, logs, {0.3, 0.5}, for_each_in_turn);
+  const auto analysis = undecided("dead_zone", {0.02, 0.02}, "coulomb_friction", {0.02, 0.06});
+  const auto next = next_experiment(analysis, logs, {0.3, 0.15, 0.5}, for_each_in_turn);
   REQUIRE(next);
   ModelSimulation robot = analysis.search.final.model.simulation();
   robot.reset({});

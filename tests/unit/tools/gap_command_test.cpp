@@ -164,9 +164,12 @@ TEST_CASE("Swapped sides and a wrong sign are faults of the data, and no effect 
   }
   for (const auto& [name, runs] : {std::pair{"gap_swapped", swapped}, std::pair{"gap_turned", turned}}) {
     const auto at = workspace(name, runs);
+    fs::create_directories(at.output());
+    std::ofstream(at.output() / "model.yaml") << "of an analysis before";
     REQUIRE(gap(at).status == ExitStatus::done);
     const auto json = gap_json(at);
     INFO(name);
+    CHECK_FALSE(fs::exists(at.output() / "model.yaml"));
     CHECK(json["verdict"] == "bad_data");
     CHECK(json["added"].empty());
     CHECK(json["next_experiment"].is_null());

@@ -66,6 +66,11 @@ Told told(const CircleReport& report) {
 
 void print_circle(std::ostream& out, const CircleReport& report) {
   print_laps(out, "A, by the calibrated model:     ", report.before);
+  for (const Experiment& experiment : report.experiments) {
+    out << "driven to decide:               " << experiment.manoeuvre << ", "
+        << fixed_number(experiment.seconds, 0) << " s, for " << joined(experiment.separates, " or ")
+        << (experiment.failure.empty() ? "" : "; " + experiment.failure) << "\n";
+  }
   out << "the gap workflow:               " << report.verdict
       << (report.named.empty() ? "" : ": " + joined(report.named, ", ")) << "\n";
   print_laps(out, "B, with what the workflow added: ", report.after);
@@ -84,14 +89,19 @@ ordered_json circle_json(const CircleReport& report) {
   for (const auto& imperfection : report.hidden) {
     hidden.push_back({{"what", imperfection.what}, {"effects", imperfection.effects}});
   }
+  auto experiments = ordered_json::array();
+  for (const Experiment& experiment : report.experiments) {
+    experiments.push_back({{"manoeuvre", experiment.manoeuvre},
+                           {"seconds", experiment.seconds},
+                           {"separates", experiment.separates},
+                           {"failure", nullptr}});
+    if (!experiment.failure.empty()) experiments.back()["failure"] = experiment.failure;
+  }
   const Told result = told(report);
-  return {{"before", to_json(report.before)},
-          {"verdict", report.verdict},
-          {"named", report.named},
-          {"after", to_json(report.after)},
-          {"hidden", hidden},
-          {"sealed_file", report.sealed_file},
-          {"named_rightly", result.rightly},
+  return {{"before", to_json(report.before)},  {"experiments", experiments},
+          {"verdict", report.verdict},         {"named", report.named},
+          {"after", to_json(report.after)},    {"hidden", hidden},
+          {"sealed_file", report.sealed_file}, {"named_rightly", result.rightly},
           {"named_falsely", result.falsely}};
 }
 

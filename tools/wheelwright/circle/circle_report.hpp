@@ -16,10 +16,19 @@ struct Laps {
   std::string failure;            // why the last of the others did not
 };
 
+// A drive that the workflow asked for because it could not decide.
+struct Experiment {
+  std::string manoeuvre;
+  double seconds = 0.0;
+  std::vector<std::string> separates;
+  std::string failure;  // why it did not come to its end
+};
+
 struct CircleReport {
   std::string sealed_file;
   std::vector<Imperfection> hidden;
-  std::string verdict;             // of the gap workflow
+  std::vector<Experiment> experiments;
+  std::string verdict;             // of the gap workflow, at last
   std::vector<std::string> named;  // effects, the strongest first
   Laps before;
   Laps after;
@@ -34,7 +43,8 @@ Told told(const CircleReport& report);
 
 void print_circle(std::ostream& out, const CircleReport& report);
 
-// Keys: before, after {offsets_m, mean_offset_m, failure}, verdict, named, hidden [{what, effects}],
+// Keys: before, after {offsets_m, mean_offset_m, failure}, experiments [{manoeuvre, seconds, separates,
+// failure}], verdict, named, hidden [{what, effects}],
 // sealed_file, named_rightly, named_falsely. Where no lap came to its end the mean is null, where all did the
 // failure is.
 nlohmann::ordered_json circle_json(const CircleReport& report);

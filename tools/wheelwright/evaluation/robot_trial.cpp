@@ -31,7 +31,9 @@ std::string reason_of(const daemon::VirtualRunResult& result) {
 }
 
 bool is_driving(const SensorFrame& frame) {
-  return frame.command.activity == Activity::route || frame.command.activity == Activity::random_drive;
+  const Activity activity = frame.command.activity;
+  return activity == Activity::route || activity == Activity::random_drive ||
+         activity == Activity::commanded_drive;
 }
 
 }  // namespace

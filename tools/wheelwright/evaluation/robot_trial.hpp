@@ -51,8 +51,9 @@ class RobotTrial {
 
   DriveOutcome drive(const Route& route, PoseSource source, const MaybeModel& model);
 
-  // A drive with a reference pose on every row, on the same floor without walls: the random drive or the
-  // route of `mission`, planned by `model`. The log counts in the model's encoder scale.
+  // A drive with a reference pose on every row, on the same floor without walls: the random drive,
+  // the route or the commands of `mission`, the first two planned by `model`. The log counts in the model's
+  // encoder scale.
   tl::expected<DriveLog, std::string> record(const Mission& mission, const RobotModel& model,
                                              const ReferenceNoise& noise);
 
