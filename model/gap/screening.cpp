@@ -2,106 +2,14 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "model/gap/decoys.hpp"
+#include "model/gap/screening_probes.hpp"
 
 namespace wheelwright::gap {
 namespace {
-
-// Several parameters of an effect act together, in proportion (sine and cosine, x and y): they are looked at
-// at once.
-struct Probe {
-  const EffectInfo* info;
-  std::size_t variant;
-  std::vector<std::vector<double>> points;  // parameter vectors; more than one for effects of several sizes
-};
-
-struct Grid {
-  std::vector<double> x;
-  std::vector<double> y;
-};
-
-// Places where the robot has been.
-std::vector<Pose> visited_places(const GapProblem& problem, const TrialModel& model) {
-  constexpr double apart_m = 0.35;
-  constexpr std::size_t most = 40;
-  std::vector<Pose> places;
-  for (const auto& run : problem.runs()) {
-    const auto states = model_states(model, run);
-    const std::size_t step = std::max<std::size_t>(1, states.size() / 200);
-    for (std::size_t k = 0; k < states.size(); k += step) {
-      Pose at = states[k].pose;
-      // Where the robot really was is known better than where the model thinks.
-      for (const auto& reference : run.references) {
-        if (reference.at.period >= k) {
-          at = reference.pose;
-          break;
-        }
-      }
-      const auto near = [&](const Pose& other) { return distance_between_m(at, other) < apart_m; };
-      if (places.size() < most && std::ranges::none_of(places, near)) places.push_back(at);
-    }
-  }
-  return places;
-}
-
-// Without counts nothing tells whether the wheels or the floor lose the motion: one of the two is enough.
-bool told_apart(const EffectInfo& info, std::size_t variant, bool counts) {
-  return counts || !info.variants[variant].name.ends_with("at_wheels");
-}
-
-void add_probes(const EffectInfo& info, const std::vector<Pose>& places, bool counts,
-                std::vector<Probe>& probes) {
-  std::vector<std::size_t> sizes;
-  std::vector<std::size_t> shapes;
-  for (std::size_t i = 0; i < info.parameters.size(); ++i) {
-    (info.parameters[i].scales_effect ? sizes : shapes).push_back(i);
-  }
-  std::vector<std::vector<double>> shape_points{std::vector<double>(info.parameters.size(), 0.0)};
-  const bool placed = info.name == "surface_patch";
-  for (const std::size_t shape : shapes) {
-    std::vector<std::vector<double>> more;
-    if (placed && info.parameters[shape].name == "x") {
-      for (const auto& point : shape_points) {
-        for (const Pose& place : places) {
-          more.push_back(point);
-          more.back()[shape] = place.x_m;
-          more.back()[shape + 1] = place.y_m;
-        }
-      }
-    } else if (placed && info.parameters[shape].name == "y") {
-      continue;
-    } else {
-      for (const auto& point : shape_points) {
-        for (const double value : info.parameters[shape].sizes) {
-          more.push_back(point);
-          more.back()[shape] = value;
-        }
-      }
-    }
-    shape_points = std::move(more);
-  }
-  for (std::size_t variant = 0; variant < info.variants.size(); ++variant) {
-    if (!told_apart(info, variant, counts)) continue;
-    for (const auto& shape : shape_points) {
-      if (sizes.size() == 1) {
-        for (const double value : info.parameters[sizes[0]].sizes) {
-          Probe probe{&info, variant, {shape}};
-          probe.points[0][sizes[0]] = value;
-          probes.push_back(std::move(probe));
-        }
-      } else if (sizes.size() > 1) {
-        Probe probe{&info, variant, {}};
-        for (const std::size_t size : sizes) {
-          probe.points.push_back(shape);
-          probe.points.back()[size] = info.parameters[size].sizes.front();
-        }
-        probes.push_back(std::move(probe));
-      }
-    }
-  }
-}
 
 // An orthonormal basis of what the model's own parameters could take up.
 Eigen::MatrixXd basis_of(const Eigen::MatrixXd& columns) {
@@ -138,12 +46,40 @@ bool vanishes_at_zero(const ParameterInfo& parameter) {
   return parameter.lower <= 0.0 && parameter.upper >= 0.0;
 }
 
-Screened judged(const Probe& probe, const Eigen::MatrixXd& changes, const Eigen::VectorXd& left) {
+// What changes of the residuals have in common with each other and with what is left, after the model's own
+// parameters have taken up what they can.
+struct Common {
+  Eigen::MatrixXd products;
+  Eigen::VectorXd with_left;
+
+  Common of(Eigen::Index first, Eigen::Index count) const {
+    return {products.block(first, first, count, count), with_left.segment(first, count)};
+  }
+};
+
+// Whatever is below this of a change, rounding alone may be.
+constexpr double least_share_left = 1e-10;
+
+Common common_of(const Eigen::MatrixXd& changes, const Eigen::MatrixXd& basis, const Eigen::VectorXd& left) {
+  const Eigen::MatrixXd taken_up = basis.transpose() * changes;
+  Common common{changes.transpose() * changes, changes.transpose() * left};
+  const Eigen::VectorXd whole = common.products.diagonal();
+  common.products -= taken_up.transpose() * taken_up;
+  for (Eigen::Index i = 0; i < whole.size(); ++i) {
+    if (common.products(i, i) > least_share_left * whole(i)) continue;
+    common.products.row(i).setZero();
+    common.products.col(i).setZero();
+    common.with_left(i) = 0.0;
+  }
+  return common;
+}
+
+Screened judged(const Probe& probe, const Common& common) {
   Screened result{{probe.info, probe.variant, probe.points[0]}, 0.0};
-  if (!(changes.colwise().squaredNorm().minCoeff() > 1e-12)) return result;  // invisible in these channels
+  if (!(common.products.diagonal().minCoeff() > 1e-12)) return result;  // invisible in these channels
   if (probe.points.size() > 1) {
-    const Eigen::VectorXd amounts = changes.colPivHouseholderQr().solve(-left);
-    result.gain_nats = 0.5 * (left.squaredNorm() - (left + changes * amounts).squaredNorm());
+    const Eigen::VectorXd amounts = common.products.colPivHouseholderQr().solve(-common.with_left);
+    result.gain_nats = -0.5 * amounts.dot(common.with_left);
     std::size_t k = 0;
     for (std::size_t i = 0; i < probe.info->parameters.size(); ++i) {
       const ParameterInfo& parameter = probe.info->parameters[i];
@@ -154,10 +90,10 @@ Screened judged(const Probe& probe, const Eigen::MatrixXd& changes, const Eigen:
     }
     return result;
   }
-  const double power = changes.col(0).squaredNorm();
+  const double power = common.products(0, 0);
   const auto [least, most] = stretch_of(*probe.info, probe.points[0]);
-  const double stretch = std::clamp(-left.dot(changes.col(0)) / power, least, most);
-  result.gain_nats = 0.5 * (left.squaredNorm() - (left + stretch * changes.col(0)).squaredNorm());
+  const double stretch = std::clamp(-common.with_left(0) / power, least, most);
+  result.gain_nats = -stretch * (common.with_left(0) + 0.5 * stretch * power);
   for (std::size_t i = 0; i < probe.info->parameters.size(); ++i) {
     const ParameterInfo& parameter = probe.info->parameters[i];
     if (!parameter.scales_effect || !vanishes_at_zero(parameter)) continue;
@@ -166,12 +102,6 @@ Screened judged(const Probe& probe, const Eigen::MatrixXd& changes, const Eigen:
   }
   return result;
 }
-
-// An effect as a fit would start with it, and what it changes of the residuals.
-struct Change {
-  TrialEffect start;
-  Eigen::VectorXd change;
-};
 
 // `effect` with its size times `amount`; nothing where it cannot have that size.
 std::optional<TrialEffect> resized(TrialEffect effect, double amount) {
@@ -188,34 +118,35 @@ std::optional<TrialEffect> resized(TrialEffect effect, double amount) {
   return effect;
 }
 
-// What both together could explain.
-std::optional<ScreenedPair> pair_of(const Change& one, const Change& other, const Eigen::VectorXd& left) {
+// What two effects could explain together, each by its place in `common`.
+std::optional<ScreenedPair> pair_of(const TrialEffect& one, const TrialEffect& other, const Common& common) {
   constexpr double alike = 0.98;  // cosine
-  const double a = one.change.squaredNorm();
-  const double b = other.change.squaredNorm();
-  const double both = one.change.dot(other.change);
+  const double a = common.products(0, 0);
+  const double b = common.products(1, 1);
+  const double both = common.products(0, 1);
   const double determinant = a * b - both * both;
   if (!(determinant > (1.0 - alike * alike) * a * b)) return std::nullopt;
-  const double p = -left.dot(one.change);
-  const double q = -left.dot(other.change);
+  const double p = -common.with_left(0);
+  const double q = -common.with_left(1);
   const double first = (p * b - q * both) / determinant;
   const double second = (q * a - p * both) / determinant;
-  const auto start = resized(one.start, first);
-  const auto beside = resized(other.start, second);
+  const auto start = resized(one, first);
+  const auto beside = resized(other, second);
   if (!start || !beside) return std::nullopt;
   return ScreenedPair{{*start, *beside}, 0.5 * (first * p + second * q)};
 }
 
-std::optional<ScreenedPair> best_pair(const std::vector<Change>& changes, double best_single_nats,
-                                      const Eigen::VectorXd& left) {
+std::optional<ScreenedPair> best_pair(const std::vector<TrialEffect>& effects, const Common& common,
+                                      double best_single_nats) {
   constexpr double times_the_best_single = 1.5;
   constexpr double least_gain_nats = 40.0;
   std::optional<ScreenedPair> best;
   double least = std::max(least_gain_nats, times_the_best_single * best_single_nats);
-  for (std::size_t i = 0; i < changes.size(); ++i) {
+  for (std::size_t i = 0; i < effects.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (changes[i].start.info == changes[j].start.info) continue;
-      const auto pair = pair_of(changes[i], changes[j], left);
+      if (effects[i].info == effects[j].info) continue;
+      const std::array<Eigen::Index, 2> at{static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)};
+      const auto pair = pair_of(effects[i], effects[j], {common.products(at, at), common.with_left(at)});
       if (!pair || pair->gain_nats <= least) continue;
       best = pair;
       least = pair->gain_nats;
@@ -224,70 +155,122 @@ std::optional<ScreenedPair> best_pair(const std::vector<Change>& changes, double
   return best;
 }
 
+// What effects change of the residuals of a fit, and what that has to do with what the fit leaves.
+class Responses {
+ public:
+  Responses(const GapProblem& problem, const GapFit& fit)
+      : problem_(problem),
+        fit_(fit),
+        basis_(basis_of(problem.jacobian(fit.model, fit.residuals))),
+        whole_(of(fit.residuals)),
+        of_wheels_(of(problem.residuals(fit.model, Part::wheels))),
+        of_motion_(of(problem.residuals(fit.model, Part::motion))),
+        left_(whole_ - basis_ * (basis_.transpose() * whole_)) {}
+
+  Common common(std::span<const TrialEffect> effects, const ForEach& for_each) const {
+    Eigen::MatrixXd changes(whole_.size(), static_cast<Eigen::Index>(effects.size()));
+    for_each(effects.size(),
+             [&](std::size_t i) { changes.col(static_cast<Eigen::Index>(i)) = change_by(effects[i]); });
+    return common_of(changes, basis_, left_);
+  }
+
+ private:
+  static Eigen::VectorXd of(const std::vector<double>& values) {
+    return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+  }
+
+  Eigen::VectorXd change_by(const TrialEffect& effect) const {
+    TrialModel with = fit_.model;
+    with.effects.push_back(effect);
+    const Part part = problem_.part_of(effect);
+    const Eigen::VectorXd& without = part == Part::all      ? whole_
+                                     : part == Part::wheels ? of_wheels_
+                                                            : of_motion_;
+    return of(problem_.residuals(with, part)) - without;
+  }
+
+  const GapProblem& problem_;
+  const GapFit& fit_;
+  Eigen::MatrixXd basis_;
+  Eigen::VectorXd whole_;
+  Eigen::VectorXd of_wheels_;
+  Eigen::VectorXd of_motion_;
+  Eigen::VectorXd left_;
+};
+
+struct Judgement {
+  Screened screened;
+  double nats = 0.0;  // that leaving it out would cost
+};
+
+// Some probes at a time: so many columns are multiplied by the basis at once.
+void judge_some(std::span<const Probe> probes, const Responses& responses, std::span<Judgement> judgements) {
+  std::vector<TrialEffect> effects;
+  for (const Probe& probe : probes) {
+    for (const auto& point : probe.points) effects.push_back({probe.info, probe.variant, point});
+  }
+  const Common common = responses.common(effects, for_each_in_turn);
+  Eigen::Index first = 0;
+  for (std::size_t p = 0; p < probes.size(); ++p) {
+    const auto count = static_cast<Eigen::Index>(probes[p].points.size());
+    const Common of_probe = common.of(first, count);
+    judgements[p] = {judged(probes[p], of_probe), 0.5 * of_probe.products.sum()};
+    first += count;
+  }
+}
+
+std::vector<Judgement> judge_all(const std::vector<Probe>& probes, const Responses& responses,
+                                 const ForEach& for_each) {
+  constexpr std::size_t at_a_time = 8;
+  std::vector<Judgement> judgements(probes.size());
+  for_each((probes.size() + at_a_time - 1) / at_a_time, [&](std::size_t i) {
+    const std::size_t first = i * at_a_time;
+    const std::size_t count = std::min(at_a_time, probes.size() - first);
+    judge_some(std::span(probes).subspan(first, count), responses,
+               std::span(judgements).subspan(first, count));
+  });
+  return judgements;
+}
+
+std::vector<Screened> best_of_each_variant(const std::vector<Judgement>& judgements) {
+  std::vector<Screened> best;
+  for (const Judgement& judgement : judgements) {
+    const Screened& screened = judgement.screened;
+    const auto same = std::ranges::find_if(best, [&](const Screened& other) {
+      return other.start.info == screened.start.info && other.start.variant == screened.start.variant;
+    });
+    if (same == best.end()) {
+      best.push_back(screened);
+    } else if (screened.gain_nats > same->gain_nats) {
+      *same = screened;
+    }
+  }
+  std::ranges::sort(best, std::greater<>{}, &Screened::gain_nats);
+  return best;
+}
+
 }  // namespace
 
 Screening screen(const GapProblem& problem, const GapFit& fit, std::span<const EffectInfo* const> candidates,
                  const ForEach& for_each) {
-  std::vector<Probe> probes;
-  const std::vector<Pose> places = visited_places(problem, fit.model);
-  for (const EffectInfo* info : candidates) add_probes(*info, places, problem.has_counts(), probes);
-
-  const Eigen::MatrixXd basis = basis_of(problem.jacobian(fit.model, fit.residuals));
-  const Eigen::Map<const Eigen::VectorXd> residual(fit.residuals.data(),
-                                                   static_cast<Eigen::Index>(fit.residuals.size()));
-  const Eigen::VectorXd left = residual - basis * (basis.transpose() * residual);
-  const auto only = [&](Part part) -> Eigen::VectorXd {
-    const std::vector<double> values = problem.residuals(fit.model, part);
-    return Eigen::Map<const Eigen::VectorXd>(values.data(), residual.size());
-  };
-  const Eigen::VectorXd of_wheels = only(Part::wheels);
-  const Eigen::VectorXd of_motion = only(Part::motion);
-  const auto change_by = [&](const TrialEffect& effect) -> Eigen::VectorXd {
-    TrialModel with = fit.model;
-    with.effects.push_back(effect);
-    const Part part = problem.part_of(effect);
-    const std::vector<double> there = problem.residuals(with, part);
-    const Eigen::Map<const Eigen::VectorXd> changed(there.data(), residual.size());
-    const Eigen::VectorXd change = changed - (part == Part::all      ? residual
-                                              : part == Part::wheels ? of_wheels
-                                                                     : of_motion);
-    return change - basis * (basis.transpose() * change);
-  };
-  std::vector<Screened> judgements(probes.size());
-  std::vector<double> nats(probes.size(), 0.0);
-  for_each(probes.size(), [&](std::size_t p) {
-    const Probe& probe = probes[p];
-    Eigen::MatrixXd changes(residual.size(), static_cast<Eigen::Index>(probe.points.size()));
-    for (std::size_t i = 0; i < probe.points.size(); ++i) {
-      changes.col(static_cast<Eigen::Index>(i)) = change_by({probe.info, probe.variant, probe.points[i]});
-    }
-    judgements[p] = judged(probe, changes, left);
-    nats[p] = 0.5 * changes.rowwise().sum().squaredNorm();
-  });
+  const std::vector<Probe> probes = probes_of(candidates, problem, fit.model);
+  const Responses responses(problem, fit);
+  const std::vector<Judgement> judgements = judge_all(probes, responses, for_each);
 
   Screening result;
   for (std::size_t p = 0; p < probes.size(); ++p) {
-    result.visibility.push_back({{probes[p].info, probes[p].variant, probes[p].points[0]}, nats[p]});
-    const auto same = std::ranges::find_if(result.best, [&](const Screened& other) {
-      return other.start.info == probes[p].info && other.start.variant == probes[p].variant;
-    });
-    if (same == result.best.end()) {
-      result.best.push_back(judgements[p]);
-    } else if (judgements[p].gain_nats > same->gain_nats) {
-      *same = judgements[p];
-    }
+    result.visibility.push_back(
+        {{probes[p].info, probes[p].variant, probes[p].points[0]}, judgements[p].nats});
   }
-  std::ranges::sort(result.best, std::greater<>{}, &Screened::gain_nats);
-  std::vector<Change> changes;
+  result.best = best_of_each_variant(judgements);
+  std::vector<TrialEffect> effects;
   double best_single_nats = 0.0;
   for (const auto& screened : result.best) {
     if (is_decoy(*screened.start.info)) continue;
-    changes.push_back({screened.start, {}});
+    effects.push_back(screened.start);
     best_single_nats = std::max(best_single_nats, screened.gain_nats);
   }
-  for_each(changes.size(), [&](std::size_t i) { changes[i].change = change_by(changes[i].start); });
-  std::erase_if(changes, [](const Change& change) { return !(change.change.squaredNorm() > 1e-12); });
-  result.pair = best_pair(changes, best_single_nats, left);
+  result.pair = best_pair(effects, responses.common(effects, for_each), best_single_nats);
   return result;
 }
 
