@@ -1,5 +1,6 @@
 // backlash: motion is lost on reversal.
 #include <algorithm>
+#include <cmath>
 
 #include "model/effects/effect.hpp"
 
@@ -9,7 +10,9 @@ namespace {
 class Backlash final : public EffectOf<Backlash> {
  public:
   explicit Backlash(const EffectArguments& arguments)
-      : gap_(arguments.parameters[0]), behind_encoder_(arguments.variant == 1) {
+      : gap_(arguments.parameters[0]),
+        braking_m_s2_(arguments.parameters[1]),
+        behind_encoder_(arguments.variant == 1) {
     Backlash::reset();
   }
 
@@ -20,44 +23,57 @@ class Backlash final : public EffectOf<Backlash> {
     if (behind_encoder_) pass(speed_m_s, around.period_s);
   }
   // A run begins with the teeth in contact for forward motion.
-  void reset() override { in_gap_ = {gap_, gap_}; }
+  void reset() override { left_ = right_ = {gap_, 0.0}; }
 
  private:
+  struct Wheel {
+    double in_gap_m = 0.0;  // from the teeth that drive backward to those that drive forward
+    double speed_m_s = 0.0;
+  };
+
   void pass(WheelPair& speed_m_s, double period_s) {
-    speed_m_s = {passed(in_gap_.left, speed_m_s.left, period_s),
-                 passed(in_gap_.right, speed_m_s.right, period_s)};
+    speed_m_s = {passed(left_, speed_m_s.left, period_s), passed(right_, speed_m_s.right, period_s)};
   }
-  double passed(double& in_gap, double speed_m_s, double period_s) const {
-    const double at = in_gap + speed_m_s * period_s;
-    in_gap = std::clamp(at, 0.0, gap_);
-    return (at - in_gap) / period_s;
+  // Between the teeth the wheel runs on by itself, slower and slower, and may reach the other side.
+  double passed(Wheel& wheel, double motor_m_s, double period_s) const {
+    const double by_itself =
+        std::copysign(std::max(0.0, std::abs(wheel.speed_m_s) - braking_m_s2_ * period_s), wheel.speed_m_s);
+    const double at = wheel.in_gap_m + (motor_m_s - by_itself) * period_s;
+    wheel.in_gap_m = std::clamp(at, 0.0, gap_);
+    const double travelled_m = (at - wheel.in_gap_m) + by_itself * period_s;
+    const bool touches = at != wheel.in_gap_m;
+    wheel.speed_m_s = touches ? motor_m_s : by_itself;
+    return travelled_m / period_s;
   }
 
   double gap_;
+  double braking_m_s2_;
   bool behind_encoder_;
-  WheelPair in_gap_;
+  Wheel left_;
+  Wheel right_;
 };
 
 }  // namespace
 
 EffectInfo backlash() {
-  return {"backlash",
-          "motion is lost on reversal",
-          "Play between motor and wheel: after each change of direction the motor runs a fixed distance "
-          "before the "
-          "wheel follows. 'wheel': the encoder sits on the wheel and sees the loss, 'floor': on the motor, "
-          "and does "
-          "not.",
-          {{"wheel", EffectStage::wheel}, {"floor", EffectStage::floor}},
-          {{"gap",
-            "m",
-            "distance lost at each reversal, at the wheel's rim",
-            0.0,
-            0.05,
-            {0.0005, 0.001, 0.002, 0.004, 0.007, 0.012},
-            0.0003}},
-          {.reversal = true},
-          [](const EffectArguments& arguments) { return std::make_unique<Backlash>(arguments); }};
+  return {
+      "backlash",
+      "motion is lost on reversal",
+      "Play between motor and wheel: after each change of direction the motor runs a fixed distance "
+      "before the wheel follows. A wheel that little brakes crosses the gap while it slows down, and the "
+      "loss comes when the motor speeds up again. 'wheel': the encoder sits on the wheel and sees the "
+      "loss, 'floor': on the motor, and does not.",
+      {{"wheel", EffectStage::wheel}, {"floor", EffectStage::floor}},
+      {{"gap",
+        "m",
+        "distance lost at each reversal, at the wheel's rim",
+        0.0,
+        0.05,
+        {0.0005, 0.001, 0.002, 0.004, 0.007, 0.012},
+        0.0003},
+       {"braking", "m/s^2", "of a wheel that no tooth touches", 0.05, 50.0, {0.3, 1.5, 50.0}, 0.0, false}},
+      {.reversal = true},
+      [](const EffectArguments& arguments) { return std::make_unique<Backlash>(arguments); }};
 }
 
 }  // namespace wheelwright::effects

@@ -118,6 +118,7 @@ struct EffectInfo {
   bool linear = false;           // a linear core can take it up, and then hides it
   bool acts_first = false;       // on the command as it was sent, before all that happens to it
   bool by_wheel_angle = false;   // hangs on the angle at which the wheels stood when a run began
+  bool by_pose = false;          // hangs on where the robot stands and heads
 };
 
 // An effect as a model holds it.

@@ -45,7 +45,7 @@ class FloorSlope final : public EffectOf<FloorSlope> {
 }  // namespace
 
 EffectInfo floor_slope() {
-  return {
+  EffectInfo info{
       "floor_slope",
       "speed depends on heading",
       "Gravity along a tilted floor: faster down, slower up. Drive both ways along the same line. 'floor': "
@@ -57,6 +57,8 @@ EffectInfo floor_slope() {
        {"along_y", "m/s", "speed gained when heading along y", -0.15, 0.15, {0.01}}},
       {.turning = true},
       [](const EffectArguments& arguments) { return std::make_unique<FloorSlope>(arguments); }};
+  info.by_pose = true;
+  return info;
 }
 
 }  // namespace wheelwright::effects

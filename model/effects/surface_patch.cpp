@@ -16,18 +16,14 @@ class SurfacePatch final : public EffectOf<SurfacePatch> {
         half_width_m_(0.5 * arguments.parameters[4]),
         cosine_(std::cos(arguments.parameters[5])),
         sine_(std::sin(arguments.parameters[5])),
-        seen_by_encoder_(arguments.variant == 1) {}
+        seen_by_encoder_(arguments.variant % 2 == 1),
+        under_each_(arguments.variant >= 2) {}
 
   void wheel(WheelPair& speed_m_s, const Surroundings& around) override {
-    if (!seen_by_encoder_) return;
-    const double gain = gain_at(around.pose);
-    both(speed_m_s, [gain](double speed) { return gain * speed; });
+    if (seen_by_encoder_) slow_down(speed_m_s, around);
   }
-  void body(Twist& twist, const Surroundings& around) override {
-    if (seen_by_encoder_) return;
-    const double gain = gain_at(around.pose);
-    twist.v_m_s *= gain;
-    twist.w_rad_s *= gain;
+  void floor(WheelPair& speed_m_s, const Surroundings& around) override {
+    if (!seen_by_encoder_) slow_down(speed_m_s, around);
   }
 
  private:
@@ -36,9 +32,17 @@ class SurfacePatch final : public EffectOf<SurfacePatch> {
   static double share_inside(double inside_m) {
     return std::fmin(1.0, std::fmax(0.0, 0.5 + inside_m / edge_m));
   }
-  double gain_at(const Pose& pose) const {
-    const double dx = pose.x_m - x_m_;
-    const double dy = pose.y_m - y_m_;
+  // The region takes effect where the robot's middle is, or under each wheel by itself.
+  void slow_down(WheelPair& speed_m_s, const Surroundings& around) const {
+    const double half = under_each_ ? 0.5 * around.wheel_base_m : 0.0;
+    const double aside_x = -half * std::sin(around.pose.theta_rad);
+    const double aside_y = half * std::cos(around.pose.theta_rad);
+    speed_m_s.left *= gain_at(around.pose.x_m + aside_x, around.pose.y_m + aside_y);
+    speed_m_s.right *= gain_at(around.pose.x_m - aside_x, around.pose.y_m - aside_y);
+  }
+  double gain_at(double at_x_m, double at_y_m) const {
+    const double dx = at_x_m - x_m_;
+    const double dy = at_y_m - y_m_;
     return 1.0 + change_ * share_inside(half_length_m_ - std::abs(cosine_ * dx + sine_ * dy)) *
                      share_inside(half_width_m_ - std::abs(cosine_ * dy - sine_ * dx));
   }
@@ -51,25 +55,32 @@ class SurfacePatch final : public EffectOf<SurfacePatch> {
   double cosine_;
   double sine_;
   bool seen_by_encoder_;
+  bool under_each_;
 };
 
 }  // namespace
 
 EffectInfo surface_patch() {
-  return {"surface_patch",
-          "motion differs inside a region of the floor",
-          "A rug, a wet or worn place. Come back to it: time and battery have changed, the place has not. "
-          "'floor': the "
-          "wheels slip there, 'wheel': they turn more slowly and the encoders see it.",
-          {{"floor", EffectStage::body}, {"wheel", EffectStage::wheel}},
-          {{"change", "1", "relative change of motion inside", -0.9, 0.9, {-0.1}, 0.01},
-           {"x", "m", "middle of the region, in the frame of the reference", -100.0, 100.0, {}, 0.0, false},
-           {"y", "m", "middle of the region", -100.0, 100.0, {}, 0.0, false},
-           {"length", "m", "of the region, a rectangle", 0.1, 40.0, {0.5, 1.0}, 0.0, false},
-           {"width", "m", "of the region", 0.1, 40.0, {0.5, 1.0}, 0.0, false},
-           {"heading", "rad", "of its length", -1.6, 1.6, {0.1}, 0.0, false}},
-          {.reference = true, .place = true},
-          [](const EffectArguments& arguments) { return std::make_unique<SurfacePatch>(arguments); }};
+  EffectInfo info{
+      "surface_patch",
+      "motion differs inside a region of the floor",
+      "A rug, a wet or worn place. Come back to it: time and battery have changed, the place has not. "
+      "'floor': the wheels slip there, 'wheel': they turn more slowly and the encoders see it; '_each': "
+      "under each wheel by itself, so that the robot turns at the edge.",
+      {{"floor", EffectStage::floor},
+       {"wheel", EffectStage::wheel},
+       {"floor_each", EffectStage::floor},
+       {"wheel_each", EffectStage::wheel}},
+      {{"change", "1", "relative change of motion inside", -0.9, 0.9, {-0.1}, 0.01},
+       {"x", "m", "middle of the region, in the frame of the reference", -100.0, 100.0, {}, 0.0, false},
+       {"y", "m", "middle of the region", -100.0, 100.0, {}, 0.0, false},
+       {"length", "m", "of the region, a rectangle", 0.1, 40.0, {0.5, 1.0}, 0.0, false},
+       {"width", "m", "of the region", 0.1, 40.0, {0.5, 1.0}, 0.0, false},
+       {"heading", "rad", "of its length", -1.6, 1.6, {0.1}, 0.0, false}},
+      {.reference = true, .place = true},
+      [](const EffectArguments& arguments) { return std::make_unique<SurfacePatch>(arguments); }};
+  info.by_pose = true;
+  return info;
 }
 
 }  // namespace wheelwright::effects

@@ -35,20 +35,31 @@ std::vector<double> with_edge_moved(std::vector<double> region, std::size_t side
   return region;
 }
 
-std::vector<std::vector<double>> moved(const std::vector<double>& region, double step_m) {
-  std::vector<std::vector<double>> all;
+// Variants of surface_patch stand in two pairs: under the middle, and under each wheel.
+std::size_t other_way(std::size_t variant) {
+  return (variant + 2) % 4;
+}
+
+std::vector<TrialEffect> moved(const TrialEffect& present, double step_m) {
+  std::vector<TrialEffect> all;
+  const auto add = [&](std::vector<double> region) {
+    all.push_back(present);
+    all.back().parameters = std::move(region);
+  };
   for (const double by_m : {step_m, -step_m}) {
     for (const std::size_t side : {length, width}) {
+      if (present.parameters[side] + by_m < least_size_m) continue;
       for (const double direction : {1.0, -1.0}) {
-        all.push_back(with_edge_moved(region, side, direction, by_m));
-        if (all.back()[side] < least_size_m) all.pop_back();
+        add(with_edge_moved(present.parameters, side, direction, by_m));
       }
     }
     for (const std::size_t parameter : {x, y, heading}) {
-      all.push_back(region);
-      all.back()[parameter] += by_m;
+      add(present.parameters);
+      all.back().parameters[parameter] += by_m;
     }
   }
+  all.push_back(present);
+  all.back().variant = other_way(present.variant);
   return all;
 }
 
@@ -65,17 +76,17 @@ TrialModel with_region_tuned(const GapProblem& train, TrialModel model, const Fo
   double least = squares_of(train.residuals(model, part));
   for (const double step_m : steps_m) {
     for (int move = 0; move < most_moves; ++move) {
-      const auto regions = moved(model.effects[*place].parameters, step_m);
+      const auto regions = moved(model.effects[*place], step_m);
       std::vector<double> squares(regions.size());
       for_each(regions.size(), [&](std::size_t i) {
         TrialModel tried = model;
-        tried.effects[*place].parameters = regions[i];
+        tried.effects[*place] = regions[i];
         squares[i] = squares_of(train.residuals(tried, part));
       });
       const auto best = std::ranges::min_element(squares);
       if (*best > least - worth_a_move) break;
       least = *best;
-      model.effects[*place].parameters = regions[static_cast<std::size_t>(best - squares.begin())];
+      model.effects[*place] = regions[static_cast<std::size_t>(best - squares.begin())];
     }
   }
   return model;

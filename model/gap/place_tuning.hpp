@@ -8,8 +8,9 @@ namespace wheelwright::gap {
 
 bool has_region(const TrialModel& model);
 
-// `model` with the region of its surface_patch, if it has one, moved edge by edge, shifted and turned as long
-// as the runs are explained better; all other parameters as they were.
+// `model` with the region of its surface_patch, if it has one, moved edge by edge, shifted and turned, under
+// the robot's middle or each wheel, as long as the runs are explained better; all other parameters as they
+// were.
 TrialModel with_region_tuned(const GapProblem& train, TrialModel model, const ForEach& for_each);
 
 }  // namespace wheelwright::gap

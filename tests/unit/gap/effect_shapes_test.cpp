@@ -88,6 +88,70 @@ TEST_CASE("A region of the floor is a rectangle that may lie askew") {
   CHECK_THAT(speed_at(1.0, 0.55), WithinAbs(0.1, 1e-9));
 }
 
+TEST_CASE("A region of the floor takes hold of each wheel by itself, or of the whole robot") {
+  // To the left of the x axis, which the robot drives along.
+  const std::vector<double> left{-0.2, 0.0, 0.5, 4.0, 1.0, 0.0};
+  ModelSimulation whole = only({"surface_patch", "floor", left});
+  ModelSimulation each = only({"surface_patch", "floor_each", left});
+  for (ModelSimulation* simulation : {&whole, &each}) simulation->reset({0.0, -0.03, 0.0});
+  const Twist straight = whole.step({0.1, 0.1}).twist;
+  CHECK_THAT(straight.v_m_s, WithinAbs(0.1, 1e-9));
+  CHECK_THAT(straight.w_rad_s, WithinAbs(0.0, 1e-9));
+  const Twist dragged = each.step({0.1, 0.1}).twist;
+  CHECK_THAT(dragged.v_m_s, WithinAbs(0.09, 1e-9));
+  CHECK_THAT(dragged.w_rad_s, WithinAbs(0.02 / 0.258, 1e-9));
+}
+
+TEST_CASE("Play is lost on reversal; where little brakes the wheel, on starting again") {
+  const auto way_m = [](ModelSimulation& simulation, double command_m_s, int periods) {
+    double sum = 0.0;
+    for (int k = 0; k < periods; ++k) sum += period_s * simulation.step({command_m_s, 0.0}).wheel_m_s.left;
+    return sum;
+  };
+  const double there_m = 50 * period_s * 0.1;
+  ModelSimulation stands_at_once = only({"backlash", "wheel", {0.004, 50.0}});
+  CHECK_THAT(way_m(stands_at_once, 0.1, 50), WithinAbs(there_m, 1e-9));
+  CHECK_THAT(way_m(stands_at_once, 0.0, 50), WithinAbs(0.0, 1e-9));
+  CHECK_THAT(way_m(stands_at_once, 0.1, 50), WithinAbs(there_m, 1e-9));
+  CHECK_THAT(way_m(stands_at_once, -0.1, 50), WithinAbs(-there_m + 0.004, 1e-9));
+  // 0.1 m/s carry 1 m/s^2 through 5 mm: more than the gap.
+  ModelSimulation runs_on = only({"backlash", "wheel", {0.004, 1.0}});
+  CHECK_THAT(way_m(runs_on, 0.1, 50), WithinAbs(there_m, 1e-9));
+  CHECK_THAT(way_m(runs_on, 0.0, 50), WithinAbs(0.004, 1e-9));
+  CHECK_THAT(way_m(runs_on, 0.1, 50), WithinAbs(there_m - 0.004, 1e-9));
+}
+
+TEST_CASE("A tyre that slides gives the robot so much acceleration and no more, until it has caught up") {
+  ModelSimulation simulation = only({"acceleration_slip", "sliding", {0.5, 0.0}});
+  const auto floor_m_s = [&](double command_m_s, int periods) {
+    double speed_m_s = 0.0;
+    for (int k = 0; k < periods; ++k) speed_m_s = simulation.step({command_m_s, command_m_s}).floor_m_s.left;
+    return speed_m_s;
+  };
+  CHECK_THAT(floor_m_s(0.3, 5), WithinAbs(5 * period_s * 2.0, 1e-12));
+  CHECK_THAT(floor_m_s(0.3, 50), WithinAbs(0.3, 1e-12));
+  CHECK_THAT(floor_m_s(0.31, 1), WithinAbs(0.31, 1e-12));  // gently: it holds
+  CHECK_THAT(floor_m_s(0.0, 5), WithinAbs(0.31 - 5 * period_s * 2.0, 1e-12));
+}
+
+TEST_CASE("A tyre holds up to its grip, and gives less once it slides") {
+  const auto after_a_period = [](double command_m_s) {
+    ModelSimulation simulation = only({"acceleration_slip", "sliding", {1.0, 5.0}});
+    return simulation.step({command_m_s, command_m_s}).floor_m_s.left;
+  };
+  CHECK_THAT(after_a_period(4.9 * period_s), WithinAbs(4.9 * period_s, 1e-12));
+  CHECK_THAT(after_a_period(5.1 * period_s), WithinAbs(1.0 * period_s, 1e-12));
+}
+
+TEST_CASE("A drive that warms by use changes its gain while it works and gets it back at rest") {
+  ModelSimulation simulation = only({"gain_drift", "use", {0.1, 10.0}});
+  const int longest = 10000;
+  CHECK_THAT(speed_after(simulation, 0.2, longest), WithinAbs(0.2 * 1.1, 1e-6));
+  speed_after(simulation, 0.0, longest);
+  CHECK_THAT(speed_after(simulation, 0.2, 1), WithinAbs(0.2, 1e-6));
+  CHECK_THAT(speed_after(simulation, 0.1, longest), WithinAbs(0.1 * 1.05, 1e-6));
+}
+
 TEST_CASE("A gain that bends never makes a wheel slower for a larger command") {
   for (const double curvature : {-1.0, 0.5, 3.0}) {
     for (const double cubic : {-3.0, 0.0, 3.0}) {
