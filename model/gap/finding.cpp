@@ -79,6 +79,29 @@ std::vector<Finding> findings_of(const GapProblem& train, const GapSearch& searc
   return all;
 }
 
+void add_rivals_that_cannot_show(std::span<Finding> found, std::span<const Untestable> untestable,
+                                 double longest_run_s) {
+  constexpr double evenly = 2.0;  // time constant of a drift, in runs
+  const auto cannot_show = [&](std::string_view name) {
+    return std::ranges::find(untestable, name, &Untestable::effect) != untestable.end();
+  };
+  const auto add = [](Finding& finding, const std::string& rival) {
+    finding.posterior *= 0.5;
+    finding.rivals.insert(finding.rivals.begin(), {rival, finding.posterior});
+    finding.rival_share = 1.0;
+  };
+  for (Finding& finding : found) {
+    const std::string& name = finding.setting.name;
+    if (name == "coulomb_friction" && cannot_show("floor_slope") && cannot_show("backlash")) {
+      add(finding, "floor_slope");
+    }
+    if (name == "gain_drift" && cannot_show("voltage_sag") &&
+        finding.setting.parameters[1] > evenly * longest_run_s) {
+      add(finding, "voltage_sag");
+    }
+  }
+}
+
 std::optional<Finding> dropout_finding(std::span<const Dropout> dropouts, double watched_s) {
   constexpr std::size_t more_than_chance = 2;
   if (dropouts.size() < more_than_chance || watched_s <= 0.0) return std::nullopt;

@@ -8,6 +8,7 @@
 
 #include "model/gap/data_gate.hpp"
 #include "model/gap/gap_search.hpp"
+#include "model/gap/testability.hpp"
 #include "model/robot_model.hpp"
 
 namespace wheelwright::gap {
@@ -31,6 +32,12 @@ struct Finding {
 // what is missed most where it is taken out of the model. The posterior of a name is that in its place, the
 // others being there.
 std::vector<Finding> findings_of(const GapProblem& train, const GapSearch& search);
+
+// An effect that these runs cannot show may do the same in them as one that was found: then it is a rival as
+// good. A constant loss in one direction and at one heading may be a slope; a gain that falls evenly, and no
+// voltage in the logs, may be the battery.
+void add_rivals_that_cannot_show(std::span<Finding> found, std::span<const Untestable> untestable,
+                                 double longest_run_s);
 
 // Counts that stood still are an effect of the library, but one that the data gate finds. A single time is a
 // fault of the data and no more.

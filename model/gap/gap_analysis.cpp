@@ -85,6 +85,9 @@ TrialModel Analysis::start() {
   const GapRun& run = gathered_.train.runs.front();
   CoreShape shape;
   shape.shared = !train_problem_->has_counts();
+  shape.reference_lag = std::ranges::all_of(gathered_.train.runs, [](const GapRun& each) {
+    return each.has_counts && !each[Channel::forward].empty();
+  });
   // A core that reaches back 90 ms holds what delay is usual of a serial line and a motor; more of it is an
   // effect.
   shape.weights = static_cast<std::size_t>(std::clamp(std::lround(0.09 / run.period_s) + 1, 3L, 10L));
@@ -217,6 +220,9 @@ bool Analysis::leave_out_linear_effects() {
 
 void Analysis::conclude() {
   result_.found = findings_of(*train_problem_, result_.search);
+  double longest_run_s = 0.0;
+  for (const GapRun& run : gathered_.train.runs) longest_run_s = std::max(longest_run_s, run.duration_s());
+  add_rivals_that_cannot_show(result_.found, testability_.untestable, longest_run_s);
   if (auto dropout = dropout_finding(gathered_.dropouts, gathered_.watched_s)) {
     result_.found.insert(result_.found.begin(), *std::move(dropout));
   }

@@ -17,7 +17,9 @@ Pose first_pose(const GapRun& run, const ModelSimulation& simulation) {
   return run.references.empty() ? Pose{} : simulation.axle_of(run.references.front().pose);
 }
 
-Path simulate(ModelSimulation& simulation, const GapRun& run) {
+// Where the robot passed is known better by dense references than by a run of the model that has gone astray:
+// effects that act by place and heading act there. The path is the model's own all the same.
+Path simulate(ModelSimulation& simulation, const GapRun& run, bool by_pose) {
   const std::size_t periods = run.commands_m_s.size();
   Path path;
   path.distance_m.reserve(periods + 1);
@@ -28,10 +30,12 @@ Path simulate(ModelSimulation& simulation, const GapRun& run) {
   path.distance_m.push_back(run.rolled_before_m);
   path.axle.push_back(simulation.pose());
   const double t = run.period_s;
+  const bool follows = by_pose && !run.passed.empty();
   for (std::size_t k = 0; k < periods; ++k) {
+    if (follows) simulation.set_pose(simulation.axle_of(run.passed[k]));
     const auto& now = simulation.step(run.commands_m_s[k], run.battery_v[k]);
     path.distance_m.push_back(simulation.distance_m());
-    path.axle.push_back(simulation.pose());
+    path.axle.push_back(follows ? move_along_arc(path.axle.back(), now.twist, t) : simulation.pose());
     const Twist counted = twist_of_wheels(now.wheel_m_s, run.wheel_base_m);
     path.odometry.push_back({counted.v_m_s * t, counted.w_rad_s * t});
     path.body.push_back({now.twist.v_m_s * t, now.twist.w_rad_s * t});
@@ -101,13 +105,22 @@ void wheel_errors(const GapRun& run, const Path& path, Channel channel, std::vec
   for (std::size_t i = 0; i < series.at.size(); ++i) errors.push_back(series.value[i] - travel(series.at[i]));
 }
 
-void motion_errors(const GapRun& run, const ModelSimulation& simulation, const Path& path,
+// So much earlier on the grid.
+GridTime earlier(const GapRun& run, const GridTime& at, double by_s) {
+  if (by_s == 0.0) return at;
+  const auto last = static_cast<double>(run.commands_m_s.size());
+  const double time = std::clamp(static_cast<double>(at.period) + at.share - by_s / run.period_s, 0.0, last);
+  const double whole = std::floor(time);
+  return {static_cast<std::size_t>(whole), time - whole};
+}
+
+void motion_errors(const GapRun& run, const ModelSimulation& simulation, const Path& path, double lag_s,
                    RunErrors& errors) {
   const auto& at = run[Channel::forward].at;
   Increment sum;
   Pose before;
   for (std::size_t i = 0; i < at.size(); ++i) {
-    const Pose now = simulation.observed(pose_at(path.axle, at[i]));
+    const Pose now = simulation.observed(pose_at(path.axle, earlier(run, at[i], lag_s)));
     if (i > 0) {
       Increment step = increment(before, now);
       if (run.has_counts) {
@@ -166,9 +179,10 @@ void measure_motion(GapRun& run) {
 
 RunErrors free_run_errors(const TrialModel& model, const GapRun& run, Part part) {
   ModelSimulation simulation = model.simulation();
-  const auto by_place = [](const TrialEffect& effect) { return effect.info->needs.place; };
-  if (part == Part::wheels && std::ranges::none_of(model.effects, by_place)) simulation.leave_out_place();
-  const Path path = simulate(simulation, run);
+  const bool by_pose =
+      std::ranges::any_of(model.effects, [](const TrialEffect& effect) { return effect.info->by_pose; });
+  if (!by_pose && part == Part::wheels) simulation.leave_out_place();
+  const Path path = simulate(simulation, run, by_pose);
   RunErrors errors;
   for (const Channel channel : {Channel::left, Channel::right}) {
     if (!run[channel].empty() && part != Part::motion) {
@@ -182,7 +196,7 @@ RunErrors free_run_errors(const TrialModel& model, const GapRun& run, Part part)
           stretch_error(run, simulation, path, run.references[i - 1], run.references[i]));
     }
   } else if (!run[Channel::forward].empty()) {
-    motion_errors(run, simulation, path, errors);
+    motion_errors(run, simulation, path, model.reference_lag_s(), errors);
   }
   return errors;
 }

@@ -192,7 +192,8 @@ Part GapProblem::part_of(const TrialEffect& effect) const {
 }
 
 Part GapProblem::part_of_parameter(const TrialModel& model, std::size_t parameter) const {
-  if (parameter < model.core.size()) return part_of(EffectStage::command);
+  if (parameter < model.shape.of_wheels()) return part_of(EffectStage::command);
+  if (parameter < model.core.size()) return part_of(EffectStage::observation);
   parameter -= model.core.size();
   for (const auto& effect : model.effects) {
     if (parameter < effect.parameters.size()) return part_of(effect);

@@ -9,7 +9,7 @@
 namespace wheelwright::gap {
 namespace {
 
-constexpr double sparse_from_s = 0.35;  // median distance of references
+constexpr double sparse_from_s = 1.0;  // median distance of references
 
 GridTime grid_time(const GapRun& run, double t_s) {
   const double periods = std::max(0.0, (t_s - run.start_s) / run.period_s);
@@ -119,6 +119,23 @@ void lay_odometry(GapRun& run) {
   }
 }
 
+Pose between(const Reference& a, const Reference& b, double share) {
+  return {a.pose.x_m + share * (b.pose.x_m - a.pose.x_m), a.pose.y_m + share * (b.pose.y_m - a.pose.y_m),
+          a.pose.theta_rad + share * (b.pose.theta_rad - a.pose.theta_rad)};
+}
+
+void lay_passed(GapRun& run) {
+  std::size_t next = 1;
+  for (std::size_t k = 0; k <= run.commands_m_s.size(); ++k) {
+    const double time_s = run.period_s * static_cast<double>(k);
+    while (next + 1 < run.references.size() && grid_s(run, run.references[next].at) < time_s) ++next;
+    const double from_s = grid_s(run, run.references[next - 1].at);
+    const double to_s = grid_s(run, run.references[next].at);
+    const double share = to_s > from_s ? std::clamp((time_s - from_s) / (to_s - from_s), 0.0, 1.0) : 1.0;
+    run.passed.push_back(between(run.references[next - 1], run.references[next], share));
+  }
+}
+
 bool far_apart(const GapRun& run) {
   if (run.references.size() < 2) return true;
   std::vector<double> between;
@@ -143,6 +160,7 @@ GapRun make_gap_run(const DriveLog& log, const RowFlags& flags, double period_s)
   if (run.has_counts) lay_odometry(run);
   run.sparse = far_apart(run);
   if (!run.sparse) {
+    lay_passed(run);
     for (const Channel channel : {Channel::forward, Channel::aside, Channel::turn}) {
       for (const auto& reference : run.references) run[channel].at.push_back(reference.at);
       run[channel].restarts = restarts;

@@ -57,6 +57,7 @@ struct GapRun {
   WheelPair rolled_before_m;            // tells the angle at which the wheels stood at the start
   std::array<Series, channel_count> series;
   std::vector<Reference> references;  // with x, y and heading
+  std::vector<Pose> passed;           // the same at each grid point, between the references; empty if sparse
   bool has_counts = false;
   bool sparse = false;                 // references are far apart
   std::vector<OdometryStep> odometry;  // one per period, where there are counts

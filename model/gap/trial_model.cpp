@@ -89,7 +89,7 @@ TrialModel TrialModel::with_larger_core() const {
   larger.shape.poles += 1;
   larger.shape.weights += 1;
   larger.core.clear();
-  for (std::size_t wheel = 0; wheel < core.size(); wheel += shape.per_wheel()) {
+  for (std::size_t wheel = 0; wheel < shape.of_wheels(); wheel += shape.per_wheel()) {
     const auto begin = core.begin() + static_cast<std::ptrdiff_t>(wheel);
     const auto weights = begin + static_cast<std::ptrdiff_t>(shape.poles);
     const auto rest = weights + static_cast<std::ptrdiff_t>(shape.weights);
@@ -99,6 +99,7 @@ TrialModel TrialModel::with_larger_core() const {
     larger.core.push_back(0.0);
     if (shape.crossed) larger.core.push_back(*rest);
   }
+  if (shape.reference_lag) larger.core.push_back(core.back());
   return larger;
 }
 
@@ -106,11 +107,12 @@ TrialModel TrialModel::with_crossed_core() const {
   TrialModel crossed = *this;
   crossed.shape.crossed = true;
   crossed.core.clear();
-  for (std::size_t wheel = 0; wheel < core.size(); wheel += shape.per_wheel()) {
+  for (std::size_t wheel = 0; wheel < shape.of_wheels(); wheel += shape.per_wheel()) {
     const auto begin = core.begin() + static_cast<std::ptrdiff_t>(wheel);
     crossed.core.insert(crossed.core.end(), begin, begin + static_cast<std::ptrdiff_t>(shape.per_wheel()));
     crossed.core.push_back(0.0);
   }
+  if (shape.reference_lag) crossed.core.push_back(core.back());
   return crossed;
 }
 
@@ -134,7 +136,7 @@ TrialModel first_guess(const CoreShape& shape, double period_s, double wheel_bas
   TrialModel model{shape, period_s, wheel_base_m, std::vector<double>(shape.size(), 0.0), {}};
   const double pole = std::exp(-period_s / lag_s);
   const auto delay = std::min(static_cast<std::size_t>(std::lround(delay_s / period_s)), shape.weights - 1);
-  for (std::size_t wheel = 0; wheel < model.core.size(); wheel += shape.per_wheel()) {
+  for (std::size_t wheel = 0; wheel < shape.of_wheels(); wheel += shape.per_wheel()) {
     if (shape.poles > 0) model.core[wheel] = pole;
     model.core[wheel + shape.poles + delay] = shape.poles > 0 ? 1.0 - pole : 1.0;
   }

@@ -24,24 +24,30 @@ struct TrialEffect {
 // Short on purpose: what a long core could imitate (delay, lag, ringing), it would take from the effect that
 // is there (GAP.md, point 6). `shared` gives both wheels one response: without counts, a difference of the
 // wheels and a difference of their motors are one and the same, and it is called the wheels'.
+// `reference_lag`: the references may tell of a moment other than the counts do, by a clock that is off or a
+// tyre that yields; how much is found beside the core, or the loss at each reversal would look like play.
 struct CoreShape {
   std::size_t poles = 2;
   std::size_t weights = 6;  // from_own lags 0..weights-1
   bool shared = false;
   bool crossed = false;  // each wheel also feels a share of the other's command
+  bool reference_lag = false;
 
   std::size_t per_wheel() const { return poles + weights + (crossed ? 1 : 0); }
-  std::size_t size() const { return shared ? per_wheel() : 2 * per_wheel(); }
+  std::size_t of_wheels() const { return shared ? per_wheel() : 2 * per_wheel(); }
+  std::size_t size() const { return of_wheels() + (reference_lag ? 1 : 0); }
 };
 
 struct TrialModel {
   CoreShape shape;
   double period_s = 0.018;
   double wheel_base_m = 0.235;
-  std::vector<double> core;  // a, b, share of the other's command; left, then right where not shared
+  // a, b, share of the other's command; left, then right where not shared; lag of the references, s
+  std::vector<double> core;
   std::vector<TrialEffect> effects;
 
   LinearModel linear() const;
+  double reference_lag_s() const { return shape.reference_lag ? core.back() : 0.0; }
   ModelSimulation simulation() const;
   // Core and effect parameters, one after the other.
   std::size_t parameter_count() const;

@@ -94,3 +94,26 @@ TEST_CASE("Where nothing was found the figures say whether something is missing"
   CHECK(verdict_of(analysis_with({}, position(1.1, 1.1))) == Verdict::nothing_missing);
   CHECK(verdict_of(analysis_with({}, position(1.8, 1.8))) == Verdict::unnamed);
 }
+
+TEST_CASE("A loss in one direction at one heading may be friction as well as a slope") {
+  const std::vector<Untestable> neither{{"floor_slope", "no turn"}, {"backlash", "no reversal"}};
+  std::vector<Finding> found{finding("coulomb_friction", 500.0)};
+  add_rivals_that_cannot_show(found, neither, 60.0);
+  CHECK(found.front().rivals.front().effect == "floor_slope");
+  CHECK(verdict_of(analysis_with(found, position(3.0, 1.0))) == Verdict::ambiguous);
+
+  std::vector<Finding> with_reversals{finding("coulomb_friction", 500.0)};
+  add_rivals_that_cannot_show(with_reversals, std::span(neither).first(1), 60.0);
+  CHECK(with_reversals.front().rivals.empty());
+}
+
+TEST_CASE(
+    "A gain that falls evenly may be the battery, of which the logs say nothing; one that settles is not") {
+  const std::vector<Untestable> no_voltage{{"voltage_sag", "no voltage"}};
+  std::vector<Finding> found{finding("gain_drift", 500.0), finding("gain_drift", 500.0)};
+  found[0].setting.parameters = {-0.2, 600.0};
+  found[1].setting.parameters = {-0.2, 20.0};
+  add_rivals_that_cannot_show(found, no_voltage, 60.0);
+  CHECK(found[0].rivals.front().effect == "voltage_sag");
+  CHECK(found[1].rivals.empty());
+}
