@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace wheelwright::gap {
@@ -11,7 +12,8 @@ namespace {
 constexpr double smallest_wheel_m = 0.15;  // circumference
 constexpr double largest_wheel_m = 0.40;
 constexpr double least_nats_a_run = 6.0;
-constexpr double one_angle_explains = 0.7;  // of what an angle for each run explains: then one is enough
+constexpr double one_angle_explains = 0.7;   // of what an angle for each run explains: then one is enough
+constexpr double furthest_counted_m = 30.0;  // between the runs' first counts: beyond, the angle is lost
 
 // Sine and cosine of the left wheel, then of the right one.
 using Amounts = Eigen::Vector4d;
@@ -28,9 +30,46 @@ struct Normal {
   double nats() const { return 0.5 * right_side.dot(solution()); }
 };
 
+// How far the wheels had rolled before each run.
+struct RolledBefore {
+  std::vector<WheelPair> train_m;
+  std::vector<WheelPair> heldout_m;
+};
+
+RolledBefore nothing_rolled(const GapProblem& train, const GapProblem& heldout) {
+  return {std::vector<WheelPair>(train.runs().size()), std::vector<WheelPair>(heldout.runs().size())};
+}
+
+// By what the runs' first counts stand at, from the least on; nothing where they are no help.
+RolledBefore counted_before(const GapProblem& train, const GapProblem& heldout) {
+  const RolledBefore nothing = nothing_rolled(train, heldout);
+  RolledBefore counted = nothing;
+  WheelPair least{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+  WheelPair most{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest()};
+  const auto each = [&](const auto& visit) {
+    for (std::size_t r = 0; r < train.runs().size(); ++r) visit(train.runs()[r], counted.train_m[r]);
+    for (std::size_t r = 0; r < heldout.runs().size(); ++r) visit(heldout.runs()[r], counted.heldout_m[r]);
+  };
+  bool known = true;
+  each([&](const GapRun& run, WheelPair& before) {
+    known = known && run.has_counts;
+    if (!run.has_counts) return;
+    before = {run[Channel::left].value.front(), run[Channel::right].value.front()};
+    least = {std::min(least.left, before.left), std::min(least.right, before.right)};
+    most = {std::max(most.left, before.left), std::max(most.right, before.right)};
+  });
+  if (!known || std::max(most.left - least.left, most.right - least.right) > furthest_counted_m)
+    return nothing;
+  each([&](const GapRun&, WheelPair& before) {
+    before = {before.left - least.left, before.right - least.right};
+  });
+  return counted;
+}
+
 // How far the wheels have rolled at each reading of a channel.
-std::vector<WheelPair> rolled_at(const GapRun& run, const TrialModel& model, Channel channel) {
-  std::vector<WheelPair> grid{WheelPair{}};
+std::vector<WheelPair> rolled_at(const GapRun& run, const WheelPair& before_m, const TrialModel& model,
+                                 Channel channel) {
+  std::vector<WheelPair> grid{before_m};
   if (run.has_counts) {
     for (const auto& step : run.odometry) {
       const double half = 0.5 * step.turn_rad * run.wheel_base_m;
@@ -68,7 +107,8 @@ struct RunTravel {
   std::vector<std::vector<WheelPair>> rolled_m;  // of each channel
 };
 
-std::vector<RunTravel> travels(const GapProblem& problem, const TrialModel& model, EffectStage stage) {
+std::vector<RunTravel> travels(const GapProblem& problem, const std::vector<WheelPair>& before_m,
+                               const TrialModel& model, EffectStage stage) {
   std::vector<RunTravel> all;
   for (std::size_t r = 0; r < problem.runs().size(); ++r) {
     const GapRun& run = problem.runs()[r];
@@ -76,7 +116,7 @@ std::vector<RunTravel> travels(const GapProblem& problem, const TrialModel& mode
     for (const auto& channel : watched(run, stage)) {
       if (run[channel.channel].empty()) continue;
       travel.channels.push_back(channel);
-      travel.rolled_m.push_back(rolled_at(run, model, channel.channel));
+      travel.rolled_m.push_back(rolled_at(run, before_m[r], model, channel.channel));
     }
     all.push_back(std::move(travel));
   }
@@ -146,35 +186,40 @@ std::vector<double> circumferences(const std::vector<RunTravel>& travels) {
 struct Ripple {
   double circumference_m = 0.0;
   double nats = 0.0;  // with an angle for each run
-  double nats_of_one_angle = 0.0;
   std::vector<Amounts> of_run;
-  Amounts of_all = Amounts::Zero();
+  Normal together;  // with one angle for all
 };
 
 Ripple ripple_of(const GapProblem& problem, const std::vector<RunTravel>& travels,
                  const std::vector<double>& residuals, double circumference_m) {
   Ripple ripple;
   ripple.circumference_m = circumference_m;
-  Normal sum;
   for (const auto& travel : travels) {
     const Normal normal = normal_equations(problem, travel, residuals, circumference_m);
     ripple.nats += normal.nats();
     ripple.of_run.push_back(normal.solution());
-    sum.products += normal.products;
-    sum.right_side += normal.right_side;
+    ripple.together.products += normal.products;
+    ripple.together.right_side += normal.right_side;
   }
-  ripple.nats_of_one_angle = sum.nats();
-  ripple.of_all = sum.solution();
   return ripple;
 }
 
+double of_each_run(const Ripple& ripple) {
+  return ripple.nats;
+}
+
+double of_all_runs(const Ripple& ripple) {
+  return ripple.together.nats();
+}
+
 Ripple strongest_ripple(const GapProblem& problem, const std::vector<RunTravel>& travels,
-                        const std::vector<double>& residuals, const ForEach& for_each) {
+                        const std::vector<double>& residuals, double (*nats)(const Ripple&),
+                        const ForEach& for_each) {
   const std::vector<double> tried = circumferences(travels);
   std::vector<Ripple> ripples(tried.size());
   for_each(tried.size(),
            [&](std::size_t i) { ripples[i] = ripple_of(problem, travels, residuals, tried[i]); });
-  return *std::ranges::max_element(ripples, {}, &Ripple::nats);
+  return *std::ranges::max_element(ripples, {}, nats);
 }
 
 // The way after which a pure sine has the angle of these amounts.
@@ -193,37 +238,71 @@ double mean_size(const Ripple& ripple, Eigen::Index sine) {
   return sum / static_cast<double>(ripple.of_run.size());
 }
 
+// Looks for a wheel's ripple in some runs and takes it to others.
+class AngleSearch {
+ public:
+  AngleSearch(const GapProblem& train, const GapProblem& heldout, const GapFit& fit, const EffectInfo& info,
+              const ForEach& for_each)
+      : train_(train), heldout_(heldout), fit_(fit), info_(info), for_each_(for_each) {}
+
+  std::optional<WheelAngles> run() {
+    const RolledBefore nothing = nothing_rolled(train_, heldout_);
+    Ripple best;
+    for (std::size_t variant = 0; variant < info_.variants.size(); ++variant) {
+      const Ripple ripple = strongest(variant, nothing, of_each_run);
+      if (ripple.nats <= best.nats) continue;
+      best = ripple;
+      variant_ = variant;
+    }
+    if (best.nats < least_nats_a_run * static_cast<double>(train_.runs().size())) return std::nullopt;
+    for (const RolledBefore& before : {nothing, counted_before(train_, heldout_)}) {
+      if (auto found = with_one_angle(before, best)) return found;
+    }
+    WheelAngles found{{&info_, variant_, {}}, ways_before(best), {}, true};
+    found.heldout_rolled_m = ways_before(beyond(best.circumference_m, nothing));
+    found.start.parameters = {mean_size(best, 0), 0.0, mean_size(best, 2), 0.0, best.circumference_m};
+    return found;
+  }
+
+ private:
+  Ripple strongest(std::size_t variant, const RolledBefore& before, double (*nats)(const Ripple&)) const {
+    const auto travel = travels(train_, before.train_m, fit_.model, info_.variants[variant].stage);
+    return strongest_ripple(train_, travel, fit_.residuals, nats, for_each_);
+  }
+
+  Ripple beyond(double circumference_m, const RolledBefore& before) const {
+    const auto travel = travels(heldout_, before.heldout_m, fit_.model, info_.variants[variant_].stage);
+    return ripple_of(heldout_, travel, heldout_.residuals(fit_.model), circumference_m);
+  }
+
+  std::optional<WheelAngles> with_one_angle(const RolledBefore& before, const Ripple& of_each) const {
+    const Ripple ripple = strongest(variant_, before, of_all_runs);
+    const Ripple further = beyond(ripple.circumference_m, before);
+    Normal together = ripple.together;
+    together.products += further.together.products;
+    together.right_side += further.together.right_side;
+    if (together.nats() < one_angle_explains * (of_each.nats + further.nats)) return std::nullopt;
+    const Amounts a = ripple.together.solution();
+    return WheelAngles{{&info_, variant_, {a(0), a(1), a(2), a(3), ripple.circumference_m}},
+                       before.train_m,
+                       before.heldout_m,
+                       false};
+  }
+
+  const GapProblem& train_;
+  const GapProblem& heldout_;
+  const GapFit& fit_;
+  const EffectInfo& info_;
+  const ForEach& for_each_;
+  std::size_t variant_ = 0;
+};
+
 }  // namespace
 
 std::optional<WheelAngles> find_wheel_angles(const GapProblem& train, const GapProblem& heldout,
                                              const GapFit& fit, const EffectInfo& info,
                                              const ForEach& for_each) {
-  Ripple best;
-  std::size_t best_variant = 0;
-  for (std::size_t variant = 0; variant < info.variants.size(); ++variant) {
-    const auto travel = travels(train, fit.model, info.variants[variant].stage);
-    const Ripple ripple = strongest_ripple(train, travel, fit.residuals, for_each);
-    if (ripple.nats <= best.nats) continue;
-    best = ripple;
-    best_variant = variant;
-  }
-  if (best.nats < least_nats_a_run * static_cast<double>(train.runs().size())) return std::nullopt;
-
-  WheelAngles found{{&info, best_variant, {}},
-                    std::vector<WheelPair>(train.runs().size()),
-                    std::vector<WheelPair>(heldout.runs().size()),
-                    best.nats_of_one_angle < one_angle_explains * best.nats};
-  if (!found.differ) {
-    const Amounts& a = best.of_all;
-    found.start.parameters = {a(0), a(1), a(2), a(3), best.circumference_m};
-    return found;
-  }
-  const auto travel = travels(heldout, fit.model, info.variants[best_variant].stage);
-  found.train_rolled_m = ways_before(best);
-  found.heldout_rolled_m =
-      ways_before(ripple_of(heldout, travel, heldout.residuals(fit.model), best.circumference_m));
-  found.start.parameters = {mean_size(best, 0), 0.0, mean_size(best, 2), 0.0, best.circumference_m};
-  return found;
+  return AngleSearch(train, heldout, fit, info, for_each).run();
 }
 
 }  // namespace wheelwright::gap

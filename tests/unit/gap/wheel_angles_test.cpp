@@ -54,6 +54,19 @@ std::optional<WheelAngles> angles_of(const Fitted& all) {
                            for_each_in_turn);
 }
 
+// The library's own ripple, of 5 % and a wheel of 0.22 m, laid into a log of round wheels of which the left
+// one had rolled so far before.
+void add_ripple(DriveLog& log, double before_m) {
+  const double per_metre = 2.0 * 3.14159265358979 / 0.22;
+  const WheelTicks first = *log.samples.front().ticks;
+  for (auto& sample : log.samples) {
+    const double rolled_m = static_cast<double>(sample.ticks->left - first.left) * log.metres_per_tick->left;
+    const double ripple_m =
+        0.05 / per_metre * (std::cos(per_metre * before_m) - std::cos(per_metre * (before_m + rolled_m)));
+    sample.ticks->left += std::lround(ripple_m / log.metres_per_tick->left);
+  }
+}
+
 }  // namespace
 
 TEST_CASE("Wheels that began each run at another angle give their circumference, and an angle for each run") {
@@ -74,21 +87,27 @@ TEST_CASE("Round wheels ripple nowhere") {
 }
 
 TEST_CASE("Where every run begins at the same angle, one angle serves all") {
-  // The library's own ripple, counted from the start of each run, laid into logs of round wheels.
   auto logs = plant_runs("clean");
-  const double per_metre = 2.0 * 3.14159265358979 / 0.22;
-  for (auto& log : logs) {
-    const WheelTicks first = *log.samples.front().ticks;
-    for (auto& sample : log.samples) {
-      const double rolled_m =
-          static_cast<double>(sample.ticks->left - first.left) * log.metres_per_tick->left;
-      const double ripple_m = 0.05 / per_metre * (1.0 - std::cos(per_metre * rolled_m));
-      sample.ticks->left += std::lround(ripple_m / log.metres_per_tick->left);
-    }
-  }
+  for (auto& log : logs) add_ripple(log, 0.0);
   const auto found = angles_of(fitted(logs));
   REQUIRE(found);
   CHECK_FALSE(found->differ);
   CHECK_THAT(found->start.parameters[4], WithinRel(0.22, 0.01));
   CHECK_THAT(found->start.parameters[0], WithinRel(0.05, 0.3));
+}
+
+TEST_CASE("Counts that go on from one run to the next tell the angle, and one serves all") {
+  auto logs = plant_runs("clean");
+  for (std::size_t run = 0; run < logs.size(); ++run) {
+    const double before_m = 1.37 * static_cast<double>(run + 1);
+    add_ripple(logs[run], before_m);
+    const auto before = std::lround(before_m / logs[run].metres_per_tick->left);
+    const auto further = before - logs[run].samples.front().ticks->left;
+    for (auto& sample : logs[run].samples) sample.ticks->left += further;
+  }
+  const auto found = angles_of(fitted(logs));
+  REQUIRE(found);
+  CHECK_FALSE(found->differ);
+  CHECK_THAT(found->train_rolled_m[2].left - found->train_rolled_m[0].left, WithinAbs(2.74, 0.001));
+  CHECK_THAT(found->start.parameters[4], WithinRel(0.22, 0.01));
 }
