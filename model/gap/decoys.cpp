@@ -42,7 +42,8 @@ class CrossTalk final : public EffectOf<CrossTalk> {
   std::size_t variant_;
 };
 
-// The gain follows what was commanded over the last seconds.
+// The gain follows what was commanded over the last seconds: later than a bend of the gain would, and sooner
+// than what warms up.
 class HistoryGain final : public EffectOf<HistoryGain> {
  public:
   explicit HistoryGain(const EffectArguments& arguments)
@@ -143,7 +144,7 @@ std::vector<EffectInfo> make_decoys() {
       decoy<SmoothEven>("decoy_even", {""}, EffectStage::command, {size(0.05)}),
       decoy<CrossTalk>("decoy_cross_talk", {"size", "product"}, EffectStage::command, {size(0.05)}),
       decoy<HistoryGain>("decoy_history", {""}, EffectStage::command,
-                         {size(0.05), {"time", "s", "", 0.5, 60.0, {0.7, 2.0, 8.0}, 0.0, false}}),
+                         {size(0.05), {"time", "s", "", 1.5, 8.0, {2.0, 6.0}, 0.0, false}}),
       decoy<SpeedMemory>("decoy_memory", {""}, EffectStage::command,
                          {size(0.05), {"time", "s", "", 0.3, 10.0, {0.4, 1.5}, 0.0, false}}),
       decoy<SlowSwing>("decoy_swing", {""}, EffectStage::command,

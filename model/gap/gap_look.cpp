@@ -183,6 +183,31 @@ void GapLook::place_regions(Round& round, int steps) const {
   if (placed) contest_.judge(round);
 }
 
+// What is missing, noise that was estimated without it has taken up: a steady drift looks like a random walk.
+// The best of a round in which none is good enough is judged once more, by the noise that it would leave;
+// that noise stays where it is good enough then.
+bool GapLook::stands_out_of_its_own_noise(const Round& round) {
+  const Contender* best = nullptr;
+  const auto nats = [](const Contender& one) { return (one.train_nats + one.heldout_nats) / one.inflation; };
+  for (const auto& contender : round.contenders) {
+    const bool helps = contender.train_nats > 0.0 && contender.heldout_nats > 0.0;
+    if (!helps || is_decoy(*contender.effect.info) || contender.effect.info->linear) continue;
+    if (best == nullptr || nats(contender) > nats(*best)) best = &contender;
+  }
+  if (best == nullptr) return false;
+  const NoiseModel noise = train_.noise();
+  set_noise_left_by(best->fit.model);
+  Round alone{train_.fit(round.without.model, steps_of_a_refit), 0.0, {}, {}};
+  alone.contenders.resize(1);
+  alone.contenders.front().fit =
+      train_.fit(best->fit.model, steps_of_a_refit, part_of_last(best->fit.model, 1));
+  contest_.judge(alone);
+  if (!alone.contenders.empty() && contest_.clear(alone.contenders.front())) return true;
+  train_.set_noise(noise);
+  heldout_.set_noise(noise);
+  return false;
+}
+
 Round GapLook::look(const GapFit& without, std::vector<TrialEffect> more_starts) {
   Round round{without, 0.0, {}, {}};
   const Starts tried = starts(without, std::move(more_starts));
@@ -202,8 +227,11 @@ Round GapLook::look(const GapFit& without, std::vector<TrialEffect> more_starts)
   const bool by_pair = round.pair && contest_.pair_worth_adding(*round.pair, round);
   const bool by_single =
       !round.contenders.empty() && round.contenders.front().score >= limits_.least_train_nats;
-  if (!by_pair && !by_single) return round;
-  set_noise_left_by(by_pair ? round.pair->model : round.contenders.front().fit.model);
+  if (by_pair || by_single) {
+    set_noise_left_by(by_pair ? round.pair->model : round.contenders.front().fit.model);
+  } else if (!stands_out_of_its_own_noise(round)) {
+    return round;
+  }
   round.without = train_.fit(round.without.model, steps_of_a_refit);
   fit_all(steps_of_a_refit);
   return round;

@@ -58,6 +58,7 @@ class GapLook {
   Starts starts(const GapFit& without, std::vector<TrialEffect> more_starts);
   TrialModel tuned(const TrialModel& model) const;
   void place_regions(Round& round, int steps) const;
+  bool stands_out_of_its_own_noise(const Round& round);
   Part part_of_last(const TrialModel& model, std::size_t effects) const;
 
   GapProblem& train_;

@@ -228,7 +228,8 @@ void Search::swap_while_better(GapSearch& result) {
 // Beside other effects, a linear one is no more than a better linear model, and one that helps a little is
 // often the shape of the others: such an effect stays only where free runs come closer by it. One at a time,
 // the least needed first, since two may stand for each other. Free runs hardly tell a delay from a slow
-// motor; one that no core could hold is no mere shape.
+// motor; one that no core could hold is no mere shape. One that helps a little and in whose place another
+// would help more does not stand for itself, whatever the free runs say.
 bool Search::drop_idle(GapSearch& result) {
   if (result.final.model.effects.size() < 2) return false;
   std::vector<std::pair<double, std::size_t>> idle;
@@ -247,7 +248,12 @@ bool Search::drop_idle(GapSearch& result) {
     TrialModel others = result.final.model;
     others.effects.erase(others.effects.begin() + static_cast<std::ptrdiff_t>(place));
     GapFit without = train_.fit(others, steps_of_a_fit);
-    if (free_runs_.closer(without.model, result.final.model)) continue;
+    const bool replaceable =
+        result.checks[place].contenders.front().effect.info != result.final.model.effects[place].info;
+    if (!(replaceable && nats < limits_.least_idle_nats) &&
+        free_runs_.closer(without.model, result.final.model)) {
+      continue;
+    }
     result.final = std::move(without);
     return true;
   }
