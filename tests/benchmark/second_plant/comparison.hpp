@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/benchmark/second_plant/run.hpp"
+
+namespace second_plant {
+
+// How far a case lies from the same robot without what is hidden, on the same drives.
+struct Comparison {
+  double wheel_speed_m_s = 0.0;    // RMS over windows of 0.25 s
+  double wheel_bent_m_s = 0.0;     // what a linear model of the commands cannot take up of it
+  double wheel_noise_m_s = 0.0;    // from the tick quantiser
+  double lateral_speed_m_s = 0.0;  // of the reference point
+  double forward_speed_m_s = 0.0;  // of the reference point
+  double forward_bent_m_s = 0.0;
+  double forward_noise_m_s = 0.0;
+  double turn_rate_rad_s = 0.0;
+  double turn_bent_rad_s = 0.0;
+  double turn_noise_rad_s = 0.0;
+};
+
+Comparison compare(const std::vector<Run>& hidden, const std::vector<Run>& innocent,
+                   const SensorSet& sensors);
+
+std::string comparison_header();
+std::string comparison_line(const std::string& case_name, const Comparison& comparison);
+
+}  // namespace second_plant
