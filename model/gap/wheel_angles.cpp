@@ -42,8 +42,7 @@ RolledBefore nothing_rolled(const GapProblem& train, const GapProblem& heldout) 
 
 // By what the runs' first counts stand at, from the least on; nothing where they are no help.
 RolledBefore counted_before(const GapProblem& train, const GapProblem& heldout) {
-  const RolledBefore nothing = nothing_rolled(train, heldout);
-  RolledBefore counted = nothing;
+  RolledBefore counted = nothing_rolled(train, heldout);
   WheelPair least{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
   WheelPair most{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest()};
   const auto each = [&](const auto& visit) {
@@ -59,7 +58,7 @@ RolledBefore counted_before(const GapProblem& train, const GapProblem& heldout) 
     most = {std::max(most.left, before.left), std::max(most.right, before.right)};
   });
   if (!known || std::max(most.left - least.left, most.right - least.right) > furthest_counted_m)
-    return nothing;
+    return nothing_rolled(train, heldout);
   each([&](const GapRun&, WheelPair& before) {
     before = {before.left - least.left, before.right - least.right};
   });
