@@ -79,7 +79,7 @@ struct ParameterInfo {
   double lower = 0.0;  // what is physically possible
   double upper = 0.0;
   std::vector<double> sizes;  // where a search begins, from weak to strong
-  double negligible = 0.0;    // a smaller size is of no consequence and is never named
+  double negligible = 0.0;    // smaller sizes are of no consequence and are never named
   bool scales_effect = true;  // false for a shape (a time constant, a place) that says nothing of the size
 };
 

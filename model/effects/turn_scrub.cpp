@@ -26,14 +26,15 @@ EffectInfo turn_scrub() {
           "turn rate is lost as turning gets harder (nonlinear in turn rate)",
           "The tyres' contact patches are dragged sideways, the more the faster the robot turns.",
           {{"", EffectStage::body}},
-          {{"loss", "s/rad", "share of the turn rate lost per rad/s", 0.0, 2.0, {0.05}},
+          {{"loss", "s/rad", "share of the turn rate lost per rad/s", 0.0, 2.0, {0.05}, 0.005},
            {"square",
             "s^2/rad^2",
             "further share that grows with the square of the turn rate",
             -1.0,
             2.0,
-            {0.05}}},
-          {.reference = true, .heading = true, .turning = true},
+            {0.05},
+            0.005}},
+          {.reference = true, .heading = true, .turning = true, .variety = true},
           [](const EffectArguments& arguments) { return std::make_unique<TurnScrub>(arguments); },
           true};
 }

@@ -30,11 +30,16 @@ double inflation_of(const GapProblem& problem, const std::vector<double>& withou
   return std::clamp(variance / power, 1.0, largest_inflation);
 }
 
+// Of several sizes, all have to be.
 bool negligible(const TrialEffect& effect) {
+  bool any = false;
   for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
-    if (std::abs(effect.parameters[i]) < effect.info->parameters[i].negligible) return true;
+    const double least = effect.info->parameters[i].negligible;
+    if (least == 0.0) continue;
+    if (std::abs(effect.parameters[i]) >= least) return false;
+    any = true;
   }
-  return false;
+  return any;
 }
 
 }  // namespace

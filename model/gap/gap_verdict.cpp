@@ -10,7 +10,8 @@ namespace {
 
 constexpr double sure = 0.9;  // posterior from which on a name stands
 constexpr double nowhere_near = 6.0;
-constexpr double least_fall = 0.03;  // of a figure
+constexpr double beyond_doubt_nats = 100.0;  // held out, where no figure lies above the noise
+constexpr double least_fall = 0.03;          // of a figure
 
 // Counts that stood still are found by the data gate, not by free runs.
 bool of_free_runs(const Finding& found) {
@@ -47,11 +48,14 @@ Judgement of_findings(const std::vector<Finding>& found) {
 }
 
 // Whether the best of the last round would have been accepted, had it a name.
-bool decoy_explains(const GapSearch& search, const SearchLimits& limits) {
-  const auto& last = search.rounds.back().contenders;
-  return !last.empty() && is_decoy(*last.front().effect.info) &&
-         last.front().heldout_nats / last.front().inflation > limits.least_heldout_nats &&
-         last.front().train_nats / last.front().inflation > limits.least_train_nats;
+bool decoy_explains(const GapAnalysis& analysis, const SearchLimits& limits) {
+  const auto& last = analysis.search.rounds.back().contenders;
+  if (last.empty() || !is_decoy(*last.front().effect.info)) return false;
+  const double train_nats = last.front().train_nats / last.front().inflation;
+  const double heldout_nats = last.front().heldout_nats / last.front().inflation;
+  if (heldout_nats > beyond_doubt_nats && train_nats > beyond_doubt_nats) return true;
+  return heldout_nats > limits.least_heldout_nats && train_nats > limits.least_train_nats &&
+         some_figure_above_noise(analysis.tail_held_out ? analysis.train : analysis.test);
 }
 
 std::string in_words(std::span<const GainChange> changes) {
@@ -65,7 +69,7 @@ std::string in_words(std::span<const GainChange> changes) {
 
 Judgement of_nothing_found(const GapAnalysis& analysis, const SearchLimits& limits,
                            std::span<const GainChange> changes) {
-  if (decoy_explains(analysis.search, limits)) {
+  if (decoy_explains(analysis, limits)) {
     return {Verdict::unnamed, "Something is missing that no effect of the library explains."};
   }
   if (!changes.empty()) {
@@ -151,7 +155,7 @@ bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out) {
   };
   // Where no figure lies above the noise, a small regularity of the robot is not a gap, and a figure may fall
   // by chance.
-  if (speaks_for_it(some_figure_above_noise(figures) ? 30.0 : 100.0)) return true;
+  if (speaks_for_it(some_figure_above_noise(figures) ? 30.0 : beyond_doubt_nats)) return true;
   return some_figure_falls(figures, least_fall, speaks_for_it(not_by_chance_nats) ? 0.0 : 1.0);
 }
 

@@ -48,6 +48,21 @@ std::string expected(const Case& item) {
   return item.kind == "cannot_tell" ? "not_named" : "named";
 }
 
+// As the first plant calls its cases: by what is hidden.
+std::string hidden_in(const Case& item) {
+  if (item.kind == "clean") return item.kind;
+  if (item.kind == "outside") {
+    const std::size_t from = item.name.find(item.kind);
+    const std::size_t to = item.name.find('.', from + item.kind.size() + 1);
+    std::string name = item.name.substr(from, to - from);
+    std::replace(name.begin(), name.end(), '.', '_');
+    return name;
+  }
+  std::string names;
+  for (const std::string& effect : item.hidden) names += (names.empty() ? "" : "+") + effect;
+  return names;
+}
+
 // As gap_score reads it.
 nlohmann::json answer_of(const Case& item) {
   nlohmann::json hidden = nlohmann::json::array();
@@ -58,12 +73,14 @@ nlohmann::json answer_of(const Case& item) {
                       {"how", item.note}});
   }
   if (item.kind == "outside") {
-    hidden.push_back({{"effect", "outside"}, {"can_be_told", true}, {"confusable", ""}, {"how", item.note}});
+    hidden.push_back(
+        {{"effect", hidden_in(item)}, {"can_be_told", true}, {"confusable", ""}, {"how", item.note}});
   }
-  return {{"case", item.name},
+  return {{"case", hidden_in(item)},
           {"severity", item.size.empty() ? "none" : item.size},
           {"channels", item.sensor_label},
-          {"program", item.kind},
+          {"program", item.kind == "cannot_tell" ? item.kind : "mixed"},
+          {"seed", item.seed},
           {"expected", expected(item)},
           {"hidden", hidden}};
 }
