@@ -7,7 +7,8 @@ namespace wheelwright::gap {
 namespace {
 
 struct Path {
-  std::vector<WheelPair> distance_m;   // of the wheels at each grid point
+  std::vector<WheelPair> distance_m;  // of the wheels at each grid point
+  // Of the motion; left out where only the wheels' part is asked for.
   std::vector<Pose> axle;              // at each grid point
   std::vector<OdometryStep> odometry;  // what the model's own counts would say, per period
   std::vector<OdometryStep> body;      // what the model's body does, per period
@@ -19,13 +20,15 @@ Pose first_pose(const GapRun& run, const ModelSimulation& simulation) {
 
 // Where the robot passed is known better by dense references than by a run of the model that has gone astray:
 // effects that act by place and heading act there. The path is the model's own all the same.
-Path simulate(ModelSimulation& simulation, const GapRun& run, bool by_pose) {
+Path simulate(ModelSimulation& simulation, const GapRun& run, bool by_pose, Part part) {
   const std::size_t periods = run.commands_m_s.size();
   Path path;
   path.distance_m.reserve(periods + 1);
-  path.axle.reserve(periods + 1);
-  path.odometry.reserve(periods);
-  path.body.reserve(periods);
+  if (part != Part::wheels) {
+    path.axle.reserve(periods + 1);
+    path.odometry.reserve(periods);
+    path.body.reserve(periods);
+  }
   simulation.reset(first_pose(run, simulation), run.rolled_before_m);
   path.distance_m.push_back(run.rolled_before_m);
   path.axle.push_back(simulation.pose());
@@ -35,6 +38,7 @@ Path simulate(ModelSimulation& simulation, const GapRun& run, bool by_pose) {
     if (follows) simulation.set_pose(simulation.axle_of(run.passed[k]));
     const auto& now = simulation.step(run.commands_m_s[k], run.battery_v[k]);
     path.distance_m.push_back(simulation.distance_m());
+    if (part == Part::wheels) continue;
     path.axle.push_back(follows ? move_along_arc(path.axle.back(), now.twist, t) : simulation.pose());
     const Twist counted = twist_of_wheels(now.wheel_m_s, run.wheel_base_m);
     path.odometry.push_back({counted.v_m_s * t, counted.w_rad_s * t});
@@ -55,6 +59,19 @@ Pose pose_at(const std::vector<Pose>& poses, const GridTime& at) {
           between(a.theta_rad, b.theta_rad, at.share)};
 }
 
+struct Direction {
+  double cosine;
+  double sine;
+};
+
+// Turns within a few periods are small: then series are exact to the last digit, and faster.
+Direction direction(double angle_rad) {
+  const double q = angle_rad * angle_rad;
+  if (q > 0.0025) return {std::cos(angle_rad), std::sin(angle_rad)};
+  return {1.0 - q / 2.0 * (1.0 - q / 12.0 * (1.0 - q / 30.0 * (1.0 - q / 56.0))),
+          angle_rad * (1.0 - q / 6.0 * (1.0 - q / 20.0 * (1.0 - q / 42.0)))};
+}
+
 struct Increment {
   double forward = 0.0;
   double aside = 0.0;
@@ -66,8 +83,7 @@ Increment increment(const Pose& from, const Pose& to) {
   const double middle = 0.5 * (from.theta_rad + to.theta_rad);
   const double dx = to.x_m - from.x_m;
   const double dy = to.y_m - from.y_m;
-  const double c = std::cos(middle);
-  const double s = std::sin(middle);
+  const auto [c, s] = direction(middle);
   return {c * dx + s * dy, -s * dx + c * dy, to.theta_rad - from.theta_rad};
 }
 
@@ -77,8 +93,8 @@ Increment increment(const std::vector<OdometryStep>& steps, const GridTime& from
   const auto add = [&](std::size_t k, double share) {
     if (k >= steps.size() || share <= 0.0) return;
     const double half = 0.5 * share * steps[k].turn_rad;
-    pose = {pose.x_m + share * steps[k].forward_m * std::cos(pose.theta_rad + half),
-            pose.y_m + share * steps[k].forward_m * std::sin(pose.theta_rad + half),
+    const auto [c, s] = direction(pose.theta_rad + half);
+    pose = {pose.x_m + share * steps[k].forward_m * c, pose.y_m + share * steps[k].forward_m * s,
             pose.theta_rad + 2.0 * half};
   };
   if (from.period == to.period) {
@@ -182,7 +198,7 @@ RunErrors free_run_errors(const TrialModel& model, const GapRun& run, Part part)
   const bool by_pose =
       std::ranges::any_of(model.effects, [](const TrialEffect& effect) { return effect.info->by_pose; });
   if (!by_pose && part == Part::wheels) simulation.leave_out_place();
-  const Path path = simulate(simulation, run, by_pose);
+  const Path path = simulate(simulation, run, by_pose, part);
   RunErrors errors;
   for (const Channel channel : {Channel::left, Channel::right}) {
     if (!run[channel].empty() && part != Part::motion) {

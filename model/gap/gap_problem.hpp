@@ -56,6 +56,8 @@ class GapProblem {
   // The part of the readings that a parameter of this stage can change; all where some run has no counts.
   Part part_of(EffectStage stage) const;
   Part part_of(const TrialEffect& effect) const;
+  bool in_part(std::size_t residual, Part part) const;
+  bool parts_touch() const { return parts_touch_; }
 
   // Innovations of all channels of all runs, one after the other; zero for those that do not belong to the
   // part.
@@ -102,11 +104,19 @@ class GapProblem {
     Eigen::Matrix3d whitening;
   };
 
+  // A parameter that is moved to see what follows; `shows_in` where it can show in one channel only.
+  struct Moved {
+    std::size_t parameter;
+    std::optional<Channel> shows_in;
+  };
+  using MovedAtOnce = std::vector<Moved>;
+
   std::vector<double> residuals_of(std::size_t run, const TrialModel& model, Part part) const;
+  void fill_columns(const TrialModel& model, const std::vector<double>& residuals, const MovedAtOnce& at_once,
+                    std::size_t run, Eigen::MatrixXd& columns) const;
+  bool shows_only_in(const Eigen::MatrixXd& columns, std::size_t column, Channel channel) const;
   Part part_of_parameter(const TrialModel& model, std::size_t parameter) const;
-  bool in_part(std::size_t residual, Part part) const;
   double smallest_reading(std::size_t channel) const;
-  Eigen::Matrix3d stretch_covariance(const GapRun& run, std::size_t stretch) const;
 
   std::vector<GapRun> runs_;
   std::vector<WheelPair> metres_per_tick_;  // of each run; zero without counts

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "model/gap/decoys.hpp"
 #include "model/gap/screening_probes.hpp"
@@ -155,47 +156,85 @@ std::optional<ScreenedPair> best_pair(const std::vector<TrialEffect>& effects, c
   return best;
 }
 
-// What effects change of the residuals of a fit, and what that has to do with what the fit leaves.
-class Responses {
+Eigen::VectorXd vector_of(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+// What effects change of the residuals of a fit, and what that has to do with what the fit leaves: in the
+// readings of one part, which what belongs to the other part does not touch.
+class PartResponses {
  public:
-  Responses(const GapProblem& problem, const GapFit& fit)
-      : problem_(problem),
-        fit_(fit),
-        basis_(basis_of(problem.jacobian(fit.model, fit.residuals))),
-        whole_(of(fit.residuals)),
-        of_wheels_(of(problem.residuals(fit.model, Part::wheels))),
-        of_motion_(of(problem.residuals(fit.model, Part::motion))),
-        left_(whole_ - basis_ * (basis_.transpose() * whole_)) {}
+  PartResponses(const GapProblem& problem, const GapFit& fit, const Eigen::MatrixXd& columns, Part part)
+      : problem_(problem), fit_(fit), part_(part), rows_(rows_of(problem, part)) {
+    basis_ = basis_of(columns(rows_, Eigen::all));
+    without_ = vector_of(fit.residuals)(rows_);
+    left_ = without_ - basis_ * (basis_.transpose() * without_);
+  }
 
   Common common(std::span<const TrialEffect> effects, const ForEach& for_each) const {
-    Eigen::MatrixXd changes(whole_.size(), static_cast<Eigen::Index>(effects.size()));
+    Eigen::MatrixXd changes(without_.size(), static_cast<Eigen::Index>(effects.size()));
     for_each(effects.size(),
              [&](std::size_t i) { changes.col(static_cast<Eigen::Index>(i)) = change_by(effects[i]); });
     return common_of(changes, basis_, left_);
   }
 
  private:
-  static Eigen::VectorXd of(const std::vector<double>& values) {
-    return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+  static std::vector<Eigen::Index> rows_of(const GapProblem& problem, Part part) {
+    std::vector<Eigen::Index> rows;
+    for (std::size_t i = 0; i < problem.readings(); ++i) {
+      if (problem.in_part(i, part)) rows.push_back(static_cast<Eigen::Index>(i));
+    }
+    return rows;
   }
 
   Eigen::VectorXd change_by(const TrialEffect& effect) const {
     TrialModel with = fit_.model;
     with.effects.push_back(effect);
-    const Part part = problem_.part_of(effect);
-    const Eigen::VectorXd& without = part == Part::all      ? whole_
-                                     : part == Part::wheels ? of_wheels_
-                                                            : of_motion_;
-    return of(problem_.residuals(with, part)) - without;
+    return vector_of(problem_.residuals(with, part_))(rows_) - without_;
   }
 
   const GapProblem& problem_;
   const GapFit& fit_;
+  Part part_;
+  std::vector<Eigen::Index> rows_;
   Eigen::MatrixXd basis_;
-  Eigen::VectorXd whole_;
-  Eigen::VectorXd of_wheels_;
-  Eigen::VectorXd of_motion_;
+  Eigen::VectorXd without_;
   Eigen::VectorXd left_;
+};
+
+// Of effects of both parts.
+class Responses {
+ public:
+  Responses(const GapProblem& problem, const GapFit& fit) : problem_(problem) {
+    const Eigen::MatrixXd columns = problem.jacobian(fit.model, fit.residuals);
+    for (const Part part : {Part::all, Part::wheels, Part::motion}) {
+      if ((part == Part::all) == problem.parts_touch())
+        parts_.emplace(part, PartResponses(problem, fit, columns, part));
+    }
+  }
+
+  Common common(std::span<const TrialEffect> effects, const ForEach& for_each) const {
+    const auto count = static_cast<Eigen::Index>(effects.size());
+    Common all{Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count)};
+    for (const auto& [part, responses] : parts_) {
+      std::vector<TrialEffect> own;
+      std::vector<Eigen::Index> places;
+      for (std::size_t i = 0; i < effects.size(); ++i) {
+        if (problem_.part_of(effects[i]) != part) continue;
+        own.push_back(effects[i]);
+        places.push_back(static_cast<Eigen::Index>(i));
+      }
+      if (own.empty()) continue;
+      const Common common = responses.common(own, for_each);
+      all.products(places, places) = common.products;
+      all.with_left(places) = common.with_left;
+    }
+    return all;
+  }
+
+ private:
+  const GapProblem& problem_;
+  std::map<Part, PartResponses> parts_;
 };
 
 struct Judgement {
