@@ -27,6 +27,7 @@ struct DriveSample {
   std::optional<double> reference_theta_rad;
   std::optional<double> gyro_z_rad_s;  // raw
   std::optional<double> battery_v;
+  bool counts_anew = false;  // of the travel since the counts before, these do not tell all
 };
 
 // A column that the format does not name.

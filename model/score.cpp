@@ -101,12 +101,17 @@ void ScoreSums::add(std::span<const PredictedMotion> predicted, const DriveLog& 
 
 void ScoreSums::add_wheels(std::span<const PredictedMotion> predicted, const DriveLog& measured) {
   const auto rows = rows_with_ticks(measured);
+  std::size_t begin = 0;
   for (std::size_t i = 1; i < rows.size(); ++i) {
+    if (measured.samples[rows[i]].counts_anew) {
+      begin = i;
+      continue;
+    }
     const double duration_s = measured.samples[rows[i]].t_s - measured.samples[rows[i - 1]].t_s;
     const WheelPair step = travel_error_m(predicted, measured, rows[i - 1], rows[i]);
     wheel_speed_m_s_.add(step.left / duration_s);
     wheel_speed_m_s_.add(step.right / duration_s);
-    const WheelPair total = travel_error_m(predicted, measured, rows.front(), rows[i]);
+    const WheelPair total = travel_error_m(predicted, measured, rows[begin], rows[i]);
     distance_m_.add(total.left);
     distance_m_.add(total.right);
   }

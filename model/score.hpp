@@ -23,7 +23,7 @@ struct AtHorizon {
 struct Score {
   // Mean speed of each wheel between two readings of the encoders.
   std::optional<double> wheel_speed_rms_m_s;
-  // Travel of each wheel since the first reading.
+  // Travel of each wheel since the first reading, or since counts were lost (DriveSample::counts_anew).
   std::optional<double> distance_rms_m;
   // Displacement over the horizon, seen from the pose at its start; needs reference x, y and theta.
   std::optional<AtHorizon> position_rms_m;

@@ -111,6 +111,16 @@ void remove_reference_jumps(GateState& gate) {
   }
 }
 
+// So that no figure is taken across lost counts.
+void mark_counts_anew(GatedLog& gated) {
+  auto& samples = gated.log.samples;
+  bool lost = false;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples[i].counts_anew = lost || gated.flags.counts[i] != 0 || gated.flags.restart[i] != 0;
+    lost = gated.flags.counts[i] != 0 || (lost && !samples[i].ticks);
+  }
+}
+
 }  // namespace
 
 std::string in_digits(double value, int digits) {
@@ -132,6 +142,7 @@ GatedLog gate(const DriveLog& log) {
   }
   remove_reference_jumps(state);
   check_reference(state);
+  mark_counts_anew(state.result);
   return std::move(state.result);
 }
 

@@ -21,6 +21,7 @@ struct DataFault {
   std::string what;       // what is wrong, and what was done about it
   bool distorts = false;  // with that row in, any model would be wrong
   bool explains = false;  // the log says something else than it seems to: nothing behind it can be judged
+  bool happened = false;  // no fault of the data: so it was
 };
 
 struct Dropout {

@@ -79,6 +79,12 @@ Judgement of_nothing_found(const GapAnalysis& analysis, const SearchLimits& limi
     for (const auto& change : changes) changed.where.push_back({"run " + change.run, share, share});
     return changed;
   }
+  constexpr std::ptrdiff_t more_than_chance = 2;
+  if (std::ranges::count_if(analysis.data_faults, &DataFault::happened) >= more_than_chance) {
+    return {
+        Verdict::unnamed,
+        "Something held a wheel several times, which no effect of the library does; the moments are listed."};
+  }
   if (std::ranges::any_of(analysis.data_faults, &DataFault::distorts)) {
     return {Verdict::bad_data,
             "Faults of the data explain the gap; without those rows nothing is missing that could show."};

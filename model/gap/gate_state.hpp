@@ -16,7 +16,10 @@ struct GateState {
 
   std::size_t line(std::size_t row) const { return lines.empty() ? result.log.first_line + row : lines[row]; }
   void fault(std::size_t row, const std::string& what, bool explains = false) {
-    result.faults.push_back({result.log.name, line(row), what, false, explains});
+    result.faults.push_back({result.log.name, line(row), what, false, explains, false});
+  }
+  void event(std::size_t row, const std::string& what) {
+    result.faults.push_back({result.log.name, line(row), what, false, false, true});
   }
   // Of a wheel, by its counter.
   double travel(std::size_t row, bool left) const {

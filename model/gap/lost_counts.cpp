@@ -13,6 +13,41 @@ constexpr double shortest_freeze_s = 0.05;
 constexpr double expected_counts_in_freeze = 10.0;
 constexpr double surely_turning_m_s = 0.05;  // a slower wheel may stick
 
+// A wheel that was told to stand may have stood.
+bool told_to_stand(const DriveLog& log, std::size_t first, std::size_t end, bool left, double speed_m_s) {
+  for (std::size_t k = first > 20 ? first - 20 : 0; k <= end; ++k) {
+    const WheelPair& both = log.samples[k].command_m_s;
+    const double command = left ? both.left : both.right;
+    if (command * speed_m_s <= 0.0 || std::abs(command) < 0.25 * std::abs(speed_m_s)) return true;
+  }
+  return false;
+}
+
+// Where a reference saw the robot move as the counts say, to within so much travel of one wheel, that wheel
+// stood indeed: something held it.
+bool moved_as_counted(const GateState& gate, std::size_t first, std::size_t end, double within_m) {
+  const DriveLog& log = gate.result.log;
+  const DriveSample& from = log.samples[first];
+  const DriveSample& to = log.samples[end];
+  const auto pose_known = [](const DriveSample& sample) {
+    return sample.reference_x_m && sample.reference_y_m && sample.reference_theta_rad;
+  };
+  if (!pose_known(from) || !pose_known(to)) return false;
+  const double left_m = gate.travel(end, true) - gate.travel(first, true);
+  const double right_m = gate.travel(end, false) - gate.travel(first, false);
+  const double turned =
+      wrap_angle(*to.reference_theta_rad - *from.reference_theta_rad - (right_m - left_m) / log.wheel_base_m);
+  const double moved_m =
+      std::hypot(*to.reference_x_m - *from.reference_x_m, *to.reference_y_m - *from.reference_y_m);
+  return std::abs(turned) * log.wheel_base_m < within_m &&
+         std::abs(2.0 * moved_m - std::abs(left_m + right_m)) < within_m;
+}
+
+std::string held(bool left, double duration_s) {
+  return std::string("the ") + (left ? "left" : "right") + " wheel was held for " + in_digits(duration_s, 3) +
+         " s: its counts and the reference agree on that";
+}
+
 // Counts of one wheel that stand still between two moments at which the wheel surely turned.
 void find_frozen_counts(GateState& gate, bool left) {
   const auto& samples = gate.result.log.samples;
@@ -44,13 +79,11 @@ void find_frozen_counts(GateState& gate, bool left) {
     if (before * after <= 0.0 || least < surely_turning_m_s ||
         least * duration < expected_counts_in_freeze * tick)
       continue;
-    // A wheel that was told to stand may have stood.
-    bool told_to_stand = false;
-    for (std::size_t k = first > 20 ? first - 20 : 0; k <= end; ++k) {
-      const double command = left ? samples[k].command_m_s.left : samples[k].command_m_s.right;
-      if (command * before <= 0.0 || std::abs(command) < 0.25 * std::abs(before)) told_to_stand = true;
+    if (told_to_stand(gate.result.log, first, end, left, before)) continue;
+    if (moved_as_counted(gate, first, end, 0.5 * least * duration)) {
+      gate.event(first + 1, held(left, duration));
+      continue;
     }
-    if (told_to_stand) continue;
     for (std::size_t k = first + 1; k <= end; ++k) gate.result.flags.counts[k] = 1;
     gate.result.dropouts.push_back({samples[first].t_s, duration});
     gate.fault(first + 1, std::string(left ? "ticks_left" : "ticks_right") + " stand still for " +
@@ -61,17 +94,27 @@ void find_frozen_counts(GateState& gate, bool left) {
 // Once in a run may be a wheel that something held.
 void find_missed_edges(GateState& gate) {
   constexpr std::size_t more_than_chance = 2;
+  const auto& samples = gate.result.log.samples;
+  const auto duration_s = [&](const ThinnedCounts& stretch) {
+    return samples[stretch.last_row].t_s - samples[stretch.first_row - 1].t_s;
+  };
   std::vector<std::pair<ThinnedCounts, bool>> thinned;
   for (const bool left : {true, false}) {
     for (const auto& stretch : find_thinned_counts(gate.result.log, gate.result.flags.counts, left)) {
+      const std::size_t before = stretch.first_row - 1;
+      const double counted_m = std::abs(gate.travel(stretch.last_row, left) - gate.travel(before, left));
+      const double lost_m = counted_m * stretch.lost / (1.0 - stretch.lost);
+      if (moved_as_counted(gate, before, stretch.last_row, 0.5 * lost_m)) {
+        gate.event(stretch.first_row, held(left, duration_s(stretch)));
+        continue;
+      }
       thinned.emplace_back(stretch, left);
     }
   }
   if (thinned.size() < more_than_chance) return;
-  const auto& samples = gate.result.log.samples;
   for (const auto& [stretch, left] : thinned) {
     const double start_s = samples[stretch.first_row - 1].t_s;
-    const double duration = samples[stretch.last_row].t_s - start_s;
+    const double duration = duration_s(stretch);
     for (std::size_t k = stretch.first_row; k <= stretch.last_row; ++k) gate.result.flags.counts[k] = 1;
     gate.result.dropouts.push_back({start_s, duration});
     gate.fault(stretch.first_row, std::string(left ? "ticks_left" : "ticks_right") + " miss " +

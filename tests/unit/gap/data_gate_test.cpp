@@ -32,6 +32,25 @@ std::size_t moving_row(const DriveLog& log) {
   throw std::logic_error("the run holds no long forward drive");
 }
 
+// With a reference that saw what the counts say.
+DriveLog by_counts(DriveLog log) {
+  Pose pose;
+  for (std::size_t i = 0; i < log.samples.size(); ++i) {
+    DriveSample& sample = log.samples[i];
+    if (i > 0) {
+      const WheelTicks& before = *log.samples[i - 1].ticks;
+      const WheelPair moved{
+          static_cast<double>(sample.ticks->left - before.left) * log.metres_per_tick->left,
+          static_cast<double>(sample.ticks->right - before.right) * log.metres_per_tick->right};
+      pose = move_along_arc(pose, twist_of_wheels(moved, log.wheel_base_m), 1.0);
+    }
+    sample.reference_x_m = pose.x_m;
+    sample.reference_y_m = pose.y_m;
+    sample.reference_theta_rad = pose.theta_rad;
+  }
+  return log;
+}
+
 }  // namespace
 
 TEST_CASE("The data gate finds no fault in a log without one") {
@@ -85,6 +104,42 @@ TEST_CASE("Counts that stand still while their wheel turns are a dropout of the 
   REQUIRE_FALSE(gated.dropouts.empty());
   CHECK_THAT(gated.dropouts.front().start_s, WithinAbs(log.samples[from].t_s, 0.1));
   CHECK_THAT(gated.dropouts.front().duration_s, WithinAbs(20 * log.period_s, 0.1));
+}
+
+TEST_CASE("A wheel that stood is no dropout where a reference saw the robot move as the counts say") {
+  auto log = clean_log();
+  const std::size_t from = moving_row(log) - 25;
+  const auto turned = by_counts(log);
+  const auto lost = log.samples[from + 20].ticks->left - log.samples[from].ticks->left;
+  for (std::size_t i = from; i < log.samples.size(); ++i) {
+    auto& ticks = log.samples[i].ticks->left;
+    ticks = i < from + 20 ? log.samples[from].ticks->left : ticks - lost;
+  }
+  const auto stood = gate(by_counts(log));
+  CHECK(stood.dropouts.empty());
+  REQUIRE(stood.faults.size() == 1);
+  CHECK(stood.faults.front().happened);
+  CHECK(stood.faults.front().row == log.first_line + from + 1);
+  CHECK_THAT(stood.faults.front().what, ContainsSubstring("the left wheel was held for 0.3"));
+
+  for (std::size_t i = 0; i < log.samples.size(); ++i) {
+    log.samples[i].reference_x_m = turned.samples[i].reference_x_m;
+    log.samples[i].reference_y_m = turned.samples[i].reference_y_m;
+    log.samples[i].reference_theta_rad = turned.samples[i].reference_theta_rad;
+  }
+  const auto uncounted = gate(log);
+  CHECK(uncounted.dropouts.size() == 1);
+  CHECK_FALSE(uncounted.faults.front().happened);
+}
+
+TEST_CASE("No travel is measured across lost counts") {
+  auto log = clean_log();
+  const std::size_t from = moving_row(log) - 25;
+  for (std::size_t i = from; i < from + 20; ++i) log.samples[i].ticks->left = log.samples[from].ticks->left;
+  const auto gated = gate(log);
+  CHECK_FALSE(gated.log.samples[from].counts_anew);
+  for (std::size_t i = from + 1; i <= from + 20; ++i) CHECK(gated.log.samples[i].counts_anew);
+  CHECK_FALSE(gated.log.samples[from + 21].counts_anew);
 }
 
 TEST_CASE("An answer that comes late is an effect, not a fault of the data") {

@@ -63,6 +63,15 @@ TEST_CASE("A constant speed error has the analytic RMS in speed, distance and po
   CHECK_THAT(end_distance_error_m(example.predicted, example.log)->left, WithinAbs(0.2, 1e-9));
 }
 
+TEST_CASE("Travel begins anew where counts were lost") {
+  Example example = straight_run(201, {0.0, 0.0});
+  for (std::size_t k = 100; k < 201; ++k) example.log.samples[k].ticks->left -= 500;
+  CHECK(*score_of(example).distance_rms_m > 0.02);
+  example.log.samples[100].counts_anew = true;
+  CHECK_THAT(*score_of(example).wheel_speed_rms_m_s, WithinAbs(0.0, 1e-12));
+  CHECK_THAT(*score_of(example).distance_rms_m, WithinAbs(0.0, 1e-12));
+}
+
 TEST_CASE("An error of one wheel counts half in the squares of both") {
   const Score score = score_of(straight_run(201, {0.0, 0.02}));
   CHECK_THAT(*score.wheel_speed_rms_m_s, WithinAbs(0.02 / std::sqrt(2.0), 1e-12));
