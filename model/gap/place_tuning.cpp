@@ -40,19 +40,24 @@ std::size_t other_way(std::size_t variant) {
   return (variant + 2) % 4;
 }
 
+// By steps, and by half of the region at once: one that reaches over what two runs passed may have to be cut
+// a long way before it fits again.
 std::vector<TrialEffect> moved(const TrialEffect& present, double step_m) {
   std::vector<TrialEffect> all;
   const auto add = [&](std::vector<double> region) {
     all.push_back(present);
     all.back().parameters = std::move(region);
   };
-  for (const double by_m : {step_m, -step_m}) {
-    for (const std::size_t side : {length, width}) {
-      if (present.parameters[side] + by_m < least_size_m) continue;
+  for (const std::size_t side : {length, width}) {
+    const double size_m = present.parameters[side];
+    for (const double by_m : {step_m, -step_m, -0.5 * size_m}) {
+      if (size_m + by_m < least_size_m) continue;
       for (const double direction : {1.0, -1.0}) {
         add(with_edge_moved(present.parameters, side, direction, by_m));
       }
     }
+  }
+  for (const double by_m : {step_m, -step_m}) {
     for (const std::size_t parameter : {x, y, heading}) {
       add(present.parameters);
       all.back().parameters[parameter] += by_m;

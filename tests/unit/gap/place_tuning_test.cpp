@@ -56,6 +56,17 @@ TEST_CASE("A region that is placed a little off is moved, sized and turned to wh
   CHECK(tuned.effects.front().parameters.front() == -0.3);
 }
 
+TEST_CASE("A region that reaches as far again beyond its end is cut to its size") {
+  const TrialModel truth = with_region({-0.3, 3.0, -1.0, 1.0, 0.8, 0.0});
+  const GapProblem problem({driven(truth)}, {WheelPair{}}, for_each_in_turn);
+  const auto region =
+      with_region_tuned(problem, with_region({-0.3, 3.5, -1.0, 2.0, 0.8, 0.0}), for_each_in_turn)
+          .effects.front()
+          .parameters;
+  CHECK_THAT(region[1], WithinAbs(3.0, 0.05));
+  CHECK_THAT(region[3], WithinAbs(1.0, 0.1));
+}
+
 TEST_CASE("A model without a region comes back as it was") {
   const GapProblem problem({driven(with_region({-0.3, 0.6, 0.5, 1.2, 0.8, 0.0}))}, {WheelPair{}},
                            for_each_in_turn);
