@@ -172,6 +172,21 @@ TEST_CASE("A gain that bends never makes a wheel slower for a larger command") {
   CHECK_THAT(speed_after(parabola, 0.2, 1), WithinAbs(0.2 * (1.0 - 0.5 * 0.2), 1e-12));
 }
 
+TEST_CASE("Scrubbing tyres take the same of every turn rate, or the more the faster it is") {
+  const auto turned = [](ModelSimulation simulation, double half_difference_m_s) {
+    return simulation.step({0.1 - half_difference_m_s, 0.1 + half_difference_m_s}).twist.w_rad_s;
+  };
+  const double wheels_rad_s = 2.0 * 0.1 / 0.258;
+  const ModelSimulation dry = only({"turn_scrub", "", {0.0, 0.0, 0.05}});
+  CHECK_THAT(turned(dry, 0.1), WithinAbs(wheels_rad_s - 0.05, 1e-12));
+  CHECK_THAT(turned(dry, -0.1), WithinAbs(-wheels_rad_s + 0.05, 1e-12));
+  CHECK(turned(dry, 0.005) == 0.0);
+  const ModelSimulation wet = only({"turn_scrub", "", {0.1, 0.02, 0.0}});
+  CHECK_THAT(
+      turned(wet, 0.1),
+      WithinAbs(wheels_rad_s * (1.0 - 0.1 * wheels_rad_s - 0.02 * wheels_rad_s * wheels_rad_s), 1e-12));
+}
+
 TEST_CASE("A wheel with stiction stands again at the speed below which friction has risen") {
   const auto stands_at = [](double sticking_m_s) {
     ModelSimulation simulation = only({"stiction", "", {0.03, 0.002, 0.01, sticking_m_s}});
