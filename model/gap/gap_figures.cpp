@@ -10,6 +10,7 @@ namespace {
 constexpr std::size_t figure_count = 4;
 constexpr std::array<std::string_view, figure_count> names{"wheel speed", "distance", "position", "heading"};
 constexpr std::size_t first_integrated = 1;  // of wheel speed, most is noise of single ticks
+constexpr std::size_t position = 2;          // and heading behind it
 
 // m/s, m, m, rad: off by so little, a run is as good as right, whatever its noise.
 constexpr std::array<double, figure_count> negligible{0.0, 0.003, 0.006, 0.010};
@@ -24,10 +25,21 @@ Values values_of(const Score& score) {
           value(score.heading_rms_rad)};
 }
 
+// Where a run has a first and a last pose only, how far the robot wanders in between is assumed, not
+// measured: one may wander more.
+double allowance_for(const GapFigures& figures, std::size_t which) {
+  constexpr double longest_window_s = 15.0;
+  constexpr double usual_spread = 1.5;
+  const auto& horizon = which == position ? figures.floor.position_rms_m : figures.floor.heading_rms_rad;
+  const bool assumed = which >= position && horizon && horizon->horizon_s > longest_window_s;
+  return assumed ? usual_spread : 1.0;
+}
+
 double excess(const GapFigures& figures, std::size_t which) {
   const auto after = values_of(figures.after).at(which);
   const auto floor = values_of(figures.floor).at(which);
-  return after && floor && *floor > 0.0 && *after > negligible.at(which) ? *after / *floor : 0.0;
+  if (!after || !floor || !(*floor > 0.0) || *after <= negligible.at(which)) return 0.0;
+  return *after / (*floor * allowance_for(figures, which));
 }
 
 double closed(const GapFigures& figures, std::size_t which) {

@@ -28,7 +28,8 @@ struct Excess {
 };
 
 // The figure that lies furthest above its floor in both sets of runs; `times` and `closed` are the smaller of
-// the two. A figure of less than 3 mm of travel, 6 mm of position or 10 mrad of heading does not count.
+// the two. A figure of less than 3 mm of travel, 6 mm of position or 10 mrad of heading does not count; from
+// first to last pose alone, one and a half floors count as one.
 Excess largest_excess(const GapFigures& train, const GapFigures& test);
 
 // Whether any figure lies above what noise alone would leave of it, before the analysis.
