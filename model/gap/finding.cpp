@@ -81,7 +81,8 @@ std::vector<Finding> findings_of(const GapProblem& train, const GapSearch& searc
 
 void add_rivals_that_cannot_show(std::span<Finding> found, std::span<const Untestable> untestable,
                                  double longest_run_s) {
-  constexpr double evenly = 2.0;  // time constant of a drift, in runs
+  constexpr double evenly = 2.0;       // time constant of a drift, in runs
+  constexpr double runs_freely = 0.1;  // sliding friction, of what breaking away needs beyond it
   const auto cannot_show = [&](std::string_view name) {
     return std::ranges::find(untestable, name, &Untestable::effect) != untestable.end();
   };
@@ -94,6 +95,11 @@ void add_rivals_that_cannot_show(std::span<Finding> found, std::span<const Untes
     const std::string& name = finding.setting.name;
     if (name == "coulomb_friction" && cannot_show("floor_slope") && cannot_show("backlash")) {
       add(finding, "floor_slope");
+    }
+    // A wheel that is late on starting and runs freely then may only have had play to take up.
+    if (name == "stiction" && cannot_show("backlash") &&
+        finding.setting.parameters[1] < runs_freely * finding.setting.parameters[0]) {
+      add(finding, "backlash");
     }
     if (name == "gain_drift" && cannot_show("voltage_sag") &&
         finding.setting.parameters[1] > evenly * longest_run_s) {

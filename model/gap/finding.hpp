@@ -34,8 +34,8 @@ struct Finding {
 std::vector<Finding> findings_of(const GapProblem& train, const GapSearch& search);
 
 // An effect that these runs cannot show may do the same in them as one that was found: then it is a rival as
-// good. A constant loss in one direction and at one heading may be a slope; a gain that falls evenly, and no
-// voltage in the logs, may be the battery.
+// good. A constant loss in one direction and at one heading may be a slope; a loss on starting alone, play; a
+// gain that falls evenly, and no voltage in the logs, the battery.
 void add_rivals_that_cannot_show(std::span<Finding> found, std::span<const Untestable> untestable,
                                  double longest_run_s);
 

@@ -95,6 +95,26 @@ TEST_CASE("Where nothing was found the figures say whether something is missing"
   CHECK(verdict_of(analysis_with({}, position(1.8, 1.8))) == Verdict::unnamed);
 }
 
+TEST_CASE("From first to last pose alone a robot may have wandered half as far again as robots usually do") {
+  auto figures = position(1.8, 1.8);
+  for (Score* score : {&figures.before, &figures.after, &figures.floor}) {
+    score->position_rms_m->horizon_s = 60.0;
+  }
+  CHECK(verdict_of(analysis_with({}, figures)) == Verdict::nothing_missing);
+  figures.after.position_rms_m->value *= 1.5;
+  CHECK(verdict_of(analysis_with({}, figures)) == Verdict::unnamed);
+}
+
+TEST_CASE("A wheel that was held more than once is something for which the library has no name") {
+  auto analysis = analysis_with({}, position(1.0, 1.0));
+  DataFault held;
+  held.happened = true;
+  analysis.data_faults.push_back(held);
+  CHECK(verdict_of(analysis) == Verdict::nothing_missing);
+  analysis.data_faults.push_back(held);
+  CHECK(verdict_of(analysis) == Verdict::unnamed);
+}
+
 TEST_CASE("A loss in one direction at one heading may be friction as well as a slope") {
   const std::vector<Untestable> neither{{"floor_slope", "no turn"}, {"backlash", "no reversal"}};
   std::vector<Finding> found{finding("coulomb_friction", 500.0)};
@@ -105,6 +125,16 @@ TEST_CASE("A loss in one direction at one heading may be friction as well as a s
   std::vector<Finding> with_reversals{finding("coulomb_friction", 500.0)};
   add_rivals_that_cannot_show(with_reversals, std::span(neither).first(1), 60.0);
   CHECK(with_reversals.front().rivals.empty());
+}
+
+TEST_CASE("A wheel that is late on starting and runs freely then may only have had play to take up") {
+  const std::vector<Untestable> forward_only{{"backlash", "no reversal"}};
+  std::vector<Finding> found{finding("stiction", 500.0), finding("stiction", 500.0)};
+  found[0].setting.parameters = {0.1, 0.0, 0.1, 0.002};
+  found[1].setting.parameters = {0.1, 0.03, 0.1, 0.002};
+  add_rivals_that_cannot_show(found, forward_only, 60.0);
+  CHECK(found[0].rivals.front().effect == "backlash");
+  CHECK(found[1].rivals.empty());
 }
 
 TEST_CASE(
