@@ -44,6 +44,11 @@ bool negligible(const TrialEffect& effect) {
 
 }  // namespace
 
+bool beyond_a_core(const TrialEffect& effect) {
+  constexpr double reach_of_a_core_s = 0.09;
+  return effect.info->linear && effect.parameters.front() > reach_of_a_core_s;
+}
+
 double Contest::price_of_a_parameter() const {
   return 0.5 * std::log(static_cast<double>(train_.readings() + heldout_.readings()));
 }
@@ -89,6 +94,10 @@ void Contest::judge(Round& round) const {
   for (auto& contender : round.contenders) {
     contender = judged(round.without, heldout_without, std::move(contender.fit));
   }
+  // A fit that runs away on runs that it has not seen is no fit.
+  std::erase_if(round.contenders, [](const Contender& one) {
+    return !std::isfinite(one.train_nats) || !std::isfinite(one.heldout_nats);
+  });
   rank(round.contenders);
 }
 
@@ -99,16 +108,21 @@ double Contest::inflation_between(const Contender& worse, const Contender& bette
 
 // By likelihood less the price of the parameters. The best one is measured against the model without it, the
 // others against the best one: how much correlation inflates a difference hangs on what the two differ in.
+// One that only training or only held-out runs speak for comes behind all that both speak for.
 void Contest::rank(std::vector<Contender>& contenders) const {
   if (contenders.empty()) return;
-  const auto nats = [](const Contender& contender) { return contender.train_nats + contender.heldout_nats; };
-  const Contender& best = *std::ranges::max_element(contenders, {}, nats);
-  const double best_score = nats(best) / best.inflation - price(best.effect);
+  const auto holds = [](const Contender& one) { return one.train_nats > 0.0 && one.heldout_nats > 0.0; };
+  const auto nats = [](const Contender& one) { return one.train_nats + one.heldout_nats; };
+  const Contender& best = *std::ranges::max_element(contenders, [&](const Contender& a, const Contender& b) {
+    return std::pair(holds(a), nats(a)) < std::pair(holds(b), nats(b));
+  });
+  const double best_score = score_alone(best);
   for (auto& contender : contenders) {
     contender.score = best_score;
     if (&contender == &best) continue;
     contender.score -= (nats(best) - nats(contender)) / inflation_between(contender, best);
     contender.score -= price(contender.effect) - price(best.effect);
+    if (!holds(contender)) contender.score = std::min(contender.score, 0.0);
   }
   std::ranges::sort(contenders, std::greater<>{}, &Contender::score);
 }
@@ -137,9 +151,14 @@ double Contest::advantage(const GapFit& one, const GapFit& other) const {
   return deflated - price(one.model) + price(other.model);
 }
 
+double Contest::score_alone(const Contender& contender) const {
+  return (contender.train_nats + contender.heldout_nats) / contender.inflation - price(contender.effect);
+}
+
 bool Contest::good_enough(const Contender& contender) const {
   return contender.heldout_nats / contender.inflation > limits_.least_heldout_nats &&
-         contender.train_nats / contender.inflation > limits_.least_train_nats && contender.score > 0.0;
+         contender.train_nats / contender.inflation > limits_.least_train_nats &&
+         score_alone(contender) > 0.0;
 }
 
 bool Contest::clear(const Contender& contender) const {
@@ -160,23 +179,23 @@ bool Contest::worth_adding(const Contender& contender, const std::vector<Round>&
          (largest == 0.0 || nats > std::max(limits_.least_further_nats, limits_.least_share * largest));
 }
 
-bool Contest::clearly_better(const GapFit& with, const GapFit& without) const {
+bool Contest::better_by(double least_train_nats, double least_heldout_nats, const GapFit& with,
+                        const GapFit& without) const {
   const std::vector<double> heldout_without = heldout_.residuals(without.model);
   const std::vector<double> heldout_with = heldout_.residuals(with.model);
   const double inflation = std::max(inflation_of(train_, without.residuals, with.residuals),
                                     inflation_of(heldout_, heldout_without, heldout_with));
   const double train_nats = 0.5 * (without.squares - with.squares);
   const double heldout_nats = 0.5 * (squares_of(heldout_without) - squares_of(heldout_with));
-  return train_nats / inflation > limits_.least_further_nats &&
-         heldout_nats / inflation > limits_.least_further_nats;
+  return train_nats / inflation > least_train_nats && heldout_nats / inflation > least_heldout_nats;
 }
 
 bool Contest::stands_beside(const GapFit& both, const Contender& decoy) const {
-  return clearly_better(both, decoy.fit);
+  return better_by(limits_.least_train_nats, limits_.least_heldout_nats, both, decoy.fit);
 }
 
 bool Contest::pair_worth_adding(const GapFit& pair, const Round& round) const {
-  return clearly_better(pair, round.without) &&
+  return better_by(limits_.least_further_nats, limits_.least_further_nats, pair, round.without) &&
          (round.contenders.empty() || advantage(pair, round.contenders.front().fit) > 0.0);
 }
 

@@ -16,10 +16,13 @@ struct Contender {
   double train_nats = 0.0;    // gain of log likelihood over the model without it
   double heldout_nats = 0.0;  // the same on the held-out runs, with nothing fitted there
   double inflation = 1.0;     // by which correlation of what is left makes these gains look too large
-  double score = 0.0;         // both gains, deflated, less the price of the parameters
+  double score = 0.0;         // both gains, deflated, less the price of the parameters, beside the best one's
   GapFit fit;
   std::vector<double> heldout_residuals;
 };
+
+// A delay that no usual core could hold is more than another shape of one.
+bool beyond_a_core(const TrialEffect& effect);
 
 // One look at a model: who could be added to it, best first.
 struct Round {
@@ -80,7 +83,9 @@ class Contest {
   Contender judged(const GapFit& without, const std::vector<double>& heldout_without, GapFit fit) const;
   double inflation_between(const Contender& worse, const Contender& better) const;
   void rank(std::vector<Contender>& contenders) const;
-  bool clearly_better(const GapFit& with, const GapFit& without) const;
+  double score_alone(const Contender& contender) const;
+  bool better_by(double least_train_nats, double least_heldout_nats, const GapFit& with,
+                 const GapFit& without) const;
   double price(const TrialModel& model) const;
   double price(const TrialEffect& effect) const;
   double price_of_a_parameter() const;

@@ -133,7 +133,8 @@ std::optional<TrialEffect> GapLook::steps_beside(const GapFit& without, const Ef
   return steps_;
 }
 
-GapLook::Starts GapLook::starts(const GapFit& without, std::vector<TrialEffect> more_starts) {
+GapLook::Starts GapLook::starts(const GapFit& without, const std::vector<TrialModel>& more_models) {
+  std::vector<TrialEffect> more_starts;
   const std::vector<const EffectInfo*> absent = absent_from(without.model);
   if (const auto rippling = align_wheels(without, absent)) more_starts.push_back(*rippling);
   const auto stepping = std::ranges::find(absent, "command_quantization", &EffectInfo::name);
@@ -142,12 +143,14 @@ GapLook::Starts GapLook::starts(const GapFit& without, std::vector<TrialEffect> 
   }
   const Screening screening = screen(train_, without, absent, for_each_);
   for (const auto& screened : screening.best) {
-    if (more_starts.size() >= limits_.most_fits || screened.gain_nats < least_screened_nats) break;
+    const std::size_t fits = more_models.size() + more_starts.size();
+    if (fits >= limits_.most_fits || screened.gain_nats < least_screened_nats) break;
     if (screened.gain_nats < least_screened_share * screening.best.front().gain_nats) break;
     more_starts.push_back(screened.start);
   }
   Starts all;
-  all.singles = instead_of_core(without.model, absent);
+  all.singles = more_models;
+  std::ranges::move(instead_of_core(without.model, absent), std::back_inserter(all.singles));
   const bool far = reaches_far(without.model);
   for (const auto& effect : more_starts) {
     all.singles.push_back(without.model);
@@ -208,9 +211,9 @@ bool GapLook::stands_out_of_its_own_noise(const Round& round) {
   return false;
 }
 
-Round GapLook::look(const GapFit& without, std::vector<TrialEffect> more_starts) {
+Round GapLook::look(const GapFit& without, const std::vector<TrialModel>& more_models) {
   Round round{without, 0.0, {}, {}};
-  const Starts tried = starts(without, std::move(more_starts));
+  const Starts tried = starts(without, more_models);
   round.contenders.resize(tried.singles.size());
   if (tried.pair) round.pair.emplace().model = *tried.pair;
   const auto fit_all = [&](int steps) {

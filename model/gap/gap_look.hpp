@@ -32,9 +32,10 @@ class GapLook {
   GapFit settle(TrialModel model, int passes);
 
   // Screens all that the model does not hold, fits the most promising ones beside the core and judges them.
-  // `more_starts` are tried in any case, and two effects at once where each masks the other. The noise is
-  // then what the best one leaves, since before, it holds what is missing; and all are fitted again under it.
-  Round look(const GapFit& without, std::vector<TrialEffect> more_starts = {});
+  // `more_models`, each with one effect more than `without`, are tried in any case, and two effects at once
+  // where each masks the other. The noise is then what the best one leaves, since before, it holds what is
+  // missing; and all are fitted again under it.
+  Round look(const GapFit& without, const std::vector<TrialModel>& more_models = {});
 
   // The same effects beside a core that was found anew, where that explains more: what a core had taken up of
   // an effect that has come in since, it does not give back step by step.
@@ -55,7 +56,7 @@ class GapLook {
     std::vector<TrialModel> singles;
     std::optional<TrialModel> pair;
   };
-  Starts starts(const GapFit& without, std::vector<TrialEffect> more_starts);
+  Starts starts(const GapFit& without, const std::vector<TrialModel>& more_models);
   TrialModel tuned(const TrialModel& model) const;
   void place_regions(Round& round, int steps) const;
   bool stands_out_of_its_own_noise(const Round& round);

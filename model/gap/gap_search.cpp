@@ -1,23 +1,22 @@
 #include "model/gap/gap_search.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include "model/gap/decoys.hpp"
+#include "model/gap/gap_checks.hpp"
 #include "model/gap/gap_look.hpp"
 #include "model/gap/step_tuning.hpp"
 
 namespace wheelwright::gap {
 namespace {
 
-// A fit may end this share short of the best one: where two models lie closer together, the simpler one
-// stands.
-constexpr double resolution_of_a_fit = 1e-3;
-
-// A delay that no usual core could hold is more than another shape of one.
-bool reaches_beyond_core(const TrialEffect& effect) {
-  constexpr double reach_of_a_core_s = 0.09;
-  return effect.info->linear && effect.parameters.front() > reach_of_a_core_s;
+std::vector<const EffectInfo*> infos_of(const TrialModel& model) {
+  std::vector<const EffectInfo*> infos;
+  infos.reserve(model.effects.size());
+  for (const auto& effect : model.effects) infos.push_back(effect.info);
+  return infos;
 }
 
 // One way through the effects: the rounds so far, and the model that they led to.
@@ -38,24 +37,22 @@ class Search {
         for_each_(for_each),
         progress_(progress),
         contest_(train, heldout, limits_),
-        look_(train, heldout, contest_, candidates, limits_, for_each) {}
+        look_(train, heldout, contest_, candidates, limits_, for_each),
+        checks_(train, contest_, look_, limits_, free_runs) {}
 
   GapSearch run(const TrialModel& start);
 
  private:
   Round first_round(const TrialModel& start);
   std::optional<GapFit> better_core(const Round& round) const;
+  bool helps_what_is_off(const Contender& best, const Round& round) const;
   bool accepted(const Contender* best, const Round& round, const std::vector<Round>& so_far) const;
   bool pair_accepted(const Round& round, std::size_t rounds_so_far) const;
   std::vector<const Contender*> first_effects(const Round& first) const;
   Path grown(Path path);
   Path best_path(const Round& first);
   bool preferred(const Path& one, const Path& other, double clear) const;
-  enum class Swaps { made, only_looked_at };
-  GapFit in_place(const Contender& contender, std::size_t place) const;
-  bool improve_by_swaps(GapSearch& result, Swaps swaps);
-  void swap_while_better(GapSearch& result);
-  bool drop_idle(GapSearch& result);
+  void grow_on(GapSearch& result);
   void size_up(GapSearch& result);
 
   GapProblem& train_;
@@ -66,7 +63,20 @@ class Search {
   const Progress& progress_;
   Contest contest_;
   GapLook look_;
+  GapChecks checks_;
 };
+
+// What a richer core has to explain. A delay that a core could hold is one parameter in the place of several:
+// a core that does half as well is believed before it.
+double score_to_beat(const Round& round) {
+  constexpr double half_as_well = 0.5;
+  double score = 0.0;
+  for (const auto& contender : round.contenders) {
+    const bool of_a_core = contender.effect.info->linear && !beyond_a_core(contender.effect);
+    score = std::max(score, (of_a_core ? half_as_well : 1.0) * contender.score);
+  }
+  return score;
+}
 
 // A richer linear core is a rival too: it wins where what is missing is linear.
 std::optional<GapFit> Search::better_core(const Round& round) const {
@@ -75,7 +85,7 @@ std::optional<GapFit> Search::better_core(const Round& round) const {
   if (present.shape.poles < limits_.most_poles) richer.push_back(present.with_larger_core());
   if (!present.shape.crossed && !present.shape.shared) richer.push_back(present.with_crossed_core());
   std::optional<GapFit> best;
-  double best_score = round.contenders.empty() ? 0.0 : std::max(0.0, round.contenders.front().score);
+  double best_score = score_to_beat(round);
   for (const TrialModel& start : richer) {
     GapFit fit = train_.fit(start, 2 * steps_of_a_fit, train_.part_of(EffectStage::command));
     const double score = contest_.core_score(round, fit);
@@ -92,11 +102,16 @@ Round Search::first_round(const TrialModel& start) {
   return round;
 }
 
+// Where free runs are off by more than noise, something is missing: a further effect may be small beside the
+// first one, and need not be clear where free runs come closer by it.
+bool Search::helps_what_is_off(const Contender& best, const Round& round) const {
+  if (!contest_.good_enough(best) || !free_runs_.still_off(round.without.model)) return false;
+  return contest_.clear(best) || free_runs_.closer(round.without.model, best.fit.model);
+}
+
 bool Search::accepted(const Contender* best, const Round& round, const std::vector<Round>& so_far) const {
   if (best == nullptr || so_far.size() >= limits_.most_effects) return false;
-  const bool worth = contest_.worth_adding(*best, so_far) ||
-                     (contest_.clear(*best) && free_runs_.still_off(round.without.model));
-  if (!worth) return false;
+  if (!contest_.worth_adding(*best, so_far) && !helps_what_is_off(*best, round)) return false;
   if (best == round.contenders.data()) return true;
   TrialModel with_both = round.contenders.front().fit.model;
   with_both.effects.push_back(best->effect);
@@ -176,88 +191,14 @@ bool Search::preferred(const Path& one, const Path& other, double clear) const {
   return contest_.advantage(one.model, other.model) > margin;
 }
 
-// What one effect does is what the next one gets: a rival takes the place of the effect that it replaces.
-GapFit Search::in_place(const Contender& contender, std::size_t place) const {
-  TrialModel model = contender.fit.model;
-  const auto to = model.effects.begin() + static_cast<std::ptrdiff_t>(place);
-  if (to + 1 == model.effects.end()) return contender.fit;
-  std::rotate(to, model.effects.end() - 1, model.effects.end());
-  return train_.fit(model, steps_of_a_fit);
-}
-
-// For each accepted effect: would another one do better in its place, now that the others are there?
-bool Search::improve_by_swaps(GapSearch& result, Swaps swaps) {
-  bool changed = false;
-  result.checks.clear();
-  for (std::size_t i = 0; i < result.final.model.effects.size(); ++i) {
-    TrialModel others = result.final.model;
-    const TrialEffect present = others.effects[i];
-    others.effects.erase(others.effects.begin() + static_cast<std::ptrdiff_t>(i));
-    const GapFit without = train_.fit(others, steps_of_a_fit);
-    Round round = look_.look(without, {present});
-    const Contender* best = best_named(round);
-    const bool none = best == nullptr || !contest_.good_enough(*best);
-    if (swaps == Swaps::made && (none || best->effect.info != present.info)) {
-      result.final = none ? round.without : in_place(*best, i);  // none: not needed beside the others
-      changed = true;
-    }
-    result.checks.push_back(std::move(round));
-    if (changed) break;
-  }
-  return changed;
-}
-
-// Swaps look at one effect at a time; a model with another effect that came out worse as a whole is not kept.
-void Search::swap_while_better(GapSearch& result) {
-  for (int tries = 0; tries < 3 && !result.final.model.effects.empty(); ++tries) {
-    const GapFit before = result.final;
-    if (!improve_by_swaps(result, Swaps::made)) return;
-    if (result.final.model.effects.size() < before.model.effects.size()) continue;
-    const GapFit kept = train_.fit(before.model, steps_of_a_refit);
-    result.final = train_.fit(result.final.model, steps_of_a_refit);
-    const bool simpler = result.final.model.parameter_count() < kept.model.parameter_count();
-    const double explained = result.checks.back().contenders.front().score;
-    const double margin = simpler ? -resolution_of_a_fit * explained : 0.0;
-    if (contest_.advantage(result.final, kept) > margin) continue;
-    result.final = kept;
-    break;
-  }
-  improve_by_swaps(result, Swaps::only_looked_at);
-}
-
-// Beside other effects, a linear one is no more than a better linear model, and one that helps a little is
-// often the shape of the others: such an effect stays only where free runs come closer by it. One at a time,
-// the least needed first, since two may stand for each other. Free runs hardly tell a delay from a slow
-// motor; one that no core could hold is no mere shape. One that helps a little and in whose place another
-// would help more does not stand for itself, whatever the free runs say.
-bool Search::drop_idle(GapSearch& result) {
-  if (result.final.model.effects.size() < 2) return false;
-  std::vector<std::pair<double, std::size_t>> idle;
-  for (std::size_t i = 0; i < result.final.model.effects.size(); ++i) {
-    const EffectInfo* info = result.final.model.effects[i].info;
-    const auto& contenders = result.checks[i].contenders;
-    const auto itself = std::ranges::find_if(
-        contenders, [&](const Contender& contender) { return contender.effect.info == info; });
-    const double nats = itself == contenders.end() ? 0.0 : itself->heldout_nats / itself->inflation;
-    const bool beyond_core =
-        reaches_beyond_core(result.final.model.effects[i]) && nats > limits_.clear_delay_nats;
-    if ((info->linear && !beyond_core) || nats < limits_.least_idle_nats) idle.emplace_back(nats, i);
-  }
-  std::ranges::sort(idle);
-  for (const auto& [nats, place] : idle) {
-    TrialModel others = result.final.model;
-    others.effects.erase(others.effects.begin() + static_cast<std::ptrdiff_t>(place));
-    GapFit without = train_.fit(others, steps_of_a_fit);
-    const bool replaceable =
-        result.checks[place].contenders.front().effect.info != result.final.model.effects[place].info;
-    if (!(replaceable && nats < limits_.least_idle_nats) &&
-        free_runs_.closer(without.model, result.final.model)) {
-      continue;
-    }
-    result.final = std::move(without);
-    return true;
-  }
-  return false;
+// What did not help beside an effect that has gone since, or found no place for what it masked, may help now.
+void Search::grow_on(GapSearch& result) {
+  Path path = grown({result.checks, result.final});
+  const auto looks = path.rounds.begin() + static_cast<std::ptrdiff_t>(result.checks.size());
+  std::move(looks, path.rounds.end(), std::back_inserter(result.rounds));
+  if (path.model.model.effects.size() == result.final.model.effects.size()) return;
+  result.final = std::move(path.model);
+  checks_.check(result);
 }
 
 void Search::size_up(GapSearch& result) {
@@ -284,8 +225,10 @@ GapSearch Search::run(const TrialModel& start) {
   result.final = std::move(path.model);
   result.rounds = std::move(path.rounds);
   progress_("rivals", 0.75);
-  swap_while_better(result);
-  while (drop_idle(result)) improve_by_swaps(result, Swaps::only_looked_at);
+  const std::vector<const EffectInfo*> before = infos_of(result.final.model);
+  checks_.swap_while_better(result);
+  if (infos_of(result.final.model) != before) grow_on(result);
+  while (checks_.drop_idle(result)) checks_.check(result);
   progress_("what would have shown", 0.92);
   size_up(result);
   return result;

@@ -1,0 +1,122 @@
+#include "model/gap/gap_checks.hpp"
+
+#include <algorithm>
+
+#include "model/gap/decoys.hpp"
+
+namespace wheelwright::gap {
+namespace {
+
+// A fit may end this share short of the best one: where two models lie closer together, the simpler one
+// stands.
+constexpr double resolution_of_a_fit = 1e-3;
+
+TrialModel with_last(TrialModel model, std::size_t place) {
+  const auto at = model.effects.begin() + static_cast<std::ptrdiff_t>(place);
+  std::rotate(at, at + 1, model.effects.end());
+  return model;
+}
+
+}  // namespace
+
+// What one effect does is what the next one gets: a rival takes the place of the effect that it replaces.
+GapFit GapChecks::in_place(const Contender& contender, std::size_t place) const {
+  TrialModel model = contender.fit.model;
+  const auto to = model.effects.begin() + static_cast<std::ptrdiff_t>(place);
+  if (to + 1 == model.effects.end()) return contender.fit;
+  std::rotate(to, model.effects.end() - 1, model.effects.end());
+  return train_.fit(model, steps_of_a_fit);
+}
+
+// A decoy beside which the present effect gains what it takes to be named is no rival of it.
+void GapChecks::leave_out_decoys_of_something_else(Round& check, const TrialEffect& present) const {
+  if (check.contenders.empty() || !is_decoy(*check.contenders.front().effect.info)) return;
+  TrialModel both = check.contenders.front().fit.model;
+  both.effects.push_back(present);
+  if (!contest_.stands_beside(train_.fit(both, steps_of_a_fit), check.contenders.front())) return;
+  std::erase_if(check.contenders, [](const Contender& one) { return is_decoy(*one.effect.info); });
+  contest_.judge(check);
+}
+
+// For each accepted effect: would another one do better in its place, now that the others are there?
+bool GapChecks::improve_by_swaps(GapSearch& result, Swaps swaps) {
+  bool changed = false;
+  result.checks.clear();
+  for (std::size_t i = 0; i < result.final.model.effects.size(); ++i) {
+    TrialModel others = result.final.model;
+    const TrialEffect present = others.effects[i];
+    others.effects.erase(others.effects.begin() + static_cast<std::ptrdiff_t>(i));
+    const GapFit without = train_.fit(others, steps_of_a_fit);
+    const TrialModel present_last = with_last(result.final.model, i);
+    Round round = look_.look(without, {present_last});
+    leave_out_decoys_of_something_else(round, present_last.effects.back());
+    const Contender* best = best_named(round);
+    const bool none = best == nullptr || !contest_.good_enough(*best);
+    if (swaps == Swaps::made && (none || best->effect.info != present.info)) {
+      result.final = none ? round.without : in_place(*best, i);  // none: not needed beside the others
+      changed = true;
+    }
+    result.checks.push_back(std::move(round));
+    if (changed) break;
+  }
+  return changed;
+}
+
+// Swaps look at one effect at a time; a model with another effect that came out worse as a whole is not kept.
+void GapChecks::swap_while_better(GapSearch& result) {
+  for (int tries = 0; tries < 3 && !result.final.model.effects.empty(); ++tries) {
+    const GapFit before = result.final;
+    if (!improve_by_swaps(result, Swaps::made)) return;
+    if (result.final.model.effects.size() < before.model.effects.size()) continue;
+    const GapFit kept = train_.fit(before.model, steps_of_a_refit);
+    result.final = train_.fit(result.final.model, steps_of_a_refit);
+    const bool simpler = result.final.model.parameter_count() < kept.model.parameter_count();
+    const double explained = result.checks.back().contenders.front().score;
+    const double margin = simpler ? -resolution_of_a_fit * explained : 0.0;
+    if (contest_.advantage(result.final, kept) > margin) continue;
+    result.final = kept;
+    break;
+  }
+  improve_by_swaps(result, Swaps::only_looked_at);
+}
+
+// Beside other effects, a linear one is no more than a better linear model, and one that helps a little is
+// often the shape of the others: such an effect stays only where free runs come closer by it. One at a time,
+// the least needed first, since two may stand for each other. Free runs hardly tell a delay from a slow
+// motor; one that no core could hold is no mere shape. One that helps a little and in whose place another
+// would help more does not stand for itself, whatever the free runs say.
+bool GapChecks::drop_idle(GapSearch& result) {
+  if (result.final.model.effects.size() < 2) return false;
+  std::vector<std::pair<double, std::size_t>> idle;
+  for (std::size_t i = 0; i < result.final.model.effects.size(); ++i) {
+    const EffectInfo* info = result.final.model.effects[i].info;
+    const auto& contenders = result.checks[i].contenders;
+    const auto itself = std::ranges::find_if(
+        contenders, [&](const Contender& contender) { return contender.effect.info == info; });
+    const double nats = itself == contenders.end() ? 0.0 : itself->heldout_nats / itself->inflation;
+    const bool beyond_core = beyond_a_core(result.final.model.effects[i]) && nats > limits_.clear_delay_nats;
+    if ((info->linear && !beyond_core) || nats < limits_.least_idle_nats) idle.emplace_back(nats, i);
+  }
+  std::ranges::sort(idle);
+  for (const auto& [nats, place] : idle) {
+    TrialModel others = result.final.model;
+    others.effects.erase(others.effects.begin() + static_cast<std::ptrdiff_t>(place));
+    GapFit without = train_.fit(others, steps_of_a_fit);
+    const auto& contenders = result.checks[place].contenders;
+    const bool replaceable =
+        contenders.empty() || contenders.front().effect.info != result.final.model.effects[place].info;
+    if (!(replaceable && nats < limits_.least_idle_nats) &&
+        free_runs_.closer(without.model, result.final.model)) {
+      continue;
+    }
+    result.final = std::move(without);
+    return true;
+  }
+  return false;
+}
+
+void GapChecks::check(GapSearch& result) {
+  improve_by_swaps(result, Swaps::only_looked_at);
+}
+
+}  // namespace wheelwright::gap

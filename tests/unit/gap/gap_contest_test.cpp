@@ -1,0 +1,72 @@
+#include "model/gap/gap_contest.hpp"
+
+#include <cmath>
+
+#include "model/effect_library.hpp"
+#include "model/gap/gap_run.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace wheelwright;
+using namespace wheelwright::gap;
+
+namespace {
+
+constexpr double period_s = 0.02;
+constexpr double wheel_base_m = 0.25;
+
+TrialModel with_effects(const std::vector<std::pair<std::string, std::vector<double>>>& effects) {
+  TrialModel model = first_guess({}, period_s, wheel_base_m, 0.06, 0.04);
+  for (const auto& [name, parameters] : effects) model.effects.push_back({find_effect(name), 0, parameters});
+  return model;
+}
+
+// Slow turns to and fro, with a reference that rounds to a tenth of a millimetre.
+GapProblem driven(const TrialModel& robot, int periods) {
+  ModelSimulation simulation = robot.simulation();
+  simulation.reset({});
+  const auto rounded = [](double value) { return 1e-4 * std::round(1e4 * value); };
+  DriveLog log;
+  log.wheel_base_m = wheel_base_m;
+  log.period_s = period_s;
+  for (int k = 0; k < periods; ++k) {
+    const double time_s = period_s * k;
+    const double forward = 0.15 * std::sin(0.4 * time_s);
+    DriveSample sample;
+    sample.t_s = time_s;
+    sample.command_m_s = {forward, forward + 0.05 * std::sin(0.23 * time_s)};
+    sample.reference_x_m = rounded(simulation.pose().x_m);
+    sample.reference_y_m = rounded(simulation.pose().y_m);
+    sample.reference_theta_rad = rounded(simulation.pose().theta_rad);
+    log.samples.push_back(sample);
+    simulation.step(sample.command_m_s);
+  }
+  GapRun run = make_gap_run(log, {}, period_s);
+  measure_motion(run);
+  return {{run}, {WheelPair{}}, for_each_in_turn};
+}
+
+}  // namespace
+
+TEST_CASE("What all runs say a little stands before what the training alone says loudly") {
+  const std::pair<std::string, std::vector<double>> quiet{"direction_gain", {-0.02}};
+  const std::pair<std::string, std::vector<double>> loud{"dead_zone", {0.03, 0.02}};
+  const GapProblem train = driven(with_effects({quiet, loud}), 3000);
+  const GapProblem heldout = driven(with_effects({quiet}), 1000);
+  const Contest contest(train, heldout, {});
+  const auto contender = [&](const TrialModel& model) {
+    Contender result;
+    const auto residuals = train.residuals(model);
+    result.fit = {model, squares_of(residuals), residuals, {}};
+    return result;
+  };
+  Round round;
+  round.without = contender(with_effects({})).fit;
+  round.contenders = {contender(with_effects({loud})), contender(with_effects({quiet}))};
+  contest.judge(round);
+  REQUIRE(round.contenders.size() == 2);
+  CHECK(round.contenders.front().effect.info->name == "direction_gain");
+  const auto both = [](const Contender& one) { return one.train_nats + one.heldout_nats; };
+  CHECK(both(round.contenders.back()) > both(round.contenders.front()));
+  CHECK(contest.good_enough(round.contenders.front()));
+  CHECK_FALSE(contest.good_enough(round.contenders.back()));
+}
