@@ -54,7 +54,7 @@ EffectInfo asymmetric_response() {
             -0.6,
             0.6,
             {-0.2, -0.1, -0.05, -0.025, 0.025, 0.05, 0.1, 0.2},
-            0.008},
+            0.003},
            {"quick_lag",
             "s",
             "time constant of the quicker of the two, as far as the linear core does not hold it",

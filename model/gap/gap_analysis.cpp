@@ -229,7 +229,12 @@ void Analysis::conclude() {
   size_up();
   const bool any = !result_.search.final.model.effects.empty();
   const bool nothing_closes = any && !closes_the_gap(result_, linear_left_out_);
-  if (nothing_closes && leave_out_linear_effects()) return conclude();
+  // A short delay alone is one parameter in the place of several of a core that could hold it.
+  const bool of_a_core =
+      any && std::ranges::all_of(result_.search.final.model.effects, [](const TrialEffect& effect) {
+        return effect.info->linear && !beyond_a_core(effect);
+      });
+  if ((nothing_closes || of_a_core) && leave_out_linear_effects()) return conclude();
   if (nothing_closes || (any && leaves_most_of_it(result_))) {
     std::erase_if(result_.found, [](const Finding& found) { return found.setting.name != dropout_name; });
     result_.search.final = result_.search.baseline;

@@ -179,23 +179,23 @@ bool Contest::worth_adding(const Contender& contender, const std::vector<Round>&
          (largest == 0.0 || nats > std::max(limits_.least_further_nats, limits_.least_share * largest));
 }
 
-bool Contest::better_by(double least_train_nats, double least_heldout_nats, const GapFit& with,
-                        const GapFit& without) const {
+bool Contest::clearly_better(const GapFit& with, const GapFit& without) const {
   const std::vector<double> heldout_without = heldout_.residuals(without.model);
   const std::vector<double> heldout_with = heldout_.residuals(with.model);
   const double inflation = std::max(inflation_of(train_, without.residuals, with.residuals),
                                     inflation_of(heldout_, heldout_without, heldout_with));
   const double train_nats = 0.5 * (without.squares - with.squares);
   const double heldout_nats = 0.5 * (squares_of(heldout_without) - squares_of(heldout_with));
-  return train_nats / inflation > least_train_nats && heldout_nats / inflation > least_heldout_nats;
+  return train_nats / inflation > limits_.least_further_nats &&
+         heldout_nats / inflation > limits_.least_further_nats;
 }
 
 bool Contest::stands_beside(const GapFit& both, const Contender& decoy) const {
-  return better_by(limits_.least_train_nats, limits_.least_heldout_nats, both, decoy.fit);
+  return clearly_better(both, decoy.fit);
 }
 
 bool Contest::pair_worth_adding(const GapFit& pair, const Round& round) const {
-  return better_by(limits_.least_further_nats, limits_.least_further_nats, pair, round.without) &&
+  return clearly_better(pair, round.without) &&
          (round.contenders.empty() || advantage(pair, round.contenders.front().fit) > 0.0);
 }
 

@@ -84,8 +84,7 @@ class Contest {
   double inflation_between(const Contender& worse, const Contender& better) const;
   void rank(std::vector<Contender>& contenders) const;
   double score_alone(const Contender& contender) const;
-  bool better_by(double least_train_nats, double least_heldout_nats, const GapFit& with,
-                 const GapFit& without) const;
+  bool clearly_better(const GapFit& with, const GapFit& without) const;
   double price(const TrialModel& model) const;
   double price(const TrialEffect& effect) const;
   double price_of_a_parameter() const;

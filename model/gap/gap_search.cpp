@@ -66,18 +66,6 @@ class Search {
   GapChecks checks_;
 };
 
-// What a richer core has to explain. A delay that a core could hold is one parameter in the place of several:
-// a core that does half as well is believed before it.
-double score_to_beat(const Round& round) {
-  constexpr double half_as_well = 0.5;
-  double score = 0.0;
-  for (const auto& contender : round.contenders) {
-    const bool of_a_core = contender.effect.info->linear && !beyond_a_core(contender.effect);
-    score = std::max(score, (of_a_core ? half_as_well : 1.0) * contender.score);
-  }
-  return score;
-}
-
 // A richer linear core is a rival too: it wins where what is missing is linear.
 std::optional<GapFit> Search::better_core(const Round& round) const {
   const TrialModel& present = round.without.model;
@@ -85,7 +73,7 @@ std::optional<GapFit> Search::better_core(const Round& round) const {
   if (present.shape.poles < limits_.most_poles) richer.push_back(present.with_larger_core());
   if (!present.shape.crossed && !present.shape.shared) richer.push_back(present.with_crossed_core());
   std::optional<GapFit> best;
-  double best_score = score_to_beat(round);
+  double best_score = round.contenders.empty() ? 0.0 : std::max(0.0, round.contenders.front().score);
   for (const TrialModel& start : richer) {
     GapFit fit = train_.fit(start, 2 * steps_of_a_fit, train_.part_of(EffectStage::command));
     const double score = contest_.core_score(round, fit);

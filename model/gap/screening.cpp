@@ -121,7 +121,7 @@ std::optional<TrialEffect> resized(TrialEffect effect, double amount) {
 
 // What two effects could explain together, each by its place in `common`.
 std::optional<ScreenedPair> pair_of(const TrialEffect& one, const TrialEffect& other, const Common& common) {
-  constexpr double alike = 0.99999;  // cosine
+  constexpr double alike = 0.98;  // cosine
   const double a = common.products(0, 0);
   const double b = common.products(1, 1);
   const double both = common.products(0, 1);
