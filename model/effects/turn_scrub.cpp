@@ -34,8 +34,7 @@ EffectInfo turn_scrub() {
   return {"turn_scrub",
           "turn rate is lost as turning gets harder (nonlinear in turn rate)",
           "The tyres' contact patches are dragged sideways: dry ones take a part of any turn rate, others "
-          "the more "
-          "the faster the robot turns.",
+          "take the more the faster the robot turns.",
           {{"", EffectStage::body}},
           {{"loss", "s/rad", "share of the turn rate lost per rad/s", 0.0, 2.0, {0.05}, 0.005},
            {"square",

@@ -117,7 +117,7 @@ void mark_counts_anew(GatedLog& gated) {
   bool lost = false;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     samples[i].counts_anew = lost || gated.flags.counts[i] != 0 || gated.flags.restart[i] != 0;
-    lost = gated.flags.counts[i] != 0 || (lost && !samples[i].ticks);
+    lost = gated.flags.counts[i] != 0 || !samples[i].ticks;
   }
 }
 

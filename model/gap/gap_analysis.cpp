@@ -70,7 +70,7 @@ bool Analysis::nothing_to_see() {
   result_.summary =
       largest > 0.005
           ? "The logs hold no encoder counts, and reference poses too rarely to show how the wheels answer; "
-            "record counts, or a pose at least three times a second."
+            "record counts, or a pose at least once a second."
           : "The robot was never told to move in these runs.";
   for (const EffectInfo* info : testability_.candidates) {
     if (is_decoy(*info)) continue;

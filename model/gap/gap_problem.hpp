@@ -57,6 +57,7 @@ class GapProblem {
   Part part_of(EffectStage stage) const;
   Part part_of(const TrialEffect& effect) const;
   bool in_part(std::size_t residual, Part part) const;
+  // Whether some run has no counts, which ties wheels and motion together: then there is no part but all.
   bool parts_touch() const { return parts_touch_; }
 
   // Innovations of all channels of all runs, one after the other; zero for those that do not belong to the

@@ -160,8 +160,7 @@ Eigen::VectorXd vector_of(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-// What effects change of the residuals of a fit, and what that has to do with what the fit leaves: in the
-// readings of one part, which what belongs to the other part does not touch.
+// What effects of one part change of its residuals, and what that has to do with what the fit leaves there.
 class PartResponses {
  public:
   PartResponses(const GapProblem& problem, const GapFit& fit, const Eigen::MatrixXd& columns, Part part)

@@ -140,6 +140,11 @@ TEST_CASE("No travel is measured across lost counts") {
   CHECK_FALSE(gated.log.samples[from].counts_anew);
   for (std::size_t i = from + 1; i <= from + 20; ++i) CHECK(gated.log.samples[i].counts_anew);
   CHECK_FALSE(gated.log.samples[from + 21].counts_anew);
+
+  auto silent = clean_log();
+  silent.samples[from].ticks.reset();
+  CHECK(gate(silent).log.samples[from + 1].counts_anew);
+  CHECK_FALSE(gate(silent).log.samples[from + 2].counts_anew);
 }
 
 TEST_CASE("An answer that comes late is an effect, not a fault of the data") {

@@ -63,21 +63,24 @@ void print_figures(std::ostream& out, const std::string& runs, const gap::GapFig
             value(before.heading_rms_rad), value(after.heading_rms_rad), value(floor.heading_rms_rad));
 }
 
+void print_faults(std::ostream& out, const std::string& title, const std::vector<gap::DataFault>& all,
+                  bool happened) {
+  constexpr std::size_t most = 8;
+  std::size_t count = 0;
+  for (const auto& fault : all) {
+    if (fault.happened != happened) continue;
+    if (count == 0) out << "\n" << title << ":\n";
+    if (++count <= most) out << "  " << fault.log << ":" << fault.row << ": " << fault.what << "\n";
+  }
+  if (count > most) out << "  and " << count - most << " more, all in gap.json\n";
+}
+
 }  // namespace
 
 void print_gap(std::ostream& out, const gap::GapAnalysis& analysis) {
   out << gap::verdict_name(analysis.verdict) << ": " << analysis.summary << "\n";
-  if (!analysis.data_faults.empty()) {
-    out << "\ndata faults:\n";
-    constexpr std::size_t most = 8;
-    for (std::size_t i = 0; i < analysis.data_faults.size() && i < most; ++i) {
-      const auto& fault = analysis.data_faults[i];
-      out << "  " << fault.log << ":" << fault.row << ": " << fault.what << "\n";
-    }
-    if (analysis.data_faults.size() > most) {
-      out << "  and " << analysis.data_faults.size() - most << " more, all in gap.json\n";
-    }
-  }
+  print_faults(out, "data faults", analysis.data_faults, false);
+  print_faults(out, "what held a wheel", analysis.data_faults, true);
   if (!analysis.found.empty()) out << "\nwhat is missing:\n";
   for (const auto& found : analysis.found) print_finding(out, found);
   if (!analysis.where.empty()) out << "\nwhere the linear model is wrong:\n";

@@ -223,11 +223,13 @@ std::string limits_section(const gap::GapAnalysis& analysis) {
 }
 
 std::string faults_section(const gap::GapAnalysis& analysis) {
-  Rows rows;
+  Rows faults;
+  Rows events;
   for (const auto& fault : analysis.data_faults) {
-    rows.push_back({fault.log + ":" + std::to_string(fault.row), fault.what});
+    (fault.happened ? events : faults).push_back({fault.log + ":" + std::to_string(fault.row), fault.what});
   }
-  return section("Faults of the data", html::table({"where", "what"}, rows));
+  return section("Faults of the data", html::table({"where", "what"}, faults)) +
+         section("What held a wheel", html::table({"where", "what"}, events));
 }
 
 }  // namespace wheelwright::tools
