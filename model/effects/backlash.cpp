@@ -11,7 +11,7 @@ class Backlash final : public EffectOf<Backlash> {
  public:
   explicit Backlash(const EffectArguments& arguments)
       : gap_(arguments.parameters[0]),
-        braking_m_s2_(arguments.parameters[1]),
+        damping_per_s_(arguments.parameters[1]),
         behind_encoder_(arguments.variant == 1) {
     Backlash::reset();
   }
@@ -36,8 +36,7 @@ class Backlash final : public EffectOf<Backlash> {
   }
   // Between the teeth the wheel runs on by itself, slower and slower, and may reach the other side.
   double passed(Wheel& wheel, double motor_m_s, double period_s) const {
-    const double by_itself =
-        std::copysign(std::max(0.0, std::abs(wheel.speed_m_s) - braking_m_s2_ * period_s), wheel.speed_m_s);
+    const double by_itself = wheel.speed_m_s * std::exp(-damping_per_s_ * period_s);
     const double at = wheel.in_gap_m + (motor_m_s - by_itself) * period_s;
     wheel.in_gap_m = std::clamp(at, 0.0, gap_);
     const double travelled_m = (at - wheel.in_gap_m) + by_itself * period_s;
@@ -47,7 +46,7 @@ class Backlash final : public EffectOf<Backlash> {
   }
 
   double gap_;
-  double braking_m_s2_;
+  double damping_per_s_;
   bool behind_encoder_;
   Wheel left_;
   Wheel right_;
@@ -56,24 +55,30 @@ class Backlash final : public EffectOf<Backlash> {
 }  // namespace
 
 EffectInfo backlash() {
-  return {
-      "backlash",
-      "motion is lost on reversal",
-      "Play between motor and wheel: after each change of direction the motor runs a fixed distance "
-      "before the wheel follows. A wheel that little brakes crosses the gap while it slows down, and the "
-      "loss comes when the motor speeds up again. 'wheel': the encoder sits on the wheel and sees the "
-      "loss, 'floor': on the motor, and does not.",
-      {{"wheel", EffectStage::wheel}, {"floor", EffectStage::floor}},
-      {{"gap",
-        "m",
-        "distance lost at each reversal, at the wheel's rim",
-        0.0,
-        0.05,
-        {0.0005, 0.001, 0.002, 0.004, 0.007, 0.012},
-        0.0003},
-       {"braking", "m/s^2", "of a wheel that no tooth touches", 0.05, 50.0, {0.3, 1.5, 50.0}, 0.0, false}},
-      {.reversal = true},
-      [](const EffectArguments& arguments) { return std::make_unique<Backlash>(arguments); }};
+  return {"backlash",
+          "motion is lost on reversal",
+          "Play between motor and wheel: after each change of direction the motor runs a fixed distance "
+          "before the wheel follows. A wheel that little brakes crosses the gap while it slows down, and the "
+          "loss comes when the motor speeds up again. 'wheel': the encoder sits on the wheel and sees the "
+          "loss, 'floor': on the motor, and does not.",
+          {{"wheel", EffectStage::wheel}, {"floor", EffectStage::floor}},
+          {{"gap",
+            "m",
+            "distance lost at each reversal, at the wheel's rim",
+            0.0,
+            0.05,
+            {0.0005, 0.001, 0.002, 0.004, 0.007, 0.012},
+            0.0003},
+           {"damping",
+            "1/s",
+            "rate at which a wheel that no tooth touches loses its speed",
+            0.0,
+            300.0,
+            {0.5, 6.0, 25.0, 300.0},
+            0.0,
+            false}},
+          {.reversal = true},
+          [](const EffectArguments& arguments) { return std::make_unique<Backlash>(arguments); }};
 }
 
 }  // namespace wheelwright::effects

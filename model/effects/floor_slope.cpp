@@ -14,13 +14,14 @@ class FloorSlope final : public EffectOf<FloorSlope> {
   explicit FloorSlope(const EffectArguments& arguments)
       : along_x_(arguments.parameters[0]),
         along_y_(arguments.parameters[1]),
-        seen_by_encoder_(arguments.variant == 1),
+        seen_by_encoder_(arguments.variant == 1 || arguments.variant == 3),
+        creeps_(arguments.variant == 3),
         relative_(arguments.variant == 2) {}
 
   void wheel(WheelPair& speed_m_s, const Surroundings& around) override {
     if (!seen_by_encoder_) return;
     const double pull = along(around.pose);
-    both(speed_m_s, [pull](double speed) { return speed + pull * share(speed); });
+    both(speed_m_s, [pull, this](double speed) { return speed + pull * (creeps_ ? 1.0 : share(speed)); });
   }
   void body(Twist& twist, const Surroundings& around) override {
     if (seen_by_encoder_) return;
@@ -39,6 +40,7 @@ class FloorSlope final : public EffectOf<FloorSlope> {
   double along_x_;
   double along_y_;
   bool seen_by_encoder_;
+  bool creeps_;
   bool relative_;
 };
 
@@ -49,10 +51,13 @@ EffectInfo floor_slope() {
       "floor_slope",
       "speed depends on heading",
       "Gravity along a tilted floor: faster down, slower up. Drive both ways along the same line. 'floor': "
-      "the "
-      "robot creeps against its wheels, 'wheel': the wheels themselves slow down and the encoders see it, "
-      "'relative': in proportion to the speed (unit: at 0.2 m/s).",
-      {{"floor", EffectStage::body}, {"wheel", EffectStage::wheel}, {"relative", EffectStage::body}},
+      "the robot creeps against its wheels, 'wheel': the wheels themselves slow down and the encoders see "
+      "it, 'relative': in proportion to the speed (unit: at 0.2 m/s), 'creeping': motors that let themselves "
+      "be turned, so that it rolls downhill at rest, too.",
+      {{"floor", EffectStage::body},
+       {"wheel", EffectStage::wheel},
+       {"relative", EffectStage::body},
+       {"creeping", EffectStage::wheel}},
       {{"along_x", "m/s", "speed gained when heading along x", -0.15, 0.15, {0.01}},
        {"along_y", "m/s", "speed gained when heading along y", -0.15, 0.15, {0.01}}},
       {.turning = true},

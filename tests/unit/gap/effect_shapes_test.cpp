@@ -109,16 +109,57 @@ TEST_CASE("Play is lost on reversal; where little brakes the wheel, on starting 
     return sum;
   };
   const double there_m = 50 * period_s * 0.1;
-  ModelSimulation stands_at_once = only({"backlash", "wheel", {0.004, 50.0}});
-  CHECK_THAT(way_m(stands_at_once, 0.1, 50), WithinAbs(there_m, 1e-9));
-  CHECK_THAT(way_m(stands_at_once, 0.0, 50), WithinAbs(0.0, 1e-9));
-  CHECK_THAT(way_m(stands_at_once, 0.1, 50), WithinAbs(there_m, 1e-9));
-  CHECK_THAT(way_m(stands_at_once, -0.1, 50), WithinAbs(-there_m + 0.004, 1e-9));
-  // 0.1 m/s carry 1 m/s^2 through 5 mm: more than the gap.
-  ModelSimulation runs_on = only({"backlash", "wheel", {0.004, 1.0}});
+  ModelSimulation stands_at_once = only({"backlash", "wheel", {0.004, 300.0}});
+  CHECK_THAT(way_m(stands_at_once, 0.1, 50), WithinAbs(there_m, 1e-5));
+  CHECK_THAT(way_m(stands_at_once, 0.0, 50), WithinAbs(0.0, 1e-5));
+  CHECK_THAT(way_m(stands_at_once, 0.1, 50), WithinAbs(there_m, 1e-5));
+  CHECK_THAT(way_m(stands_at_once, -0.1, 50), WithinAbs(-there_m + 0.004, 1e-5));
+  // A speed that falls to 1/e in 0.1 s carries 0.1 m/s through 10 mm: more than the gap.
+  ModelSimulation runs_on = only({"backlash", "wheel", {0.004, 10.0}});
   CHECK_THAT(way_m(runs_on, 0.1, 50), WithinAbs(there_m, 1e-9));
   CHECK_THAT(way_m(runs_on, 0.0, 50), WithinAbs(0.004, 1e-9));
   CHECK_THAT(way_m(runs_on, 0.1, 50), WithinAbs(there_m - 0.004, 1e-9));
+}
+
+TEST_CASE("A caster that stands nearly against the travel kicks late, and in all by its angle") {
+  const auto turned_rad = [](ModelSimulation& simulation, double command_m_s, double way_m) {
+    double sum = 0.0;
+    for (double gone_m = 0.0; gone_m < way_m; gone_m += std::abs(command_m_s) * period_s) {
+      sum += period_s * simulation.step({command_m_s, command_m_s}).twist.w_rad_s;
+    }
+    return sum;
+  };
+  const auto kicked_within = [&](double aside, double way_m) {
+    ModelSimulation simulation = only({"caster_kick", "same", {0.1, 0.02, aside}});
+    CHECK_THAT(turned_rad(simulation, 0.1, 0.3), WithinAbs(0.0, 1e-12));
+    return turned_rad(simulation, -0.1, way_m);
+  };
+  CHECK_THAT(kicked_within(0.01, 0.5), WithinAbs(0.1, 1e-6));
+  CHECK_THAT(kicked_within(0.3, 0.5), WithinAbs(0.1, 1e-6));
+  CHECK(kicked_within(0.01, 0.03) < 0.01);
+  CHECK(kicked_within(0.3, 0.03) > 0.05);
+}
+
+TEST_CASE("A caster that is turned back half-way swings no further than it had come") {
+  ModelSimulation simulation = only({"caster_kick", "same", {0.1, 0.02, 0.01}});
+  const auto drive = [&](double command_m_s, int periods) {
+    double turned_rad = 0.0;
+    for (int k = 0; k < periods; ++k) {
+      turned_rad += period_s * simulation.step({command_m_s, command_m_s}).twist.w_rad_s;
+    }
+    return turned_rad;
+  };
+  drive(0.1, 100);
+  const double half_rad = drive(-0.1, 51);  // 92 mm: the middle of the swing lies at ln(99) times 20 mm
+  CHECK_THAT(half_rad, WithinAbs(0.05, 0.01));
+  CHECK_THAT(drive(0.1, 500), WithinAbs(half_rad, 0.0015));
+}
+
+TEST_CASE("A motor that can be turned creeps downhill at rest, one that holds does not") {
+  ModelSimulation holds = only({"floor_slope", "wheel", {0.02, 0.0}});
+  CHECK_THAT(holds.step({0.0, 0.0}).wheel_m_s.left, WithinAbs(0.0, 1e-12));
+  ModelSimulation creeps = only({"floor_slope", "creeping", {0.02, 0.0}});
+  CHECK_THAT(creeps.step({0.0, 0.0}).wheel_m_s.left, WithinAbs(0.02, 1e-12));
 }
 
 TEST_CASE("A tyre that slides gives the robot so much acceleration and no more, until it has caught up") {
