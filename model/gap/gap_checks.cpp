@@ -1,6 +1,7 @@
 #include "model/gap/gap_checks.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "model/gap/decoys.hpp"
 
@@ -15,6 +16,13 @@ TrialModel with_last(TrialModel model, std::size_t place) {
   const auto at = model.effects.begin() + static_cast<std::ptrdiff_t>(place);
   std::rotate(at, at + 1, model.effects.end());
   return model;
+}
+
+// What is said for an effect where it was looked at in its own place.
+double own_nats(const Round& check, const EffectInfo* info) {
+  const auto itself = std::ranges::find_if(
+      check.contenders, [&](const Contender& contender) { return contender.effect.info == info; });
+  return itself == check.contenders.end() ? 0.0 : itself->heldout_nats / itself->inflation;
 }
 
 }  // namespace
@@ -83,36 +91,47 @@ void GapChecks::swap_while_better(GapSearch& result) {
 // Beside other effects, a linear one is no more than a better linear model, and one that helps a little is
 // often the shape of the others: such an effect stays only where free runs come closer by it. One at a time,
 // the least needed first, since two may stand for each other. Free runs hardly tell a delay from a slow
-// motor; one that no core could hold is no mere shape. One that helps a little and in whose place another
-// would help more does not stand for itself, whatever the free runs say.
+// motor; one that no core could hold is no mere shape. One that does not stand for itself goes whatever the
+// free runs say.
 bool GapChecks::drop_idle(GapSearch& result) {
-  if (result.final.model.effects.size() < 2) return false;
-  std::vector<std::pair<double, std::size_t>> idle;
-  for (std::size_t i = 0; i < result.final.model.effects.size(); ++i) {
-    const EffectInfo* info = result.final.model.effects[i].info;
-    const auto& contenders = result.checks[i].contenders;
-    const auto itself = std::ranges::find_if(
-        contenders, [&](const Contender& contender) { return contender.effect.info == info; });
-    const double nats = itself == contenders.end() ? 0.0 : itself->heldout_nats / itself->inflation;
-    const bool beyond_core = beyond_a_core(result.final.model.effects[i]) && nats > limits_.clear_delay_nats;
-    if ((info->linear && !beyond_core) || nats < limits_.least_idle_nats) idle.emplace_back(nats, i);
-  }
-  std::ranges::sort(idle);
-  for (const auto& [nats, place] : idle) {
+  const auto& effects = result.final.model.effects;
+  if (effects.size() < 2) return false;
+  std::vector<double> nats;
+  for (std::size_t i = 0; i < effects.size(); ++i)
+    nats.push_back(own_nats(result.checks[i], effects[i].info));
+  const double largest = *std::ranges::max_element(nats);
+  std::vector<std::size_t> order(effects.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t i) { return nats[i]; });
+  for (const std::size_t place : order) {
+    const bool stands = stands_for_itself(result.checks[place], effects[place].info, nats[place], largest);
+    const bool beyond_core = beyond_a_core(effects[place]) && nats[place] > limits_.clear_delay_nats;
+    const bool needed =
+        !(effects[place].info->linear && !beyond_core) && nats[place] >= limits_.least_idle_nats;
+    if (stands && needed) continue;
     TrialModel others = result.final.model;
     others.effects.erase(others.effects.begin() + static_cast<std::ptrdiff_t>(place));
     GapFit without = train_.fit(others, steps_of_a_fit);
-    const auto& contenders = result.checks[place].contenders;
-    const bool replaceable =
-        contenders.empty() || contenders.front().effect.info != result.final.model.effects[place].info;
-    if (!(replaceable && nats < limits_.least_idle_nats) &&
-        free_runs_.closer(without.model, result.final.model)) {
-      continue;
-    }
+    if (stands && free_runs_.closer(without.model, result.final.model)) continue;
     result.final = std::move(without);
     return true;
   }
   return false;
+}
+
+// One that helps a little and in whose place another would help more does not, nor one that a decoy beats,
+// nor one that is small beside the others and hardly told from its rivals.
+bool GapChecks::stands_for_itself(const Round& check, const EffectInfo* info, double nats,
+                                  double largest) const {
+  constexpr double told_by = 2.2;  // of the score: 9 to 1
+  if (check.contenders.empty()) return nats >= limits_.least_idle_nats;
+  const Contender& first = check.contenders.front();
+  if (is_decoy(*first.effect.info)) return false;
+  if (first.effect.info != info) return nats >= limits_.least_idle_nats;
+  const auto rival = std::ranges::find_if(
+      check.contenders, [&](const Contender& contender) { return contender.effect.info != info; });
+  const bool told = rival == check.contenders.end() || first.score - rival->score > told_by;
+  return told || nats >= limits_.least_share * largest;
 }
 
 void GapChecks::check(GapSearch& result) {
