@@ -165,6 +165,19 @@ bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out) {
   return some_figure_falls(figures, least_fall, speaks_for_it(not_by_chance_nats) ? 0.0 : 1.0);
 }
 
+bool is_less_than_a_decoy_adds(const GapAnalysis& analysis) {
+  const auto& left = analysis.search.rounds.back();
+  const auto& effects = analysis.search.final.model.effects;
+  const auto same = [](const TrialEffect& one, const TrialEffect& other) { return one.info == other.info; };
+  const bool beside_all = std::ranges::equal(left.without.model.effects, effects, same);
+  if (!beside_all || left.contenders.empty() || !is_decoy(*left.contenders.front().effect.info)) return false;
+  return std::ranges::all_of(analysis.search.checks, [&](const Round& check) {
+    return std::ranges::none_of(check.contenders, [&](const Contender& contender) {
+      return !is_decoy(*contender.effect.info) && contender.score >= left.contenders.front().score;
+    });
+  });
+}
+
 bool leaves_most_of_it(const GapAnalysis& analysis) {
   constexpr double explains_a_lot_nats = 100.0;
   constexpr double no_rival = 0.5;

@@ -34,6 +34,10 @@ bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out);
 // free runs stay nowhere near the measured ones.
 bool leaves_most_of_it(const GapAnalysis& analysis);
 
+// Whether a decoy beside all that was found explains more than any of it does in its own place: then the
+// names are shapes of something that the library does not hold.
+bool is_less_than_a_decoy_adds(const GapAnalysis& analysis);
+
 // Sets verdict and summary, and `where` for gains that changed, from all else that the analysis holds.
 void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, std::span<const GainChange> changes);
 

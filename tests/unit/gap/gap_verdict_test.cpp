@@ -2,6 +2,7 @@
 #include "model/gap/gap_verdict.hpp"
 
 #include "model/effect_library.hpp"
+#include "model/gap/decoys.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace wheelwright;
@@ -76,6 +77,29 @@ TEST_CASE("A single effect without a rival stands unless free runs stay nowhere 
   CHECK_FALSE(leaves_most_of_it(analysis_with({alone}, position(4.0, 3.0))));
   CHECK(leaves_most_of_it(analysis_with({rivalled}, position(4.0, 3.0))));
   CHECK(leaves_most_of_it(analysis_with({alone}, position(8.0, 7.0))));
+}
+
+TEST_CASE("A name beside which a decoy explains more than the name does is a shape of something else") {
+  const auto contender = [](const EffectInfo& info, double score) {
+    Contender result;
+    result.effect.info = &info;
+    result.score = score;
+    return result;
+  };
+  const auto decoy_beside = [&](double score) {
+    auto analysis = analysis_with({finding("gain_curve", 36.0)}, position(8.0, 5.0));
+    const auto& effects = analysis.search.final.model.effects;
+    analysis.search.rounds.back().without.model.effects = effects;
+    analysis.search.rounds.back().contenders = {contender(decoys().front(), score)};
+    analysis.search.checks.emplace_back();
+    analysis.search.checks.back().contenders = {contender(*effects.front().info, 90.0)};
+    return analysis;
+  };
+  CHECK(is_less_than_a_decoy_adds(decoy_beside(120.0)));
+  CHECK_FALSE(is_less_than_a_decoy_adds(decoy_beside(80.0)));
+  auto looked_at_before = decoy_beside(120.0);
+  looked_at_before.search.rounds.back().without.model.effects.clear();
+  CHECK_FALSE(is_less_than_a_decoy_adds(looked_at_before));
 }
 
 TEST_CASE("A name stands from a probability of 0.9 on; below it the answer is ambiguous") {
