@@ -156,9 +156,11 @@ double Contest::score_alone(const Contender& contender) const {
 }
 
 bool Contest::good_enough(const Contender& contender) const {
-  return contender.heldout_nats / contender.inflation > limits_.least_heldout_nats &&
-         contender.train_nats / contender.inflation > limits_.least_train_nats &&
-         score_alone(contender) > 0.0;
+  const double heldout_nats = contender.heldout_nats / contender.inflation;
+  const double train_nats = contender.train_nats / contender.inflation;
+  const bool both = heldout_nats > limits_.least_heldout_nats && train_nats > limits_.least_train_nats;
+  const bool confirmed = heldout_nats > limits_.confirming_nats && train_nats > limits_.clear_train_nats;
+  return (both || confirmed) && score_alone(contender) > 0.0;
 }
 
 bool Contest::clear(const Contender& contender) const {

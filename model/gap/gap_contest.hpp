@@ -37,6 +37,8 @@ struct SearchLimits {
   std::size_t most_fits = 9;        // per round
   double least_heldout_nats = 9.0;  // deflated; the chance of a false one is at most exp(-9) each
   double least_train_nats = 9.0;
+  double clear_train_nats = 30.0;    // training leaves no doubt which effect held-out runs have to confirm,
+  double confirming_nats = 6.0;      // and this confirms it
   std::size_t most_poles = 4;        // of the linear core
   double least_core_nats = 3.0;      // held out, deflated, for a larger core
   double least_further_nats = 20.0;  // held out, deflated, for a further effect
@@ -91,7 +93,7 @@ class Contest {
 
   const GapProblem& train_;
   const GapProblem& heldout_;
-  const SearchLimits& limits_;
+  SearchLimits limits_;
   bool angles_differ_ = false;
 };
 

@@ -48,10 +48,10 @@ GapProblem driven(const TrialModel& robot, int periods) {
 }  // namespace
 
 TEST_CASE("What all runs say a little stands before what the training alone says loudly") {
-  const std::pair<std::string, std::vector<double>> quiet{"direction_gain", {-0.02}};
-  const std::pair<std::string, std::vector<double>> loud{"dead_zone", {0.03, 0.02}};
+  const std::pair<std::string, std::vector<double>> quiet{"direction_gain", {-0.03}};
+  const std::pair<std::string, std::vector<double>> loud{"dead_zone", {0.05, 0.02}};
   const GapProblem train = driven(with_effects({quiet, loud}), 3000);
-  const GapProblem heldout = driven(with_effects({quiet}), 1000);
+  const GapProblem heldout = driven(with_effects({quiet}), 3000);
   const Contest contest(train, heldout, {});
   const auto contender = [&](const TrialModel& model) {
     Contender result;
@@ -69,4 +69,21 @@ TEST_CASE("What all runs say a little stands before what the training alone says
   CHECK(both(round.contenders.back()) > both(round.contenders.front()));
   CHECK(contest.good_enough(round.contenders.front()));
   CHECK_FALSE(contest.good_enough(round.contenders.back()));
+}
+
+TEST_CASE("What training leaves no doubt of needs less on held-out runs to be confirmed") {
+  const GapProblem problem = driven(with_effects({}), 200);
+  const Contest contest(problem, problem, {});
+  const auto good_enough = [&](double train_nats, double heldout_nats) {
+    Contender contender;
+    contender.effect = with_effects({{"direction_gain", {-0.02}}}).effects.front();
+    contender.train_nats = train_nats;
+    contender.heldout_nats = heldout_nats;
+    return contest.good_enough(contender);
+  };
+  CHECK(good_enough(12.0, 12.0));
+  CHECK_FALSE(good_enough(12.0, 7.0));
+  CHECK(good_enough(40.0, 7.0));
+  CHECK_FALSE(good_enough(40.0, 4.0));
+  CHECK_FALSE(good_enough(7.0, 40.0));
 }
