@@ -1,4 +1,5 @@
 // What the circle hides and how it counts what was found; and drives recorded with reference poses.
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <set>
@@ -43,6 +44,22 @@ TEST_CASE("A hidden robot is a robot file that loads, and differs from what it i
 TEST_CASE("The same seed hides the same, another one something else") {
   CHECK(hidden_by(3).robot_yaml == hidden_by(3).robot_yaml);
   CHECK(hidden_by(3).robot_yaml != hidden_by(4).robot_yaml);
+}
+
+TEST_CASE("A floor that slopes comes with friction that holds the robot on it") {
+  const auto hides = [](const tools::HiddenRobot& hidden, const std::string& effect) {
+    return std::ranges::any_of(hidden.imperfections, [&](const tools::Imperfection& imperfection) {
+      return imperfection.effects.front() == effect;
+    });
+  };
+  bool any = false;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const auto hidden = hidden_by(seed);
+    if (!hides(hidden, "floor_slope")) continue;
+    any = true;
+    CHECK(hides(hidden, "coulomb_friction"));
+  }
+  CHECK(any);
 }
 
 TEST_CASE("A name counts for what was hidden under it, and else as false") {

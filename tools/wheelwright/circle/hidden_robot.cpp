@@ -119,12 +119,25 @@ constexpr std::array<Pick, 10> picks{{{"unequal_wheels", unequal_wheels},
 
 constexpr std::string_view nothing = "nothing";
 
+// A robot that no friction holds on a slope rolls away before it drives.
+void hold_on_slope(std::vector<Pick>& chosen) {
+  const auto has = [&](std::string_view name) {
+    return std::ranges::find(chosen, name, &Pick::name) != chosen.end();
+  };
+  if (has("slope") && !has("friction")) chosen.push_back(*std::ranges::find(picks, "friction", &Pick::name));
+}
+
 std::vector<Pick> picked_by_chance(Noise& chance) {
   std::array<Pick, picks.size()> order = picks;
   for (std::size_t i = order.size() - 1; i > 0; --i)
     std::swap(order.at(i), order.at(chance.bits() % (i + 1)));
-  const std::size_t count = 1 + chance.bits() % 3;
-  return {order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count)};
+  constexpr std::size_t most = 3;
+  const std::size_t count = 1 + chance.bits() % most;
+  std::vector<Pick> chosen(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count));
+  hold_on_slope(chosen);
+  if (chosen.size() > most)
+    chosen.erase(std::ranges::find_if(chosen, [](const Pick& pick) { return pick.name != "slope"; }));
+  return chosen;
 }
 
 std::string robot_text(const Parts& parts, const std::vector<Imperfection>& imperfections,
@@ -160,6 +173,7 @@ HiddenRobot pick_hidden_robot(std::uint64_t seed, const std::vector<std::string>
   for (const auto& name : names) {
     if (name != nothing) chosen.push_back(*std::ranges::find(picks, name, &Pick::name));
   }
+  hold_on_slope(chosen);
   if (names.empty()) chosen = picked_by_chance(chance);
   Parts parts;
   HiddenRobot hidden;

@@ -24,7 +24,8 @@ struct HiddenRobot {
 std::vector<std::string> imperfection_names();
 
 // The imperfections of these names, or where there are none, one to three that chance picks, on top of the
-// robot file `base`. Sizes come from the seed; the same seed picks the same.
+// robot file `base`. Sizes come from the seed; the same seed picks the same. With a slope comes friction,
+// which holds the robot on it.
 HiddenRobot pick_hidden_robot(std::uint64_t seed, const std::vector<std::string>& names,
                               const std::filesystem::path& base, const std::string& room_file);
 
