@@ -159,9 +159,12 @@ bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out) {
       return found.heldout_gain_nats > nats && found.posterior > sure;
     });
   };
-  // Where no figure lies above the noise, a small regularity of the robot is not a gap, and a figure may fall
-  // by chance.
-  if (speaks_for_it(some_figure_above_noise(figures) ? 30.0 : beyond_doubt_nats)) return true;
+  // Where no figure lies above the noise, or one becomes worse, a small regularity of the robot is not a gap,
+  // and a figure may fall by chance.
+  const GapFigures turned_round{figures.after, figures.before, figures.floor};
+  const bool some_rises = some_figure_falls(turned_round, 0.1, 0.0);
+  const bool little_is_enough = some_figure_above_noise(figures) && !some_rises;
+  if (speaks_for_it(little_is_enough ? 30.0 : beyond_doubt_nats)) return true;
   return some_figure_falls(figures, least_fall, speaks_for_it(not_by_chance_nats) ? 0.0 : 1.0);
 }
 

@@ -60,6 +60,12 @@ TEST_CASE(
   CHECK(closes_the_gap(analysis_with({finding("turn_scrub", 120.0)}, position(0.9, 0.9)), false));
 }
 
+TEST_CASE("What makes a figure of free runs worse needs to be beyond doubt") {
+  CHECK(closes_the_gap(analysis_with({finding("turn_speed_loss", 44.0)}, position(1.5, 1.5)), false));
+  CHECK_FALSE(closes_the_gap(analysis_with({finding("turn_speed_loss", 44.0)}, position(1.5, 1.8)), false));
+  CHECK(closes_the_gap(analysis_with({finding("turn_speed_loss", 144.0)}, position(1.5, 1.8)), false));
+}
+
 TEST_CASE("A delay alone has to show, however likely it is, since a larger core could be as good") {
   CHECK_FALSE(closes_the_gap(analysis_with({finding("transport_delay", 500.0)}, position(1.1, 0.9)), false));
   CHECK(closes_the_gap(analysis_with({finding("transport_delay", 500.0)}, position(2.0, 1.5)), false));
