@@ -107,7 +107,7 @@ bool GapChecks::drop_idle(GapSearch& result) {
     const bool stands = stands_for_itself(result.checks[place], effects[place].info, nats[place], largest);
     const bool beyond_core = beyond_a_core(effects[place]) && nats[place] > limits_.clear_delay_nats;
     const bool needed =
-        !(effects[place].info->linear && !beyond_core) && nats[place] >= limits_.least_idle_nats;
+        (!effects[place].info->linear || beyond_core) && nats[place] >= limits_.least_idle_nats;
     if (stands && needed) continue;
     TrialModel others = result.final.model;
     others.effects.erase(others.effects.begin() + static_cast<std::ptrdiff_t>(place));

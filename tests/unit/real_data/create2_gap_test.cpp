@@ -1,6 +1,8 @@
 // The gap workflow on logs of a real Create 2, where they are.
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "config/load/drive_log_file.hpp"
 #include "model/gap/gap_analysis.hpp"

@@ -140,6 +140,15 @@ std::vector<Pick> picked_by_chance(Noise& chance) {
   return chosen;
 }
 
+std::vector<Pick> picked_by_name(const std::vector<std::string>& names) {
+  std::vector<Pick> chosen;
+  for (const auto& name : names) {
+    if (name != nothing) chosen.push_back(*std::ranges::find(picks, name, &Pick::name));
+  }
+  hold_on_slope(chosen);
+  return chosen;
+}
+
 std::string robot_text(const Parts& parts, const std::vector<Imperfection>& imperfections,
                        const std::filesystem::path& base, const std::string& room_file) {
   std::string text = "# Sealed. What is hidden in this robot:\n";
@@ -169,12 +178,7 @@ std::vector<std::string> imperfection_names() {
 HiddenRobot pick_hidden_robot(std::uint64_t seed, const std::vector<std::string>& names,
                               const std::filesystem::path& base, const std::string& room_file) {
   Noise chance(seed);
-  std::vector<Pick> chosen;
-  for (const auto& name : names) {
-    if (name != nothing) chosen.push_back(*std::ranges::find(picks, name, &Pick::name));
-  }
-  hold_on_slope(chosen);
-  if (names.empty()) chosen = picked_by_chance(chance);
+  const std::vector<Pick> chosen = names.empty() ? picked_by_chance(chance) : picked_by_name(names);
   Parts parts;
   HiddenRobot hidden;
   for (const Pick& pick : chosen) hidden.imperfections.push_back(pick.put_into(parts, chance));

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/report/gnuplot.hpp"
@@ -52,6 +53,7 @@ Plot& Plot::half() {
 }
 
 Plot& Plot::equal_scales() {
+  equal_scales_ = true;
   settings_ += "set size ratio -1\nset offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05\n";
   return *this;
 }
@@ -128,6 +130,30 @@ Plot& Plot::label(double x, double y, const std::string& word) {
   return *this;
 }
 
+// The same step on both axes: gnuplot counts its own by the axes' usual lengths, and where a picture is
+// narrow they run into each other.
+std::string Plot::equal_tics() const {
+  double largest = 0.0;
+  for (const auto coordinate : {&PlotPoint::x, &PlotPoint::y}) {
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (const Series& series : series_) {
+      for (const PlotPoint& point : series.points) {
+        if (!std::isfinite(point.*coordinate)) continue;
+        least = std::min(least, point.*coordinate);
+        most = std::max(most, point.*coordinate);
+      }
+    }
+    largest = std::max(largest, most - least);
+  }
+  if (!(largest > 0.0)) return "";
+  constexpr double steps = 6.0;
+  const double decade = std::pow(10.0, std::floor(std::log10(largest / steps)));
+  const double digit = largest / steps / decade;
+  const std::string step = number(decade * (digit <= 2.0 ? 2.0 : digit <= 5.0 ? 5.0 : 10.0));
+  return "set xtics " + step + "\nset ytics " + step + "\n";
+}
+
 std::string Plot::script() const {
   std::string data;
   std::string plot;
@@ -144,7 +170,7 @@ std::string Plot::script() const {
     plot += (plot.empty() ? "plot " : ", ") + name + " using 1:2" + series.error_column + " " + series.style +
             (series.title.empty() ? " notitle" : " title " + in_quotes(series.title));
   }
-  return settings_ + data + plot + "\n";
+  return settings_ + (equal_scales_ ? equal_tics() : "") + data + plot + "\n";
 }
 
 Figures draw(std::span<const Plot> plots) {

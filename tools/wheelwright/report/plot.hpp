@@ -70,12 +70,14 @@ class Plot {
     std::string error_column;  // gnuplot's words for it; empty where points have none
     PlotPoints points;
   };
+  std::string equal_tics() const;
   Plot& add(std::string title, std::string style, PlotPoints points, std::string error_column = "");
 
   std::string caption_;
   std::string settings_;
   int height_ = 300;
   bool half_ = false;
+  bool equal_scales_ = false;
   std::vector<Series> series_;
   int objects_ = 0;
 };
