@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "model/effect_library.hpp"
 #include "model/gap/decoys.hpp"
 #include "model/gap/gap_size.hpp"
 #include "model/gap/gap_verdict.hpp"
+#include "model/gap/lost_counts.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -29,6 +31,7 @@ class Analysis {
   void conclude();
   void describe_where();
   void size_up();
+  void show_gap_with_lost_counts();
   RobotModel linear_model_of(const TrialModel& trial) const;
   RobotModel whole_model_of(const TrialModel& trial) const;
   RobotModel model_found() const;
@@ -207,6 +210,17 @@ void Analysis::size_up() {
   }
 }
 
+// Counts are lost at random, so that no simulation foretells them; to know where is what closes their gap.
+void Analysis::show_gap_with_lost_counts() {
+  const auto before = [this](const std::vector<DriveLog>& logs) {
+    std::vector<DriveLog> as_counted;
+    std::ranges::transform(logs, std::back_inserter(as_counted), with_lost_counts);
+    return gap_size(result_.before, as_counted);
+  };
+  result_.train.before = before(gathered_.train.logs);
+  if (!result_.tail_held_out) result_.test.before = before(gathered_.test.logs);
+}
+
 // A linear effect that is no more than a better linear model may stand before one that is: the search is made
 // again without it. False where there is none to leave out.
 bool Analysis::leave_out_linear_effects() {
@@ -242,6 +256,8 @@ void Analysis::conclude() {
   }
   reach_verdict(result_, options_.limits, changed_gains(result_.search, *train_problem_, *test_problem_));
   describe_where();
+  const auto dropout = [](const Finding& found) { return found.setting.name == dropout_name; };
+  if (std::ranges::any_of(result_.found, dropout)) show_gap_with_lost_counts();
   result_.not_testable = testability_.untestable;
   std::erase_if(result_.not_testable, [this](const Untestable& untestable) {
     return std::ranges::any_of(result_.found,

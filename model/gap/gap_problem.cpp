@@ -43,6 +43,7 @@ GapProblem::GapProblem(std::vector<GapRun> runs, std::vector<WheelPair> metres_p
     }
     if (run.sparse) {
       for (std::size_t i = 1; i < run.references.size(); ++i) {
+        if (run.references[i].anew) continue;
         stretches_.push_back({r, i - 1, size_, Eigen::Matrix3d::Identity()});
         for (std::size_t part = 0; part < 3; ++part) {
           places_.push_back({r, std::nullopt, i, run.references[i].at.period});

@@ -61,25 +61,29 @@ void lay_counts(const DriveLog& log, const RowFlags& flags, GapRun& run) {
   run.has_counts = !run[Channel::left].empty();
 }
 
-// Returns which of them do not go on from the one before.
-std::vector<char> collect_references(const DriveLog& log, const RowFlags& flags, GapRun& run) {
-  std::vector<char> restarts;
-  char restart = 0;
+void collect_references(const DriveLog& log, const RowFlags& flags, GapRun& run) {
+  const auto flagged = [](const std::vector<char>& rows, std::size_t i) {
+    return !rows.empty() && rows[i] != 0;
+  };
+  bool anew = false;
+  bool lost = false;
   double heading = 0.0;
-  bool any = false;
   for (std::size_t i = 0; i < log.samples.size(); ++i) {
     const DriveSample& sample = log.samples[i];
-    if (!flags.restart.empty() && flags.restart[i] && run.has_counts) restart = 1;
+    // Behind lost counts, too: the first that are sound tell only of what comes after them.
+    const bool lost_before = lost;
+    lost = flagged(flags.counts, i);
+    if (lost || lost_before || flagged(flags.restart, i)) anew = true;
     if (!sample.reference_x_m || !sample.reference_y_m || !sample.reference_theta_rad) continue;
     // Angles may wrap: full turns are counted here.
-    heading = any ? heading + wrap_angle(*sample.reference_theta_rad - heading) : *sample.reference_theta_rad;
-    any = true;
-    run.references.push_back(
-        {grid_time(run, sample.t_s), {*sample.reference_x_m, *sample.reference_y_m, heading}});
-    restarts.push_back(restarts.empty() ? char{0} : restart);
-    restart = 0;
+    const bool first = run.references.empty();
+    heading =
+        first ? *sample.reference_theta_rad : heading + wrap_angle(*sample.reference_theta_rad - heading);
+    run.references.push_back({grid_time(run, sample.t_s),
+                              {*sample.reference_x_m, *sample.reference_y_m, heading},
+                              anew && !first && run.has_counts});
+    anew = false;
   }
-  return restarts;
 }
 
 double grid_s(const GapRun& run, const GridTime& at) {
@@ -156,14 +160,16 @@ GapRun make_gap_run(const DriveLog& log, const RowFlags& flags, double period_s)
   run.start_s = log.samples.front().t_s;
   lay_commands(log, run);
   lay_counts(log, flags, run);
-  const std::vector<char> restarts = collect_references(log, flags, run);
+  collect_references(log, flags, run);
   if (run.has_counts) lay_odometry(run);
   run.sparse = far_apart(run);
   if (!run.sparse) {
     lay_passed(run);
     for (const Channel channel : {Channel::forward, Channel::aside, Channel::turn}) {
-      for (const auto& reference : run.references) run[channel].at.push_back(reference.at);
-      run[channel].restarts = restarts;
+      for (const auto& reference : run.references) {
+        run[channel].at.push_back(reference.at);
+        run[channel].restarts.push_back(reference.anew ? 1 : 0);
+      }
     }
   }
   return run;

@@ -39,6 +39,7 @@ struct Series {
 struct Reference {
   GridTime at;
   Pose pose;
+  bool anew = false;  // there are counts, but since the reference before they do not tell all
 };
 
 // Body motion by odometry over one period.

@@ -12,6 +12,17 @@ namespace {
 constexpr double shortest_freeze_s = 0.05;
 constexpr double expected_counts_in_freeze = 10.0;
 constexpr double surely_turning_m_s = 0.05;  // a slower wheel may stick
+constexpr std::size_t more_than_chance = 2;  // once in a run may be a wheel that something held
+
+// Whether no wheel can have turned so far since the row before; both rows hold counts.
+bool jumps(const DriveLog& log, std::size_t row, bool left) {
+  const DriveSample& before = log.samples[row - 1];
+  const DriveSample& now = log.samples[row];
+  const double step_m =
+      left ? static_cast<double>(now.ticks->left - before.ticks->left) * log.metres_per_tick->left
+           : static_cast<double>(now.ticks->right - before.ticks->right) * log.metres_per_tick->right;
+  return std::abs(step_m) > impossible_speed_m_s * (now.t_s - before.t_s) + 0.01;
+}
 
 // A wheel that was told to stand may have stood.
 bool told_to_stand(const DriveLog& log, std::size_t first, std::size_t end, bool left, double speed_m_s) {
@@ -48,52 +59,105 @@ std::string held(bool left, double duration_s) {
          " s: its counts and the reference agree on that";
 }
 
+// Rows in which the counts of one wheel stand still: those behind `first`, to `end`.
+struct Freeze {
+  std::size_t first = 0;
+  std::size_t end = 0;
+};
+
+std::vector<Freeze> freezes_of(const GateState& gate, bool left) {
+  const auto& samples = gate.result.log.samples;
+  const auto stands = [&](std::size_t k) {
+    return samples[k].ticks && samples[k - 1].ticks && gate.travel(k, left) == gate.travel(k - 1, left);
+  };
+  std::vector<Freeze> freezes;
+  for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
+    if (!stands(i)) continue;
+    std::size_t end = i;
+    while (end + 1 < samples.size() && stands(end + 1)) ++end;
+    const Freeze freeze{i - 1, end};
+    i = end;
+    if (samples[freeze.end].t_s - samples[freeze.first].t_s < shortest_freeze_s || freeze.first < 3 ||
+        freeze.end + 4 >= samples.size())
+      continue;
+    if (samples[freeze.first - 3].ticks && samples[freeze.end + 4].ticks) freezes.push_back(freeze);
+  }
+  return freezes;
+}
+
+// How fast a wheel surely turned at either side of a freeze; nothing where it may have stood. A wheel that
+// stops by itself slows down first, and speeds up afterwards; counts that are lost do not.
+struct SpeedsAround {
+  double before_m_s = 0.0;
+  double after_m_s = 0.0;
+};
+
+SpeedsAround speeds_around(const GateState& gate, const Freeze& freeze, bool left) {
+  const auto& samples = gate.result.log.samples;
+  const auto speed = [&](std::size_t from, std::size_t to) {
+    return (gate.travel(to, left) - gate.travel(from, left)) / (samples[to].t_s - samples[from].t_s);
+  };
+  const auto sure = [](double speed_m_s, double beside_the_freeze_m_s) {
+    const bool as_fast = std::abs(beside_the_freeze_m_s) >= 0.6 * surely_turning_m_s &&
+                         beside_the_freeze_m_s * speed_m_s > 0.0;
+    if (!as_fast || std::abs(speed_m_s) < surely_turning_m_s) return 0.0;
+    return std::copysign(std::min(std::abs(speed_m_s), std::abs(beside_the_freeze_m_s) / 0.6), speed_m_s);
+  };
+  const auto [first, end] = freeze;
+  // What comes with the first reading behind the freeze may be all that was held back.
+  return {sure(speed(first - 3, first), speed(first - 1, first)),
+          sure(speed(end + 1, end + 4), speed(end + 1, end + 2))};
+}
+
+void leave_out_frozen(GateState& gate, const Freeze& freeze, bool left) {
+  const auto& samples = gate.result.log.samples;
+  const double duration = samples[freeze.end].t_s - samples[freeze.first].t_s;
+  for (std::size_t k = freeze.first + 1; k <= freeze.end; ++k) gate.result.flags.counts[k] = 1;
+  gate.result.dropouts.push_back({samples[freeze.first].t_s, duration});
+  gate.fault(freeze.first + 1, std::string(left ? "ticks_left" : "ticks_right") + " stand still for " +
+                                   in_digits(duration, 3) +
+                                   " s while the wheel turns; the rows were left out");
+}
+
 // Counts of one wheel that stand still between two moments at which the wheel surely turned.
 void find_frozen_counts(GateState& gate, bool left) {
   const auto& samples = gate.result.log.samples;
   const double tick = left ? gate.result.log.metres_per_tick->left : gate.result.log.metres_per_tick->right;
-  const auto speed = [&](std::size_t from, std::size_t to) {
-    return (gate.travel(to, left) - gate.travel(from, left)) / (samples[to].t_s - samples[from].t_s);
-  };
-  for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
-    if (!samples[i].ticks || !samples[i - 1].ticks || gate.travel(i, left) != gate.travel(i - 1, left))
-      continue;
-    std::size_t end = i;
-    while (end + 1 < samples.size() && samples[end + 1].ticks &&
-           gate.travel(end + 1, left) == gate.travel(i, left))
-      ++end;
-    const std::size_t first = i - 1;
-    i = end;
+  for (const Freeze& freeze : freezes_of(gate, left)) {
+    const auto [first, end] = freeze;
     const double duration = samples[end].t_s - samples[first].t_s;
-    if (duration < shortest_freeze_s || first < 3 || end + 4 >= samples.size()) continue;
-    if (!samples[first - 3].ticks || !samples[end + 4].ticks) continue;
-    const double before = speed(first - 3, first);
-    // What comes with the first reading behind the freeze may be all that was held back.
-    const double after = speed(end + 1, end + 4);
-    // A wheel that stops by itself slows down first, and speeds up afterwards; counts that are lost do not.
-    const double last = speed(first - 1, first);
-    const double next = speed(end + 1, end + 2);
-    const double least =
-        std::min({std::abs(before), std::abs(after), std::abs(last) / 0.6, std::abs(next) / 0.6});
-    if (last * before <= 0.0 || next * before <= 0.0) continue;
-    if (before * after <= 0.0 || least < surely_turning_m_s ||
-        least * duration < expected_counts_in_freeze * tick)
-      continue;
+    const auto [before, after] = speeds_around(gate, freeze, left);
+    const double least = std::min(std::abs(before), std::abs(after));
+    if (before * after <= 0.0 || least * duration < expected_counts_in_freeze * tick) continue;
     if (told_to_stand(gate.result.log, first, end, left, before)) continue;
     if (moved_as_counted(gate, first, end, 0.5 * least * duration)) {
       gate.event(first + 1, held(left, duration));
       continue;
     }
-    for (std::size_t k = first + 1; k <= end; ++k) gate.result.flags.counts[k] = 1;
-    gate.result.dropouts.push_back({samples[first].t_s, duration});
-    gate.fault(first + 1, std::string(left ? "ticks_left" : "ticks_right") + " stand still for " +
-                              in_digits(duration, 3) + " s while the wheel turns; the rows were left out");
+    leave_out_frozen(gate, freeze, left);
   }
 }
 
-// Once in a run may be a wheel that something held.
+// Where counts were lost more than once, they are lost at turns and stops, too: from such a speed no wheel
+// comes to rest between two rows, nor to it from rest.
+void find_frozen_at_turns(GateState& gate, bool left) {
+  constexpr double too_fast_to_stop_m_s = 0.1;
+  constexpr double surely_on_its_way_s = 0.1;
+  const double tick = left ? gate.result.log.metres_per_tick->left : gate.result.log.metres_per_tick->right;
+  for (const Freeze& freeze : freezes_of(gate, left)) {
+    const auto [first, end] = freeze;
+    if (gate.result.flags.counts[end] != 0) continue;
+    const auto [before, after] = speeds_around(gate, freeze, left);
+    const double fastest = std::max(std::abs(before), std::abs(after));
+    const double duration = gate.result.log.samples[end].t_s - gate.result.log.samples[first].t_s;
+    if (fastest < too_fast_to_stop_m_s || fastest * duration < expected_counts_in_freeze * tick) continue;
+    const double least_lost_m = fastest * std::min(duration, surely_on_its_way_s);
+    if (!moved_as_counted(gate, first, end, 0.5 * least_lost_m)) leave_out_frozen(gate, freeze, left);
+  }
+}
+
+// A part of the edges, for a while.
 void find_missed_edges(GateState& gate) {
-  constexpr std::size_t more_than_chance = 2;
   const auto& samples = gate.result.log.samples;
   const auto duration_s = [&](const ThinnedCounts& stretch) {
     return samples[stretch.last_row].t_s - samples[stretch.first_row - 1].t_s;
@@ -132,8 +196,7 @@ void find_jumps(GateState& gate) {
     if (!samples[i].ticks || !samples[i - 1].ticks) continue;
     const double duration = samples[i].t_s - samples[i - 1].t_s;
     for (const bool left : {true, false}) {
-      const double jump = gate.travel(i, left) - gate.travel(i - 1, left);
-      if (std::abs(jump) <= impossible_speed_m_s * duration + 0.01) continue;
+      if (!jumps(gate.result.log, i, left)) continue;
       gate.result.flags.restart[i] = 1;
       const auto ticks = left ? samples[i].ticks->left - samples[i - 1].ticks->left
                               : samples[i].ticks->right - samples[i - 1].ticks->right;
@@ -147,6 +210,15 @@ void find_jumps(GateState& gate) {
   }
 }
 
+DriveLog with_lost_counts(DriveLog log) {
+  for (std::size_t i = 1; i < log.samples.size(); ++i) {
+    DriveSample& sample = log.samples[i];
+    if (!sample.ticks || !log.samples[i - 1].ticks) continue;
+    sample.counts_anew = jumps(log, i, true) || jumps(log, i, false);
+  }
+  return log;
+}
+
 void find_dropouts(GateState& gate) {
   const auto& samples = gate.result.log.samples;
   for (std::size_t i = 0; i < samples.size(); ++i) {  // no counts at all
@@ -158,8 +230,11 @@ void find_dropouts(GateState& gate) {
     gate.fault(i, "no counts for " + in_digits(duration, 3) + " s; the rows were left out");
     i = end;
   }
-  find_frozen_counts(gate, true);
-  find_frozen_counts(gate, false);
+  const std::size_t without_counts = gate.result.dropouts.size();
+  for (const bool left : {true, false}) find_frozen_counts(gate, left);
+  if (gate.result.dropouts.size() >= without_counts + more_than_chance) {
+    for (const bool left : {true, false}) find_frozen_at_turns(gate, left);
+  }
   find_missed_edges(gate);
 }
 

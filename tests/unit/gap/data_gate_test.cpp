@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
+#include "model/gap/lost_counts.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gap_plant/gap_case.hpp"
 
@@ -30,6 +32,27 @@ std::size_t moving_row(const DriveLog& log) {
     if (forward > 65) return i;
   }
   throw std::logic_error("the run holds no long forward drive");
+}
+
+// Rows from which the left wheel was told to stop or turn back, after it had turned for a while.
+std::vector<std::size_t> stopping_rows(const DriveLog& log) {
+  std::vector<std::size_t> rows;
+  std::size_t turning = 0;
+  for (std::size_t i = 0; i < log.samples.size(); ++i) {
+    const double command_m_s = log.samples[i].command_m_s.left;
+    if (command_m_s <= 0.0 && turning > 40) rows.push_back(i);
+    turning = command_m_s > 0.15 ? turning + 1 : 0;
+  }
+  return rows;
+}
+
+// The left wheel goes on turning, but its counts stand still.
+void lose_counts(DriveLog& log, std::size_t from, std::size_t rows) {
+  const auto lost = log.samples[from + rows].ticks->left - log.samples[from].ticks->left;
+  for (std::size_t i = from; i < log.samples.size(); ++i) {
+    auto& ticks = log.samples[i].ticks->left;
+    ticks = i < from + rows ? log.samples[from].ticks->left : ticks - lost;
+  }
 }
 
 // With a reference that saw what the counts say.
@@ -110,11 +133,7 @@ TEST_CASE("A wheel that stood is no dropout where a reference saw the robot move
   auto log = clean_log();
   const std::size_t from = moving_row(log) - 25;
   const auto turned = by_counts(log);
-  const auto lost = log.samples[from + 20].ticks->left - log.samples[from].ticks->left;
-  for (std::size_t i = from; i < log.samples.size(); ++i) {
-    auto& ticks = log.samples[i].ticks->left;
-    ticks = i < from + 20 ? log.samples[from].ticks->left : ticks - lost;
-  }
+  lose_counts(log, from, 20);
   const auto stood = gate(by_counts(log));
   CHECK(stood.dropouts.empty());
   REQUIRE(stood.faults.size() == 1);
@@ -130,6 +149,43 @@ TEST_CASE("A wheel that stood is no dropout where a reference saw the robot move
   const auto uncounted = gate(log);
   CHECK(uncounted.dropouts.size() == 1);
   CHECK_FALSE(uncounted.faults.front().happened);
+}
+
+TEST_CASE("Counts that were lost while driving are looked for at stops, too") {
+  test::GapCaseSpec spec;
+  spec.runs = 1;
+  spec.seconds = 60.0;
+  const auto log = test::make_gap_case(spec).runs.front();
+  const auto stops = stopping_rows(log);
+  REQUIRE(stops.size() >= 2);
+  const std::size_t stop = stops.back();
+  CHECK(gate(log).dropouts.empty());
+
+  auto stopping = log;
+  lose_counts(stopping, stop - 10, 60);
+  CHECK(gate(stopping).dropouts.empty());  // something may have held the wheel
+
+  auto losing = stopping;
+  lose_counts(losing, moving_row(log) - 40, 10);
+  lose_counts(losing, moving_row(log) - 20, 10);
+  const auto gated = gate(losing);
+  REQUIRE(gated.dropouts.size() == 3);
+  CHECK_THAT(gated.dropouts.back().start_s, WithinAbs(log.samples[stop - 10].t_s, 0.05));
+  CHECK(gated.flags.counts[stop] == 1);
+}
+
+TEST_CASE("What a reference saw while counts were lost is not held against them") {
+  auto log = by_counts(clean_log());
+  const std::size_t from = moving_row(log) - 25;
+  lose_counts(log, from, 20);
+  const auto gated = gate(log);
+  REQUIRE(gated.dropouts.size() == 1);
+  const GapRun run = make_gap_run(gated.log, gated.flags, log.period_s);
+  REQUIRE(run.references.size() == log.samples.size());
+  CHECK_FALSE(run.references[from].anew);
+  for (std::size_t i = from + 1; i <= from + 21; ++i) CHECK(run.references[i].anew);
+  CHECK_FALSE(run.references[from + 22].anew);
+  for (const auto& sample : with_lost_counts(gated.log).samples) CHECK_FALSE(sample.counts_anew);
 }
 
 TEST_CASE("No travel is measured across lost counts") {
