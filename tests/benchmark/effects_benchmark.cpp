@@ -12,7 +12,7 @@ void simulated_sample_with_three_effects(benchmark::State& state) {
   const DriveLog log = plant_log(120.0);
   const std::vector<EffectSetting> effects{{"dead_zone", "", {0.01, 0.02}},
                                            {"gain_curve", "command", {0.1, 0.0}},
-                                           {"turn_speed_loss", "relative", {0.05}}};
+                                           {"turn_speed_loss", "relative", {0.05, 0.0}}};
   LinearModel core = plant_model(9);
   core.type = ModelType::arma;
   core.left.from_own_past =

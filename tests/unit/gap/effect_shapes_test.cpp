@@ -49,6 +49,20 @@ TEST_CASE("A motor at its full voltage approaches its limit with its own lag") {
   CHECK(speed_after(simulation, 0.4, 500) <= 0.2);
 }
 
+TEST_CASE("Speed is lost in a curve sharper than the onset, and the turn rate stays") {
+  const auto motion = [](const EffectSetting& effect, WheelPair command_m_s) {
+    return only(effect).step(command_m_s).twist;
+  };
+  const WheelPair curve_m_s{0.074, 0.126};  // 0.1 m/s and 0.2016 rad/s: a radius of 0.5 m
+  const double turn_rate_rad_s = 0.052 / 0.258;
+  const Twist sharp = motion({"turn_speed_loss", "absolute", {0.5, 1.5}}, curve_m_s);
+  CHECK_THAT(sharp.w_rad_s, WithinAbs(turn_rate_rad_s, 1e-12));
+  CHECK_THAT(sharp.v_m_s, WithinAbs(0.1 - 0.2 * 0.5 * (turn_rate_rad_s - 0.15), 1e-12));
+  const Twist share = motion({"turn_speed_loss", "relative", {0.5, 0.0}}, curve_m_s);
+  CHECK_THAT(share.v_m_s, WithinAbs(0.1 * (1.0 - 0.5 * turn_rate_rad_s), 1e-12));
+  CHECK_THAT(motion({"turn_speed_loss", "absolute", {0.5, 2.1}}, curve_m_s).v_m_s, WithinAbs(0.1, 1e-12));
+}
+
 TEST_CASE("A limit is met sharply or by a knee") {
   ModelSimulation sharp = only({"saturation", "command", {0.2, 0.0, 0.0}});
   CHECK(speed_after(sharp, 0.2, 1) == 0.2);
