@@ -1,0 +1,136 @@
+#include "model/gap/gap_checks.hpp"
+
+#include <string>
+#include <vector>
+
+#include "model/effect_library.hpp"
+#include "model/gap/decoys.hpp"
+#include "model/gap/gap_run.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace wheelwright;
+using namespace wheelwright::gap;
+
+namespace {
+
+constexpr double period_s = 0.02;
+
+TrialModel with_effects(const std::vector<TrialEffect>& effects) {
+  TrialModel model = first_guess({}, period_s, 0.25, 0.06, 0.04);
+  model.effects = effects;
+  return model;
+}
+
+TrialEffect named(const std::string& name, const std::vector<double>& parameters) {
+  return {find_effect(name), 0, parameters};
+}
+
+GapProblem some_drive() {
+  DriveLog log;
+  log.wheel_base_m = 0.25;
+  log.period_s = period_s;
+  for (int k = 0; k < 100; ++k) {
+    DriveSample sample;
+    sample.t_s = period_s * k;
+    sample.command_m_s = {0.002 * k, 0.001 * k};
+    sample.reference_x_m = 1e-3 * k;
+    sample.reference_y_m = 0.0;
+    sample.reference_theta_rad = 0.0;
+    log.samples.push_back(sample);
+  }
+  GapRun run = make_gap_run(log, {}, period_s);
+  measure_motion(run);
+  return {{run}, {WheelPair{}}, for_each_in_turn};
+}
+
+struct Said {
+  TrialEffect effect;
+  double heldout_nats = 0.0;
+};
+
+// Who would take a place, the first one best, as a look leaves it.
+Round check(const std::vector<Said>& all) {
+  Round round;
+  for (const Said& said : all) {
+    Contender contender;
+    contender.effect = said.effect;
+    contender.heldout_nats = said.heldout_nats;
+    contender.score = said.heldout_nats;
+    round.contenders.push_back(contender);
+  }
+  return round;
+}
+
+// Names of what is left of two effects, with what was said for each in its place.
+std::vector<std::string> left_of(const Said& one, const Round& check_of_one, const Said& other,
+                                 const Round& check_of_other, bool free_runs_closer) {
+  GapProblem problem = some_drive();
+  Contest contest(problem, problem, {});
+  GapLook look(problem, problem, contest, {}, {}, for_each_in_turn);
+  const FreeRuns free_runs{[](const TrialModel&) { return true; },
+                           [&](const TrialModel&, const TrialModel&) { return free_runs_closer; }};
+  GapChecks checks(problem, contest, look, {}, free_runs);
+  GapSearch result;
+  result.final.model = with_effects({one.effect, other.effect});
+  result.checks = {check_of_one, check_of_other};
+  const bool dropped = checks.drop_idle(result);
+  std::vector<std::string> names;
+  for (const auto& effect : result.final.model.effects) names.push_back(effect.info->name);
+  CHECK(dropped == (names.size() < 2));
+  return names;
+}
+
+const Said strong{named("dead_zone", {0.02, 0.5}), 800.0};
+const std::vector<std::string> strong_alone{"dead_zone"};
+
+std::vector<std::string> left_beside_strong(const Said& other, const Round& check_of_other,
+                                            bool free_runs_closer) {
+  return left_of(strong, check({strong}), other, check_of_other, free_runs_closer);
+}
+
+TrialEffect some_decoy() {
+  return {&decoys().front(), 0, {0.1, 0.1}};
+}
+
+}  // namespace
+
+TEST_CASE("Beside others an effect that explains little stays only where free runs come closer by it") {
+  const Said little{named("direction_gain", {-0.02}), 20.0};
+  CHECK(left_beside_strong(little, check({little}), false) == strong_alone);
+  CHECK(left_beside_strong(little, check({little}), true).size() == 2);
+  const Said enough{little.effect, 60.0};
+  CHECK(left_beside_strong(enough, check({enough}), false).size() == 2);
+}
+
+TEST_CASE("Beside others a delay that a core could hold has to bring free runs closer, a longer one not") {
+  const Said core_like{named("transport_delay", {0.04}), 300.0};
+  REQUIRE(core_like.effect.info->linear);
+  CHECK(left_beside_strong(core_like, check({core_like}), false) == strong_alone);
+  CHECK(left_beside_strong(core_like, check({core_like}), true).size() == 2);
+  const Said longer{named("transport_delay", {0.4}), 300.0};
+  CHECK(left_beside_strong(longer, check({longer}), false).size() == 2);
+}
+
+TEST_CASE("What a decoy beats beside others goes, whatever free runs say") {
+  const Said beaten{named("direction_gain", {-0.02}), 60.0};
+  CHECK(left_beside_strong(beaten, check({{some_decoy(), 61.0}, beaten}), true) == strong_alone);
+}
+
+TEST_CASE("Beside others what is small and hardly told from its rival goes") {
+  const Said rival{named("gain_curve", {0.1, 0.1}), 43.0};
+  const Said small{named("direction_gain", {-0.02}), 44.0};
+  CHECK(left_beside_strong(small, check({small, rival}), true) == strong_alone);
+  const Said clearer{small.effect, 46.0};
+  CHECK(left_beside_strong(clearer, check({clearer, rival}), true).size() == 2);
+  const Said larger{small.effect, 49.0};
+  CHECK(left_beside_strong(larger, check({larger, {rival.effect, 48.0}}), true).size() == 2);
+}
+
+TEST_CASE("Of two that are not needed the lesser one goes first") {
+  const Said one{named("direction_gain", {-0.02}), 30.0};
+  const Said other{named("gain_curve", {0.1, 0.1}), 20.0};
+  CHECK(left_of(one, check({one}), other, check({other}), false) ==
+        std::vector<std::string>{"direction_gain"});
+  CHECK(left_of(other, check({other}), one, check({one}), false) ==
+        std::vector<std::string>{"direction_gain"});
+}
