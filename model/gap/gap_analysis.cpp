@@ -37,6 +37,7 @@ class Analysis {
   RobotModel model_found() const;
   GapFigures figures(const RobotModel& before, const RobotModel& after,
                      const std::vector<DriveLog>& logs) const;
+  void put_slow_noise_into_floors();
   bool leave_out_linear_effects();
   std::vector<std::size_t> runs_off_by_more_than_noise() const;
   void hold_out_others();
@@ -186,6 +187,21 @@ GapFigures Analysis::figures(const RobotModel& before, const RobotModel& after,
           noise_floor(after, logs, train_problem_->noise(), floor_seed)};
 }
 
+// From reading to reading, what wanders for a tenth of a second looks smoother than it is over seconds.
+void Analysis::put_slow_noise_into_floors() {
+  constexpr double far_apart_s = 0.5;
+  NoiseModel noise = train_problem_->noise();
+  const NoiseModel slow = train_problem_->noise_left_by(result_.search.final.model, far_apart_s);
+  for (std::size_t c = 0; c < channel_count; ++c) {
+    double& walk = noise.channel[c].walk_per_sqrt_s;
+    walk = std::max(walk, slow.channel[c].walk_per_sqrt_s);
+  }
+  result_.train.floor = noise_floor(result_.after, gathered_.train.logs, noise, floor_seed);
+  if (!result_.tail_held_out) {
+    result_.test.floor = noise_floor(result_.after, gathered_.test.logs, noise, floor_seed);
+  }
+}
+
 void Analysis::describe_where() {
   const GapSearch& search = result_.search;
   const GapFit& before = search.baseline;
@@ -254,7 +270,10 @@ void Analysis::conclude() {
     result_.search.final = result_.search.baseline;
     size_up();
   }
-  reach_verdict(result_, options_.limits, changed_gains(result_.search, *train_problem_, *test_problem_));
+  const Excess over_quick_noise = what_is_left(result_);
+  put_slow_noise_into_floors();
+  reach_verdict(result_, options_.limits, over_quick_noise,
+                changed_gains(result_.search, *train_problem_, *test_problem_));
   describe_where();
   const auto dropout = [](const Finding& found) { return found.setting.name == dropout_name; };
   if (std::ranges::any_of(result_.found, dropout)) show_gap_with_lost_counts();

@@ -14,6 +14,27 @@ constexpr double least_stretch = 0.3;
 constexpr double most_usual_stretch = 1.5;
 constexpr double enough_stretch_readings = 100.0;
 
+struct ErrorSeries {
+  std::vector<double> times_s;
+  std::vector<char> restarts;
+  std::vector<double> errors;
+};
+
+// Only readings that lie so far behind the one before, and those behind which nothing is known.
+ErrorSeries thinned(const NoiseSample& all, double least_apart_s) {
+  ErrorSeries kept;
+  bool restart = false;
+  for (std::size_t i = 0; i < all.times_s.size(); ++i) {
+    restart = restart || all.restarts[i] != 0;
+    if (!restart && !kept.times_s.empty() && all.times_s[i] - kept.times_s.back() < least_apart_s) continue;
+    kept.times_s.push_back(all.times_s[i]);
+    kept.restarts.push_back(restart ? 1 : 0);
+    kept.errors.push_back(all.errors[i]);
+    restart = false;
+  }
+  return kept;
+}
+
 }  // namespace
 
 double squares_of(const std::vector<double>& values) {
@@ -72,16 +93,19 @@ double GapProblem::smallest_reading(std::size_t channel) const {
   return std::max(largest_tick / std::sqrt(12.0), 1e-6);
 }
 
-NoiseModel GapProblem::noise_left_by(const TrialModel& model) const {
+NoiseModel GapProblem::noise_left_by(const TrialModel& model, double least_apart_s) const {
   std::vector<RunErrors> errors(runs_.size());
   for_each_(runs_.size(), [&](std::size_t r) { errors[r] = free_run_errors(model, runs_[r]); });
   NoiseModel noise = noise_;
   for (std::size_t c = 0; c < channel_count; ++c) {
-    std::vector<NoiseSample> samples;
+    std::vector<ErrorSeries> series;
     for (const auto& block : blocks_) {
       if (block.channel != c) continue;
-      samples.push_back({block.times_s, runs_[block.run].series[c].restarts, errors[block.run].series[c]});
+      series.push_back(thinned(
+          {block.times_s, runs_[block.run].series[c].restarts, errors[block.run].series[c]}, least_apart_s));
     }
+    std::vector<NoiseSample> samples;
+    for (const auto& one : series) samples.push_back({one.times_s, one.restarts, one.errors});
     if (!samples.empty()) noise.channel[c] = noise_of(samples, smallest_reading(c));
   }
   // Both wheels are of one make: what one shows of noise holds for the other.

@@ -48,8 +48,8 @@ class GapProblem {
   bool has_motion() const;  // references, near or far
   std::size_t readings() const { return size_; }
 
-  // The noise under which what a model leaves is most likely.
-  NoiseModel noise_left_by(const TrialModel& model) const;
+  // The noise under which what a model leaves is most likely, judged by readings so far apart.
+  NoiseModel noise_left_by(const TrialModel& model, double least_apart_s = 0.0) const;
   void set_noise(const NoiseModel& noise);
   const NoiseModel& noise() const { return noise_; }
 

@@ -24,10 +24,6 @@ std::string in_words(const Excess& excess) {
          std::to_string(tenths % 10) + " times as far as by noise alone";
 }
 
-Excess what_is_left(const GapAnalysis& analysis) {
-  return largest_excess(analysis.train, analysis.tail_held_out ? analysis.train : analysis.test);
-}
-
 struct Judgement {
   Verdict verdict;
   std::string summary;
@@ -67,8 +63,17 @@ std::string in_words(std::span<const GainChange> changes) {
   return words;
 }
 
+// By the noise from reading to reading and by that over seconds; far above the first, the second may have
+// taken up what is missing.
+bool more_than_any_noise(const Excess& over_quick_noise, const Excess& over_slow_noise) {
+  constexpr double above_slow_noise = 1.25;
+  constexpr double beyond_slow_noise = 3.0;
+  return (over_quick_noise.times >= more_than_noise && over_slow_noise.times >= above_slow_noise) ||
+         over_quick_noise.times >= beyond_slow_noise;
+}
+
 Judgement of_nothing_found(const GapAnalysis& analysis, const SearchLimits& limits,
-                           std::span<const GainChange> changes) {
+                           const Excess& over_quick_noise, std::span<const GainChange> changes) {
   if (decoy_explains(analysis, limits)) {
     return {Verdict::unnamed, "Something is missing that no effect of the library explains."};
   }
@@ -91,9 +96,9 @@ Judgement of_nothing_found(const GapAnalysis& analysis, const SearchLimits& limi
   }
   // That no effect was found does not mean that nothing is missing: where the free runs are off by more than
   // noise explains, in the runs that were fitted and in those that were not, something is.
-  if (const Excess left = what_is_left(analysis); left.times >= more_than_noise) {
+  if (more_than_any_noise(over_quick_noise, what_is_left(analysis))) {
     return {Verdict::unnamed, "Something is missing that no effect of the library explains: in free runs " +
-                                  in_words(left) + "."};
+                                  in_words(over_quick_noise) + "."};
   }
   return {Verdict::nothing_missing, "Nothing is missing that these runs could show."};
 }
@@ -107,6 +112,10 @@ bool wheels_began_apart(const GapSearch& search) {
 }
 
 }  // namespace
+
+Excess what_is_left(const GapAnalysis& analysis) {
+  return largest_excess(analysis.train, analysis.tail_held_out ? analysis.train : analysis.test);
+}
 
 std::string_view verdict_name(Verdict verdict) {
   switch (verdict) {
@@ -195,9 +204,10 @@ bool leaves_most_of_it(const GapAnalysis& analysis) {
   return left.times >= nowhere_near || (left.times >= far_above_noise && left.closed < 0.5);
 }
 
-void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, std::span<const GainChange> changes) {
-  Judgement judgement =
-      analysis.found.empty() ? of_nothing_found(analysis, limits, changes) : of_findings(analysis.found);
+void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Excess& over_quick_noise,
+                   std::span<const GainChange> changes) {
+  Judgement judgement = analysis.found.empty() ? of_nothing_found(analysis, limits, over_quick_noise, changes)
+                                               : of_findings(analysis.found);
   analysis.verdict = judgement.verdict;
   analysis.summary = std::move(judgement.summary);
   analysis.where = std::move(judgement.where);

@@ -38,7 +38,13 @@ bool leaves_most_of_it(const GapAnalysis& analysis);
 // names are shapes of something that the library does not hold.
 bool is_less_than_a_decoy_adds(const GapAnalysis& analysis);
 
-// Sets verdict and summary, and `where` for gains that changed, from all else that the analysis holds.
-void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, std::span<const GainChange> changes);
+// What the model found leaves, in floors of the figures as they stand.
+Excess what_is_left(const GapAnalysis& analysis);
+
+// Sets verdict and summary, and `where` for gains that changed, from all else that the analysis holds. Its
+// floors are those of noise over seconds; `over_quick_noise` is what is left over noise from reading to
+// reading.
+void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Excess& over_quick_noise,
+                   std::span<const GainChange> changes);
 
 }  // namespace wheelwright::gap

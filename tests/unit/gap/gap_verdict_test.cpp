@@ -1,6 +1,8 @@
 // When what was found is an answer: rules on evidence and on what free runs show.
 #include "model/gap/gap_verdict.hpp"
 
+#include <algorithm>
+
 #include "model/effect_library.hpp"
 #include "model/gap/decoys.hpp"
 #include "tests/support/catch.hpp"
@@ -40,8 +42,10 @@ GapAnalysis analysis_with(const std::vector<Finding>& found, const GapFigures& f
   return analysis;
 }
 
-Verdict verdict_of(GapAnalysis analysis) {
-  reach_verdict(analysis, {}, {});
+// `over_quick_noise`: in floors of the noise from reading to reading; by default as over that of seconds.
+Verdict verdict_of(GapAnalysis analysis, double over_quick_noise = 0.0) {
+  const Excess left = what_is_left(analysis);
+  reach_verdict(analysis, {}, {left.figure, std::max(left.times, over_quick_noise), left.closed}, {});
   return analysis.verdict;
 }
 
@@ -176,4 +180,10 @@ TEST_CASE(
   add_rivals_that_cannot_show(found, no_voltage, 60.0);
   CHECK(found[0].rivals.front().effect == "voltage_sag");
   CHECK(found[1].rivals.empty());
+}
+
+TEST_CASE("Noise that wanders for a while is no gap, unless free runs are far beyond it") {
+  CHECK(verdict_of(analysis_with({}, position(1.1, 1.1)), 1.9) == Verdict::nothing_missing);
+  CHECK(verdict_of(analysis_with({}, position(1.3, 1.3)), 1.9) == Verdict::unnamed);
+  CHECK(verdict_of(analysis_with({}, position(1.1, 1.1)), 3.5) == Verdict::unnamed);
 }
