@@ -119,6 +119,8 @@ struct EffectInfo {
   bool acts_first = false;       // on the command as it was sent, before all that happens to it
   bool by_wheel_angle = false;   // hangs on the angle at which the wheels stood when a run began
   bool by_pose = false;          // hangs on where the robot stands and heads
+  // Whether it is what its name says, in runs with such commands, and not mostly another's; empty: always.
+  std::function<bool(std::span<const double> parameters, double largest_command_m_s)> in_character{};
 };
 
 // An effect as a model holds it.

@@ -9,7 +9,9 @@ namespace {
 class RateLimit final : public EffectOf<RateLimit> {
  public:
   explicit RateLimit(const EffectArguments& arguments)
-      : limit_(arguments.parameters[0]), of_command_(arguments.variant == 0) {}
+      : limit_(arguments.parameters[0]),
+        drag_per_s_(arguments.parameters[1]),
+        of_command_(arguments.variant == 0) {}
 
   void command(WheelPair& command_m_s, const Surroundings& around) override {
     if (of_command_) follow(command_m_s, around.period_s);
@@ -20,14 +22,20 @@ class RateLimit final : public EffectOf<RateLimit> {
   void reset() override { now_ = {}; }
 
  private:
+  // What drags on the wheel takes a part of the drive that is left to speed it up, and helps to slow it down.
   void follow(WheelPair& wanted, double period_s) {
-    const double step = limit_ * period_s;
-    now_.left += std::clamp(wanted.left - now_.left, -step, step);
-    now_.right += std::clamp(wanted.right - now_.right, -step, step);
+    const auto follow_one = [&](double& now, double to) {
+      const double upwards = std::max(0.0, limit_ - drag_per_s_ * now);
+      const double downwards = std::max(0.0, limit_ + drag_per_s_ * now);
+      now += std::clamp(to - now, -period_s * downwards, period_s * upwards);
+    };
+    follow_one(now_.left, wanted.left);
+    follow_one(now_.right, wanted.right);
     wanted = now_;
   }
 
   double limit_;
+  double drag_per_s_;
   bool of_command_;
   WheelPair now_;
 };
@@ -46,7 +54,15 @@ EffectInfo rate_limit() {
             "largest change of a wheel's speed",
             0.02,
             50.0,
-            {4.0, 2.5, 1.6, 1.0, 0.7, 0.5, 0.35, 0.25, 0.15}}},
+            {4.0, 2.5, 1.6, 1.0, 0.7, 0.5, 0.35, 0.25, 0.15}},
+           {"drag",
+            "1/s",
+            "by so much less the faster the wheel is, in braking more",
+            0.0,
+            20.0,
+            {0.0, 2.0},
+            0.0,
+            false}},
           {.variety = true},
           [](const EffectArguments& arguments) { return std::make_unique<RateLimit>(arguments); }};
 }

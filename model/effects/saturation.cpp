@@ -53,10 +53,15 @@ class Saturation final : public EffectOf<Saturation> {
   WheelPair now_;
 };
 
+// A limit far above all commands limits no speed; what its lag does then is a limit of acceleration.
+bool within_reach(std::span<const double> parameters, double largest_command_m_s) {
+  return parameters[0] < 2.0 * largest_command_m_s;
+}
+
 }  // namespace
 
 EffectInfo saturation() {
-  return {
+  EffectInfo info{
       "saturation",
       "wheel speed is limited",
       "Supply voltage or firmware cap. 'command': the drive is limited before the motor answers, 'speed': "
@@ -84,6 +89,8 @@ EffectInfo saturation() {
         false}},
       {.variety = true},
       [](const EffectArguments& arguments) { return std::make_unique<Saturation>(arguments); }};
+  info.in_character = within_reach;
+  return info;
 }
 
 }  // namespace wheelwright::effects

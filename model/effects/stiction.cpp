@@ -26,10 +26,15 @@ class Stiction final : public EffectOf<Stiction> {
   FrictionElement right_;
 };
 
+// One that needs not twice as much to break away as to keep moving has mostly dry friction.
+bool sticks(std::span<const double> parameters, double /*largest_command_m_s*/) {
+  return parameters[0] > parameters[1];
+}
+
 }  // namespace
 
 EffectInfo stiction() {
-  return {
+  EffectInfo info{
       "stiction",
       "a wheel at rest needs more to break away than to keep moving",
       "Static friction above the sliding one. A slow ramp up starts late, a slow ramp down stops later: the "
@@ -61,6 +66,8 @@ EffectInfo stiction() {
         false}},
       {.variety = true},
       [](const EffectArguments& arguments) { return std::make_unique<Stiction>(arguments); }};
+  info.in_character = sticks;
+  return info;
 }
 
 }  // namespace wheelwright::effects

@@ -31,9 +31,32 @@ double own_nats(const Round& check, const EffectInfo* info) {
 GapFit GapChecks::in_place(const Contender& contender, std::size_t place) const {
   TrialModel model = contender.fit.model;
   const auto to = model.effects.begin() + static_cast<std::ptrdiff_t>(place);
-  if (to + 1 == model.effects.end()) return contender.fit;
+  if (contender.behind != 0 || to + 1 == model.effects.end()) return contender.fit;
   std::rotate(to, model.effects.end() - 1, model.effects.end());
   return train_.fit(model, steps_of_a_fit);
+}
+
+// Friction in front of the play is another robot than friction behind it: the best few are judged where the
+// effect stood that they are to replace, if they explain more there.
+void GapChecks::try_in_place(Round& check, std::size_t place) const {
+  constexpr std::size_t few = 3;
+  const auto stage = [](const TrialEffect& effect) { return effect.info->variants[effect.variant].stage; };
+  bool any = false;
+  for (std::size_t i = 0; i < std::min(few, check.contenders.size()); ++i) {
+    Contender& contender = check.contenders[i];
+    const auto& effects = contender.fit.model.effects;
+    const std::size_t behind = effects.size() - 1 - place;
+    const bool order_matters =
+        std::any_of(effects.begin() + static_cast<std::ptrdiff_t>(place), effects.end() - 1,
+                    [&](const TrialEffect& other) { return stage(other) == stage(effects.back()); });
+    if (!order_matters) continue;
+    GapFit moved = in_place(contender, place);
+    if (moved.squares >= contender.fit.squares) continue;
+    contender.fit = std::move(moved);
+    contender.behind = behind;
+    any = true;
+  }
+  if (any) contest_.judge(check);
 }
 
 // A decoy beside which the present effect gains what it takes to be named is no rival of it.
@@ -57,6 +80,7 @@ bool GapChecks::improve_by_swaps(GapSearch& result, Swaps swaps) {
     const GapFit without = train_.fit(others, steps_of_a_fit);
     const TrialModel present_last = with_last(result.final.model, i);
     Round round = look_.look(without, {present_last});
+    try_in_place(round, i);
     leave_out_decoys_of_something_else(round, present_last.effects.back());
     const Contender* best = best_named(round);
     const bool none = best == nullptr || !contest_.good_enough(*best);

@@ -28,6 +28,7 @@ class GapChecks {
   void leave_out_decoys_of_something_else(Round& check, const TrialEffect& present) const;
   bool stands_for_itself(const Round& check, const EffectInfo* info, double nats, double largest) const;
   GapFit in_place(const Contender& contender, std::size_t place) const;
+  void try_in_place(Round& check, std::size_t place) const;
 
   const GapProblem& train_;
   const Contest& contest_;

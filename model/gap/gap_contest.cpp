@@ -42,7 +42,27 @@ bool negligible(const TrialEffect& effect) {
   return any;
 }
 
+const TrialEffect& effect_of(const Contender& contender) {
+  const auto& effects = contender.fit.model.effects;
+  return effects[effects.size() - 1 - contender.behind];
+}
+
+double largest_command_m_s(const GapProblem& problem) {
+  double largest = 0.0;
+  for (const GapRun& run : problem.runs()) {
+    for (const WheelPair& command : run.commands_m_s)
+      largest = std::max({largest, std::abs(command.left), std::abs(command.right)});
+  }
+  return largest;
+}
+
 }  // namespace
+
+Contest::Contest(const GapProblem& train, const GapProblem& heldout, const SearchLimits& limits)
+    : train_(train),
+      heldout_(heldout),
+      limits_(limits),
+      largest_command_m_s_(std::max(largest_command_m_s(train), largest_command_m_s(heldout))) {}
 
 bool beyond_a_core(const TrialEffect& effect) {
   constexpr double reach_of_a_core_s = 0.09;
@@ -68,9 +88,9 @@ double Contest::price(const TrialModel& model) const {
 }
 
 Contender Contest::judged(const GapFit& without, const std::vector<double>& heldout_without,
-                          GapFit fit) const {
-  Contender contender;
-  contender.effect = fit.model.effects.back();
+                          Contender contender) const {
+  const GapFit& fit = contender.fit;
+  contender.effect = effect_of(contender);
   contender.train_nats = 0.5 * (without.squares - fit.squares);
   const std::vector<double> heldout_with = heldout_.residuals(fit.model);
   contender.heldout_nats = 0.5 * (squares_of(heldout_without) - squares_of(heldout_with));
@@ -80,7 +100,6 @@ Contender Contest::judged(const GapFit& without, const std::vector<double>& held
     // Two angles were taken from each held-out run: that much they explain of mere noise.
     contender.heldout_nats -= contender.inflation * static_cast<double>(heldout_.runs().size());
   }
-  contender.fit = std::move(fit);
   contender.heldout_residuals = heldout_with;
   return contender;
 }
@@ -88,11 +107,14 @@ Contender Contest::judged(const GapFit& without, const std::vector<double>& held
 void Contest::judge(Round& round) const {
   const std::vector<double> heldout_without = heldout_.residuals(round.without.model);
   round.heldout_squares = squares_of(heldout_without);
-  // What an effect of no consequence explains, its core explains.
-  std::erase_if(round.contenders,
-                [](const Contender& contender) { return negligible(contender.fit.model.effects.back()); });
+  // What an effect of no consequence explains, its core explains; what one out of character does, another.
+  std::erase_if(round.contenders, [this](const Contender& contender) {
+    const TrialEffect& effect = effect_of(contender);
+    const auto& in_character = effect.info->in_character;
+    return negligible(effect) || (in_character && !in_character(effect.parameters, largest_command_m_s_));
+  });
   for (auto& contender : round.contenders) {
-    contender = judged(round.without, heldout_without, std::move(contender.fit));
+    contender = judged(round.without, heldout_without, std::move(contender));
   }
   // A fit that runs away on runs that it has not seen is no fit.
   std::erase_if(round.contenders, [](const Contender& one) {

@@ -18,6 +18,7 @@ struct Contender {
   double inflation = 1.0;     // by which correlation of what is left makes these gains look too large
   double score = 0.0;         // both gains, deflated, less the price of the parameters, beside the best one's
   GapFit fit;
+  std::size_t behind = 0;  // so many of the fit's effects act behind it
   std::vector<double> heldout_residuals;
 };
 
@@ -51,8 +52,7 @@ struct SearchLimits {
 
 class Contest {
  public:
-  Contest(const GapProblem& train, const GapProblem& heldout, const SearchLimits& limits)
-      : train_(train), heldout_(heldout), limits_(limits) {}
+  Contest(const GapProblem& train, const GapProblem& heldout, const SearchLimits& limits);
 
   // Whether the wheels of each run began at angles of their own: that is paid for.
   void set_angles_differ(bool differ) { angles_differ_ = differ; }
@@ -82,7 +82,8 @@ class Contest {
   bool pair_worth_adding(const GapFit& pair, const Round& round) const;
 
  private:
-  Contender judged(const GapFit& without, const std::vector<double>& heldout_without, GapFit fit) const;
+  Contender judged(const GapFit& without, const std::vector<double>& heldout_without,
+                   Contender contender) const;
   double inflation_between(const Contender& worse, const Contender& better) const;
   void rank(std::vector<Contender>& contenders) const;
   double score_alone(const Contender& contender) const;
@@ -94,6 +95,7 @@ class Contest {
   const GapProblem& train_;
   const GapProblem& heldout_;
   SearchLimits limits_;
+  double largest_command_m_s_ = 0.0;
   bool angles_differ_ = false;
 };
 

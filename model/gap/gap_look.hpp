@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "model/gap/gap_contest.hpp"
@@ -18,13 +19,13 @@ class GapLook {
  public:
   // `candidates` are the effects that the data can show at all, decoys among them.
   GapLook(GapProblem& train, GapProblem& heldout, Contest& contest,
-          std::span<const EffectInfo* const> candidates, const SearchLimits& limits, const ForEach& for_each)
+          std::span<const EffectInfo* const> candidates, const SearchLimits& limits, ForEach for_each)
       : train_(train),
         heldout_(heldout),
         contest_(contest),
         candidates_(candidates.begin(), candidates.end()),
         limits_(limits),
-        for_each_(for_each) {}
+        for_each_(std::move(for_each)) {}
 
   // Noise is what the model leaves; it holds from here on.
   void set_noise_left_by(const TrialModel& model);
@@ -67,7 +68,7 @@ class GapLook {
   Contest& contest_;
   std::vector<const EffectInfo*> candidates_;
   SearchLimits limits_;
-  const ForEach& for_each_;
+  ForEach for_each_;
   std::optional<TrialEffect> steps_;  // in which commands seem to act
   std::optional<std::size_t> steps_beside_;
 };

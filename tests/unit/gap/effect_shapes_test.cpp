@@ -63,6 +63,19 @@ TEST_CASE("Speed is lost in a curve sharper than the onset, and the turn rate st
   CHECK_THAT(motion({"turn_speed_loss", "absolute", {0.5, 2.1}}, curve_m_s).v_m_s, WithinAbs(0.1, 1e-12));
 }
 
+TEST_CASE("A limit of acceleration gets less with speed by what drags, and braking more") {
+  ModelSimulation even = only({"rate_limit", "speed", {0.5, 0.0}});
+  CHECK_THAT(speed_after(even, 0.4, 10), WithinAbs(10 * period_s * 0.5, 1e-12));
+  ModelSimulation dragged = only({"rate_limit", "speed", {0.5, 2.0}});
+  const auto approach = [](double to_m_s, int periods) {
+    return to_m_s * (1.0 - std::pow(1.0 - 2.0 * period_s, periods));
+  };
+  CHECK_THAT(speed_after(dragged, 0.2, 10), WithinAbs(approach(0.25, 10), 1e-12));  // 0.5 / 2 m/s at last
+  const double before_m_s = speed_after(dragged, 0.2, 200);
+  CHECK_THAT(before_m_s, WithinAbs(0.2, 1e-12));
+  CHECK_THAT(speed_after(dragged, 0.0, 1), WithinAbs(0.2 - period_s * (0.5 + 2.0 * 0.2), 1e-12));
+}
+
 TEST_CASE("A limit is met sharply or by a knee") {
   ModelSimulation sharp = only({"saturation", "command", {0.2, 0.0, 0.0}});
   CHECK(speed_after(sharp, 0.2, 1) == 0.2);

@@ -1,5 +1,6 @@
 #include "model/gap/gap_checks.hpp"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,31 @@ GapProblem some_drive() {
   GapRun run = make_gap_run(log, {}, period_s);
   measure_motion(run);
   return {{run}, {WheelPair{}}, for_each_in_turn};
+}
+
+// Steps to and fro in several sizes, with the counts that `robot` would give.
+GapProblem counted_drive(const TrialModel& robot) {
+  constexpr double metres_per_tick = 0.0005;
+  ModelSimulation simulation = robot.simulation();
+  simulation.reset({});
+  DriveLog log;
+  log.wheel_base_m = 0.25;
+  log.period_s = period_s;
+  log.metres_per_tick = WheelPair{metres_per_tick, metres_per_tick};
+  WheelPair travel_m;
+  for (int k = 0; k < 2000; ++k) {
+    DriveSample sample;
+    sample.t_s = period_s * k;
+    const int step = k / 40;
+    const double size_m_s = 0.05 * (1 + step % 4);
+    sample.command_m_s = {step % 2 == 0 ? size_m_s : -size_m_s, step % 3 == 0 ? size_m_s : -0.5 * size_m_s};
+    sample.ticks = WheelTicks{std::llround(travel_m.left / metres_per_tick),
+                              std::llround(travel_m.right / metres_per_tick)};
+    log.samples.push_back(sample);
+    const WheelPair speed_m_s = simulation.step(sample.command_m_s).wheel_m_s;
+    travel_m = {travel_m.left + period_s * speed_m_s.left, travel_m.right + period_s * speed_m_s.right};
+  }
+  return {{make_gap_run(log, {}, period_s)}, {*log.metres_per_tick}, for_each_in_turn};
 }
 
 struct Said {
@@ -133,4 +159,27 @@ TEST_CASE("Of two that are not needed the lesser one goes first") {
         std::vector<std::string>{"direction_gain"});
   CHECK(left_of(other, check({other}), one, check({one}), false) ==
         std::vector<std::string>{"direction_gain"});
+}
+
+TEST_CASE("An effect and its rivals are judged where it stands: friction in front of the play") {
+  const TrialEffect friction = named("coulomb_friction", {0.03, 0.02});
+  const TrialModel robot = with_effects({friction, named("backlash", {0.01, 100.0})});
+  GapProblem train = counted_drive(robot);
+  GapProblem heldout = counted_drive(robot);
+  Contest contest(train, heldout, {});
+  const std::vector<const EffectInfo*> candidates{find_effect("coulomb_friction"), find_effect("dead_zone"),
+                                                  find_effect("backlash")};
+  GapLook look(train, heldout, contest, candidates, {}, for_each_in_turn);
+  const auto never = [](const auto&...) { return false; };
+  const FreeRuns free_runs{never, never};
+  GapChecks checks(train, contest, look, {}, free_runs);
+  GapSearch result;
+  result.final = train.fit(robot, steps_of_a_refit);
+  checks.check(result);
+  REQUIRE(result.checks.size() == 2);
+  const Contender& first = result.checks.front().contenders.front();
+  CHECK(first.effect.info == friction.info);
+  CHECK(first.behind == 1);
+  CHECK_THAT(first.effect.parameters.front(), WithinAbs(0.03, 0.001));
+  CHECK(result.final.model.effects.front().info == friction.info);
 }

@@ -87,3 +87,24 @@ TEST_CASE("What training leaves no doubt of needs less on held-out runs to be co
   CHECK_FALSE(good_enough(40.0, 4.0));
   CHECK_FALSE(good_enough(7.0, 40.0));
 }
+
+TEST_CASE("What is out of its name's character is no contender for it") {
+  const GapProblem problem = driven(with_effects({}), 200);  // commands up to 0.2 m/s
+  const Contest contest(problem, problem, {});
+  const auto stands = [&](const std::string& name, const std::vector<double>& parameters) {
+    const TrialModel model = with_effects({{name, parameters}});
+    const auto residuals = problem.residuals(model);
+    Round round;
+    round.without.model = with_effects({});
+    round.without.residuals = problem.residuals(round.without.model);
+    round.without.squares = squares_of(round.without.residuals);
+    round.contenders.resize(1);
+    round.contenders.front().fit = {model, squares_of(residuals), residuals, {}};
+    contest.judge(round);
+    return !round.contenders.empty();
+  };
+  CHECK(stands("saturation", {0.15, 0.1, 0.0}));
+  CHECK_FALSE(stands("saturation", {1.0, 0.4, 0.0}));  // limits acceleration, and no speed
+  CHECK(stands("stiction", {0.03, 0.005, 0.1, 0.01}));
+  CHECK_FALSE(stands("stiction", {0.003, 0.02, 0.1, 0.01}));  // mostly dry friction
+}
