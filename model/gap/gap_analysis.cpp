@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "model/effect_library.hpp"
 #include "model/gap/decoys.hpp"
 #include "model/gap/gap_size.hpp"
 #include "model/gap/gap_verdict.hpp"
-#include "model/gap/lost_counts.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -187,15 +185,8 @@ GapFigures Analysis::figures(const RobotModel& before, const RobotModel& after,
           noise_floor(after, logs, train_problem_->noise(), floor_seed)};
 }
 
-// From reading to reading, what wanders for a tenth of a second looks smoother than it is over seconds.
 void Analysis::put_slow_noise_into_floors() {
-  constexpr double far_apart_s = 0.5;
-  NoiseModel noise = train_problem_->noise();
-  const NoiseModel slow = train_problem_->noise_left_by(result_.search.final.model, far_apart_s);
-  for (std::size_t c = 0; c < channel_count; ++c) {
-    double& walk = noise.channel[c].walk_per_sqrt_s;
-    walk = std::max(walk, slow.channel[c].walk_per_sqrt_s);
-  }
+  const NoiseModel noise = with_slow_noise(*train_problem_, result_.search.final.model);
   result_.train.floor = noise_floor(result_.after, gathered_.train.logs, noise, floor_seed);
   if (!result_.tail_held_out) {
     result_.test.floor = noise_floor(result_.after, gathered_.test.logs, noise, floor_seed);
@@ -228,13 +219,10 @@ void Analysis::size_up() {
 
 // Counts are lost at random, so that no simulation foretells them; to know where is what closes their gap.
 void Analysis::show_gap_with_lost_counts() {
-  const auto before = [this](const std::vector<DriveLog>& logs) {
-    std::vector<DriveLog> as_counted;
-    std::ranges::transform(logs, std::back_inserter(as_counted), with_lost_counts);
-    return gap_size(result_.before, as_counted);
-  };
-  result_.train.before = before(gathered_.train.logs);
-  if (!result_.tail_held_out) result_.test.before = before(gathered_.test.logs);
+  result_.train.before = gap_size_with_lost_counts(result_.before, gathered_.train.logs);
+  if (!result_.tail_held_out) {
+    result_.test.before = gap_size_with_lost_counts(result_.before, gathered_.test.logs);
+  }
 }
 
 // A linear effect that is no more than a better linear model may stand before one that is: the search is made

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <random>
+#include <vector>
 
 #include "model/free_run.hpp"
+#include "model/gap/lost_counts.hpp"
 #include "model/identification/known_stretches.hpp"
 
 namespace wheelwright::gap {
@@ -87,6 +90,12 @@ Score gap_size(const RobotModel& model, std::span<const DriveLog> logs) {
   return sums.score();
 }
 
+Score gap_size_with_lost_counts(const RobotModel& model, std::span<const DriveLog> logs) {
+  std::vector<DriveLog> as_counted;
+  std::ranges::transform(logs, std::back_inserter(as_counted), with_lost_counts);
+  return gap_size(model, as_counted);
+}
+
 Score noise_floor(const RobotModel& model, std::span<const DriveLog> logs, const NoiseModel& noise,
                   std::uint64_t seed) {
   std::mt19937_64 random(seed);
@@ -98,6 +107,17 @@ Score noise_floor(const RobotModel& model, std::span<const DriveLog> logs, const
     }
   }
   return sums.score();
+}
+
+NoiseModel with_slow_noise(const GapProblem& problem, const TrialModel& model) {
+  constexpr double far_apart_s = 0.5;
+  NoiseModel noise = problem.noise();
+  const NoiseModel slow = problem.noise_left_by(model, far_apart_s);
+  for (std::size_t c = 0; c < channel_count; ++c) {
+    double& walk = noise.channel[c].walk_per_sqrt_s;
+    walk = std::max(walk, slow.channel[c].walk_per_sqrt_s);
+  }
+  return noise;
 }
 
 }  // namespace wheelwright::gap

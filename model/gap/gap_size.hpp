@@ -13,9 +13,16 @@ namespace wheelwright::gap {
 // The score of a model's free run over all logs.
 Score gap_size(const RobotModel& model, std::span<const DriveLog> logs);
 
+// The same where nobody knew that counts were lost: the travel of those that stood still counts as none.
+Score gap_size_with_lost_counts(const RobotModel& model, std::span<const DriveLog> logs);
+
 // The score that the same runs would have if the model were right: its free run with the noise that was
 // found, drawn from `seed`, against itself without.
 Score noise_floor(const RobotModel& model, std::span<const DriveLog> logs, const NoiseModel& noise,
                   std::uint64_t seed);
+
+// The noise of a problem with what its runs wander over seconds under a model: from reading to reading, what
+// wanders for a tenth of a second looks smoother than it is.
+NoiseModel with_slow_noise(const GapProblem& problem, const TrialModel& model);
 
 }  // namespace wheelwright::gap

@@ -66,9 +66,8 @@ std::string in_words(std::span<const GainChange> changes) {
 // By the noise from reading to reading and by that over seconds; far above the first, the second may have
 // taken up what is missing.
 bool more_than_any_noise(const Excess& over_quick_noise, const Excess& over_slow_noise) {
-  constexpr double above_slow_noise = 1.25;
   constexpr double beyond_slow_noise = 3.0;
-  return (over_quick_noise.times >= more_than_noise && over_slow_noise.times >= above_slow_noise) ||
+  return std::min(over_quick_noise.times, over_slow_noise.times) >= more_than_noise ||
          over_quick_noise.times >= beyond_slow_noise;
 }
 

@@ -184,6 +184,6 @@ TEST_CASE(
 
 TEST_CASE("Noise that wanders for a while is no gap, unless free runs are far beyond it") {
   CHECK(verdict_of(analysis_with({}, position(1.1, 1.1)), 1.9) == Verdict::nothing_missing);
-  CHECK(verdict_of(analysis_with({}, position(1.3, 1.3)), 1.9) == Verdict::unnamed);
+  CHECK(verdict_of(analysis_with({}, position(1.6, 1.6)), 1.9) == Verdict::unnamed);
   CHECK(verdict_of(analysis_with({}, position(1.1, 1.1)), 3.5) == Verdict::unnamed);
 }
