@@ -40,31 +40,39 @@ class RateLimit final : public EffectOf<RateLimit> {
   WheelPair now_;
 };
 
+// Where drag leaves nothing of it at speeds that are asked for, what is limited is speed: saturation.
+bool leaves_speed_free(std::span<const double> parameters, double largest_command_m_s) {
+  return parameters[0] > parameters[1] * 2.0 * largest_command_m_s;
+}
+
 }  // namespace
 
 EffectInfo rate_limit() {
-  return {"rate_limit",
-          "change of wheel speed is limited",
-          "A ramp in the firmware or a limit of motor current: large steps take longer in proportion, small "
-          "ones do "
-          "not, which no linear lag does.",
-          {{"command", EffectStage::command}, {"speed", EffectStage::wheel}},
-          {{"limit",
-            "m/s^2",
-            "largest change of a wheel's speed",
-            0.02,
-            50.0,
-            {4.0, 2.5, 1.6, 1.0, 0.7, 0.5, 0.35, 0.25, 0.15}},
-           {"drag",
-            "1/s",
-            "by so much less the faster the wheel is, in braking more",
-            0.0,
-            20.0,
-            {0.0, 2.0},
-            0.0,
-            false}},
-          {.variety = true},
-          [](const EffectArguments& arguments) { return std::make_unique<RateLimit>(arguments); }};
+  EffectInfo info{
+      "rate_limit",
+      "change of wheel speed is limited",
+      "A ramp in the firmware or a limit of motor current: large steps take longer in proportion, small "
+      "ones do "
+      "not, which no linear lag does.",
+      {{"command", EffectStage::command}, {"speed", EffectStage::wheel}},
+      {{"limit",
+        "m/s^2",
+        "largest change of a wheel's speed",
+        0.02,
+        50.0,
+        {4.0, 2.5, 1.6, 1.0, 0.7, 0.5, 0.35, 0.25, 0.15}},
+       {"drag",
+        "1/s",
+        "by so much less the faster the wheel is, in braking more",
+        0.0,
+        20.0,
+        {0.0, 2.0},
+        0.0,
+        false}},
+      {.variety = true},
+      [](const EffectArguments& arguments) { return std::make_unique<RateLimit>(arguments); }};
+  info.in_character = leaves_speed_free;
+  return info;
 }
 
 }  // namespace wheelwright::effects

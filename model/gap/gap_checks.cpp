@@ -18,11 +18,13 @@ TrialModel with_last(TrialModel model, std::size_t place) {
   return model;
 }
 
-// What is said for an effect where it was looked at in its own place.
+// What is said for an effect where it was looked at in its own place; nothing where training speaks against
+// it.
 double own_nats(const Round& check, const EffectInfo* info) {
   const auto itself = std::ranges::find_if(
       check.contenders, [&](const Contender& contender) { return contender.effect.info == info; });
-  return itself == check.contenders.end() ? 0.0 : itself->heldout_nats / itself->inflation;
+  if (itself == check.contenders.end() || itself->train_nats <= 0.0) return 0.0;
+  return itself->heldout_nats / itself->inflation;
 }
 
 }  // namespace

@@ -72,6 +72,7 @@ GapProblem counted_drive(const TrialModel& robot) {
 struct Said {
   TrialEffect effect;
   double heldout_nats = 0.0;
+  double train_nats = 500.0;
 };
 
 // Who would take a place, the first one best, as a look leaves it.
@@ -81,6 +82,7 @@ Round check(const std::vector<Said>& all) {
     Contender contender;
     contender.effect = said.effect;
     contender.heldout_nats = said.heldout_nats;
+    contender.train_nats = said.train_nats;
     contender.score = said.heldout_nats;
     round.contenders.push_back(contender);
   }
@@ -126,6 +128,8 @@ TEST_CASE("Beside others an effect that explains little stays only where free ru
   CHECK(left_beside_strong(little, check({little}), true).size() == 2);
   const Said enough{little.effect, 60.0};
   CHECK(left_beside_strong(enough, check({enough}), false).size() == 2);
+  const Said against_training{little.effect, 60.0, -10.0};
+  CHECK(left_beside_strong(against_training, check({against_training}), false) == strong_alone);
 }
 
 TEST_CASE("Beside others a delay that a core could hold has to bring free runs closer, a longer one not") {

@@ -105,6 +105,8 @@ TEST_CASE("What is out of its name's character is no contender for it") {
   };
   CHECK(stands("saturation", {0.15, 0.1, 0.0}));
   CHECK_FALSE(stands("saturation", {1.0, 0.4, 0.0}));  // limits acceleration, and no speed
+  CHECK(stands("rate_limit", {1.0, 1.0}));
+  CHECK_FALSE(stands("rate_limit", {1.0, 5.0}));  // comes to rest at 0.2 m/s: limits speed
   CHECK(stands("stiction", {0.03, 0.005, 0.1, 0.01}));
   CHECK_FALSE(stands("stiction", {0.003, 0.02, 0.1, 0.01}));  // mostly dry friction
 }
