@@ -105,6 +105,7 @@ NoiseModel GapProblem::noise_left_by(const TrialModel& model, double least_apart
           {block.times_s, runs_[block.run].series[c].restarts, errors[block.run].series[c]}, least_apart_s));
     }
     std::vector<NoiseSample> samples;
+    samples.reserve(series.size());
     for (const auto& one : series) samples.push_back({one.times_s, one.restarts, one.errors});
     if (!samples.empty()) noise.channel[c] = noise_of(samples, smallest_reading(c));
   }
