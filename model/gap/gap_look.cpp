@@ -211,6 +211,15 @@ bool GapLook::stands_out_of_its_own_noise(const Round& round) {
   return false;
 }
 
+// Beside an effect, the core may have got to where no slope had led it, and explain more without that effect,
+// too: what it gained there is not the effect's.
+GapFit GapLook::with_core_of(const GapFit& without, const TrialModel& contender) const {
+  TrialModel model = without.model;
+  model.core = contender.core;
+  const GapFit fit = train_.fit(model, steps_of_a_refit);
+  return fit.squares < without.squares ? fit : without;
+}
+
 Round GapLook::look(const GapFit& without, const std::vector<TrialModel>& more_models) {
   Round round{without, 0.0, {}, {}};
   const Starts tried = starts(without, more_models);
@@ -236,6 +245,8 @@ Round GapLook::look(const GapFit& without, const std::vector<TrialModel>& more_m
     return round;
   }
   round.without = train_.fit(round.without.model, steps_of_a_refit);
+  if (by_pair) round.without = with_core_of(round.without, round.pair->model);
+  if (by_single) round.without = with_core_of(round.without, round.contenders.front().fit.model);
   fit_all(steps_of_a_refit);
   return round;
 }

@@ -61,6 +61,7 @@ class GapLook {
   TrialModel tuned(const TrialModel& model) const;
   void place_regions(Round& round, int steps) const;
   bool stands_out_of_its_own_noise(const Round& round);
+  GapFit with_core_of(const GapFit& without, const TrialModel& contender) const;
   Part part_of_last(const TrialModel& model, std::size_t effects) const;
 
   GapProblem& train_;

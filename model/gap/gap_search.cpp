@@ -53,6 +53,7 @@ class Search {
   Path best_path(const Round& first);
   bool preferred(const Path& one, const Path& other, double clear) const;
   void grow_on(GapSearch& result);
+  void let_turns_have_a_gain(GapSearch& result);
   void size_up(GapSearch& result);
 
   GapProblem& train_;
@@ -66,12 +67,21 @@ class Search {
   GapChecks checks_;
 };
 
-// A richer linear core is a rival too: it wins where what is missing is linear.
+// A richer linear core is a rival too: it wins where what is missing is linear. No slope leads from a quick
+// pole to a slow one.
 std::optional<GapFit> Search::better_core(const Round& round) const {
   const TrialModel& present = round.without.model;
   std::vector<TrialModel> richer;
-  if (present.shape.poles < limits_.most_poles) richer.push_back(present.with_larger_core());
-  if (!present.shape.crossed && !present.shape.shared) richer.push_back(present.with_crossed_core());
+  if (present.shape.poles < limits_.most_poles) {
+    for (const double pole : {0.0, slow_pole(present.period_s)})
+      richer.push_back(present.with_larger_core(pole));
+  }
+  if (present.shape.shared && !present.shape.skewed) richer.push_back(present.with_skewed_core());
+  if (!present.shape.shared) {
+    for (const Crossing crossing : {Crossing::share, Crossing::free}) {
+      if (crossing > present.shape.crossing) richer.push_back(present.with_crossed_core(crossing));
+    }
+  }
   std::optional<GapFit> best;
   double best_score = round.contenders.empty() ? 0.0 : std::max(0.0, round.contenders.front().score);
   for (const TrialModel& start : richer) {
@@ -189,6 +199,17 @@ void Search::grow_on(GapSearch& result) {
   checks_.check(result);
 }
 
+// Without counts, one response of both wheels holds one gain for driving and for turning. That turning has
+// another may have several causes; where none of them was found, the core takes it, so that no turn is
+// foretold by the gain of driving.
+void Search::let_turns_have_a_gain(GapSearch& result) {
+  const TrialModel& found = result.final.model;
+  if (!found.shape.shared || found.effects.empty()) return;
+  GapFit crossed = train_.fit(found.with_crossed_core(Crossing::share), steps_of_a_refit);
+  if (contest_.advantage(crossed, result.final) < limits_.least_core_nats) return;
+  if (free_runs_.closer(found, crossed.model)) result.final = std::move(crossed);
+}
+
 void Search::size_up(GapSearch& result) {
   result.final = look_.settle(result.final.model, 1);
   result.final = train_.fit(with_steps_centred(train_, result.final.model, for_each_), steps_of_a_refit);
@@ -217,6 +238,7 @@ GapSearch Search::run(const TrialModel& start) {
   checks_.swap_while_better(result);
   if (infos_of(result.final.model) != before) grow_on(result);
   while (checks_.drop_idle(result)) checks_.check(result);
+  let_turns_have_a_gain(result);
   progress_("what would have shown", 0.92);
   size_up(result);
   return result;

@@ -2,20 +2,48 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 
 namespace wheelwright::gap {
 namespace {
 
 constexpr double largest_pole_allowed = 0.995;
 
-WheelResponse response(const CoreShape& shape, const double* values, bool left) {
+// Later by a part of a period, the gain being the same.
+std::vector<double> delayed(const std::vector<double>& weights, double periods) {
+  std::vector<double> later(weights.size() + 1, 0.0);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    later[i] += (1.0 - periods) * weights[i];
+    later[i + 1] += periods * weights[i];
+  }
+  return later;
+}
+
+// Times 1 - pole z^-1.
+std::vector<double> times_a_pole(const std::vector<double>& polynomial, double pole) {
+  std::vector<double> product(polynomial.size() + 1, 0.0);
+  for (std::size_t i = 0; i < polynomial.size(); ++i) {
+    product[i] += polynomial[i];
+    product[i + 1] -= pole * polynomial[i];
+  }
+  return product;
+}
+
+WheelResponse response(const CoreShape& shape, const double* values, bool left, double lag_periods) {
   WheelResponse wheel;
   wheel.from_own_past.assign(values, values + shape.poles);
   std::vector<double>& own = left ? wheel.from_left : wheel.from_right;
   own.assign(values + shape.poles, values + shape.poles + shape.weights);
+  if (shape.skewed) own = delayed(own, lag_periods);
   std::vector<double>& other = left ? wheel.from_right : wheel.from_left;
-  const double share = shape.crossed ? values[shape.poles + shape.weights] : 0.0;
-  for (const double weight : own) other.push_back(share * weight);
+  const double* crossing = values + shape.poles + shape.weights;
+  if (shape.crossing == Crossing::free) {
+    other.assign(crossing, crossing + shape.weights);
+  } else {
+    const double share = shape.crossing == Crossing::share ? *crossing : 0.0;
+    for (const double weight : own) other.push_back(share * weight);
+  }
   return wheel;
 }
 
@@ -26,8 +54,9 @@ LinearModel TrialModel::linear() const {
   model.type = ModelType::arma;
   model.period_s = period_s;
   model.wheel_base_m = wheel_base_m;
-  model.left = response(shape, core.data(), true);
-  model.right = response(shape, core.data() + (shape.shared ? 0 : shape.per_wheel()), false);
+  const double half = shape.skewed ? 0.5 * core[shape.of_wheels()] : 0.0;
+  model.left = response(shape, core.data(), true, -half);
+  model.right = response(shape, core.data() + (shape.shared ? 0 : shape.per_wheel()), false, half);
   return model;
 }
 
@@ -84,7 +113,8 @@ bool TrialModel::stable() const {
   return std::max(largest_pole(model.left), largest_pole(model.right)) < largest_pole_allowed;
 }
 
-TrialModel TrialModel::with_larger_core() const {
+// Both sides of the difference equation times the same: the response stays what it is.
+TrialModel TrialModel::with_larger_core(double pole) const {
   TrialModel larger = *this;
   larger.shape.poles += 1;
   larger.shape.weights += 1;
@@ -93,27 +123,45 @@ TrialModel TrialModel::with_larger_core() const {
     const auto begin = core.begin() + static_cast<std::ptrdiff_t>(wheel);
     const auto weights = begin + static_cast<std::ptrdiff_t>(shape.poles);
     const auto rest = weights + static_cast<std::ptrdiff_t>(shape.weights);
-    larger.core.insert(larger.core.end(), begin, weights);
-    larger.core.push_back(0.0);
-    larger.core.insert(larger.core.end(), weights, rest);
-    larger.core.push_back(0.0);
-    if (shape.crossed) larger.core.push_back(*rest);
+    std::vector<double> past{1.0};
+    std::transform(begin, weights, std::back_inserter(past), std::negate<>{});
+    past = times_a_pole(past, pole);
+    std::transform(past.begin() + 1, past.end(), std::back_inserter(larger.core), std::negate<>{});
+    std::ranges::copy(times_a_pole({weights, rest}, pole), std::back_inserter(larger.core));
+    if (shape.crossing == Crossing::share) larger.core.push_back(*rest);
+    if (shape.crossing == Crossing::free) {
+      const auto end = rest + static_cast<std::ptrdiff_t>(shape.weights);
+      std::ranges::copy(times_a_pole({rest, end}, pole), std::back_inserter(larger.core));
+    }
   }
-  if (shape.reference_lag) larger.core.push_back(core.back());
+  larger.core.insert(larger.core.end(), core.begin() + static_cast<std::ptrdiff_t>(shape.of_wheels()),
+                     core.end());
   return larger;
 }
 
-TrialModel TrialModel::with_crossed_core() const {
+TrialModel TrialModel::with_crossed_core(Crossing crossing) const {
   TrialModel crossed = *this;
-  crossed.shape.crossed = true;
+  crossed.shape.crossing = crossing;
   crossed.core.clear();
   for (std::size_t wheel = 0; wheel < shape.of_wheels(); wheel += shape.per_wheel()) {
     const auto begin = core.begin() + static_cast<std::ptrdiff_t>(wheel);
-    crossed.core.insert(crossed.core.end(), begin, begin + static_cast<std::ptrdiff_t>(shape.per_wheel()));
-    crossed.core.push_back(0.0);
+    const auto crossings = begin + static_cast<std::ptrdiff_t>(shape.poles + shape.weights);
+    crossed.core.insert(crossed.core.end(), begin, crossings);
+    const double share = shape.crossing == Crossing::share ? *crossings : 0.0;
+    for (std::size_t i = 0; i < crossed.shape.crossing_size(); ++i) {
+      crossed.core.push_back(share * begin[static_cast<std::ptrdiff_t>(shape.poles + i)]);
+    }
   }
-  if (shape.reference_lag) crossed.core.push_back(core.back());
+  crossed.core.insert(crossed.core.end(), core.begin() + static_cast<std::ptrdiff_t>(shape.of_wheels()),
+                      core.end());
   return crossed;
+}
+
+TrialModel TrialModel::with_skewed_core() const {
+  TrialModel skewed = *this;
+  skewed.shape.skewed = true;
+  skewed.core.insert(skewed.core.begin() + static_cast<std::ptrdiff_t>(shape.of_wheels()), 0.0);
+  return skewed;
 }
 
 std::vector<EffectSetting> TrialModel::settings() const {
@@ -131,8 +179,21 @@ std::vector<TrialEffect> TrialModel::acting() const {
   return acting;
 }
 
+double slow_pole(double period_s) {
+  constexpr double creeping_s = 1.0;
+  return std::exp(-period_s / creeping_s);
+}
+
 TrialModel first_guess(const CoreShape& shape, double period_s, double wheel_base_m, double lag_s,
                        double delay_s) {
+  constexpr std::size_t usual_poles = 2;
+  if (shape.poles > usual_poles) {
+    CoreShape simpler = shape;
+    simpler.poles -= 1;
+    simpler.weights -= 1;
+    return first_guess(simpler, period_s, wheel_base_m, lag_s, delay_s)
+        .with_larger_core(simpler.poles == usual_poles ? slow_pole(period_s) : 0.0);
+  }
   TrialModel model{shape, period_s, wheel_base_m, std::vector<double>(shape.size(), 0.0), {}};
   const double pole = std::exp(-period_s / lag_s);
   const auto delay = std::min(static_cast<std::size_t>(std::lround(delay_s / period_s)), shape.weights - 1);

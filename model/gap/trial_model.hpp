@@ -24,29 +24,45 @@ struct TrialEffect {
 // Short on purpose: what a long core could imitate (delay, lag, ringing), it would take from the effect that
 // is there (GAP.md, point 6). `shared` gives both wheels one response: without counts, a difference of the
 // wheels and a difference of their motors are one and the same, and it is called the wheels'.
+// `skewed`: a shared core all the same gives one wheel's motor more lag, and the other's less.
 // `reference_lag`: the references may tell of a moment other than the counts do, by a clock that is off or a
 // tyre that yields; how much is found beside the core, or the loss at each reversal would look like play.
+enum class Crossing {
+  none,
+  share,  // each wheel also feels a share of the other's command, as it feels its own
+  free    // with as many weights of its own as its own command has
+};
+
 struct CoreShape {
   std::size_t poles = 2;
   std::size_t weights = 6;  // from_own lags 0..weights-1
   bool shared = false;
-  bool crossed = false;  // each wheel also feels a share of the other's command
+  Crossing crossing = Crossing::none;
+  bool skewed = false;  // only where shared
   bool reference_lag = false;
 
-  std::size_t per_wheel() const { return poles + weights + (crossed ? 1 : 0); }
+  std::size_t crossing_size() const {
+    return crossing == Crossing::none ? 0 : crossing == Crossing::share ? 1 : weights;
+  }
+  std::size_t per_wheel() const { return poles + weights + crossing_size(); }
   std::size_t of_wheels() const { return shared ? per_wheel() : 2 * per_wheel(); }
-  std::size_t size() const { return of_wheels() + (reference_lag ? 1 : 0); }
+  std::size_t size() const { return of_wheels() + (skewed ? 1 : 0) + (reference_lag ? 1 : 0); }
 };
 
 struct TrialModel {
   CoreShape shape;
   double period_s = 0.018;
   double wheel_base_m = 0.235;
-  // a, b, share of the other's command; left, then right where not shared; lag of the references, s
+  // a, b, share or weights of the other's command; left, then right where not shared; periods by which the
+  // right wheel lags behind the left; lag of the references, s
   std::vector<double> core;
   std::vector<TrialEffect> effects;
 
   LinearModel linear() const;
+  // The left wheel's; 0 where it has weights of its own.
+  double share_of_other_wheel() const {
+    return shape.crossing == Crossing::share ? core[shape.per_wheel() - 1] : 0.0;
+  }
   double reference_lag_s() const { return shape.reference_lag ? core.back() : 0.0; }
   ModelSimulation simulation() const;
   // Core and effect parameters, one after the other.
@@ -56,17 +72,23 @@ struct TrialModel {
   // The effect to which a parameter belongs, or nothing for the core's.
   const ParameterInfo* parameter_info(std::size_t index) const;
   bool stable() const;
-  // The same model with a core of one more pole and one more weight.
-  TrialModel with_larger_core() const;
-  // The same model with a core that is crossed.
-  TrialModel with_crossed_core() const;
+  // The same model with a core of one more pole, `pole`, and one more weight, which hides it for a start.
+  TrialModel with_larger_core(double pole = 0.0) const;
+  // The same model with a core that is crossed, by as much as before for a start.
+  TrialModel with_crossed_core(Crossing crossing) const;
+  // The same model with a core that is skewed.
+  TrialModel with_skewed_core() const;
   // Of the effects, as they are listed.
   std::vector<EffectSetting> settings() const;
   // The effects in the order in which they act: as they are listed, but for those that act first.
   std::vector<TrialEffect> acting() const;
 };
 
-// A first-order lag behind a delay, with a gain of 1: where every search begins.
+// Of a motor that creeps up to its speed.
+double slow_pole(double period_s);
+
+// A first-order lag behind a delay, with a gain of 1: where every search begins. Of more poles than two, one
+// is slow and hidden for a start.
 TrialModel first_guess(const CoreShape& shape, double period_s, double wheel_base_m, double lag_s,
                        double delay_s);
 
