@@ -50,35 +50,44 @@ class CasterKick final : public EffectOf<CasterKick> {
   double swung_ = 1.0;      // share of it
 };
 
+// What turns the robot by as much as that is no caster's swing.
+bool only_kicks(std::span<const double> parameters, double) {
+  constexpr double largest_kick_rad = 0.5;
+  return std::abs(parameters[0]) < largest_kick_rad;
+}
+
 }  // namespace
 
 EffectInfo caster_kick() {
-  return {"caster_kick",
-          "a short yaw disturbance after the direction of travel flips",
-          "A caster swings round and pushes the robot aside while it does. 'same': to the same side at every "
-          "flip, "
-          "'alternating': to one side when it begins to go forward, to the other when backward.",
-          {{"same", EffectStage::body}, {"alternating", EffectStage::body}},
-          {{"angle", "rad", "turn that one kick makes in all", -1.0, 1.0, {-0.05, -0.02, 0.02, 0.05}, 0.002},
-           {"distance",
-            "m",
-            "of travel in which the swing grows or settles to 1/e",
-            0.003,
-            0.5,
-            {0.015, 0.05},
-            0.0,
-            false},
-           {"aside",
-            "1",
-            "share of its swing at which the caster stands at the flip: little, and the kick comes late",
-            0.001,
-            0.5,
-            {0.01, 0.3},
-            0.0,
-            false}},
-          {.reference = true, .reversal = true},
-          [](const EffectArguments& arguments) { return std::make_unique<CasterKick>(arguments); },
-          true};
+  EffectInfo info{
+      "caster_kick",
+      "a short yaw disturbance after the direction of travel flips",
+      "A caster swings round and pushes the robot aside while it does. 'same': to the same side at every "
+      "flip, "
+      "'alternating': to one side when it begins to go forward, to the other when backward.",
+      {{"same", EffectStage::body}, {"alternating", EffectStage::body}},
+      {{"angle", "rad", "turn that one kick makes in all", -1.0, 1.0, {-0.05, -0.02, 0.02, 0.05}, 0.002},
+       {"distance",
+        "m",
+        "of travel in which the swing grows or settles to 1/e",
+        0.003,
+        0.5,
+        {0.015, 0.05},
+        0.0,
+        false},
+       {"aside",
+        "1",
+        "share of its swing at which the caster stands at the flip: little, and the kick comes late",
+        0.001,
+        0.5,
+        {0.01, 0.3},
+        0.0,
+        false}},
+      {.reference = true, .reversal = true},
+      [](const EffectArguments& arguments) { return std::make_unique<CasterKick>(arguments); },
+      true};
+  info.in_character = only_kicks;
+  return info;
 }
 
 }  // namespace wheelwright::effects

@@ -71,6 +71,21 @@ void GapChecks::leave_out_decoys_of_something_else(Round& check, const TrialEffe
   contest_.judge(check);
 }
 
+// How far correlation inflates the difference of two effects that explain different things says nothing of
+// either; only those that explain the same are rivals.
+void GapChecks::leave_out_rivals_of_something_else(Round& check) const {
+  constexpr double doubtful = 5.0;  // of the score: 150 to 1
+  if (check.contenders.empty()) return;
+  const Contender first = check.contenders.front();
+  std::erase_if(check.contenders, [&](const Contender& rival) {
+    if (rival.effect.info == first.effect.info || is_decoy(*rival.effect.info)) return false;
+    if (rival.score < first.score - doubtful) return false;
+    TrialModel both = rival.fit.model;
+    both.effects.push_back(first.effect);
+    return contest_.explains_something_else(train_.fit(both, steps_of_a_fit), first, rival);
+  });
+}
+
 // For each accepted effect: would another one do better in its place, now that the others are there?
 bool GapChecks::improve_by_swaps(GapSearch& result, Swaps swaps) {
   bool changed = false;
@@ -79,11 +94,12 @@ bool GapChecks::improve_by_swaps(GapSearch& result, Swaps swaps) {
     TrialModel others = result.final.model;
     const TrialEffect present = others.effects[i];
     others.effects.erase(others.effects.begin() + static_cast<std::ptrdiff_t>(i));
-    const GapFit without = train_.fit(others, steps_of_a_fit);
+    const GapFit without = look_.with_core_afresh(train_.fit(others, steps_of_a_fit));
     const TrialModel present_last = with_last(result.final.model, i);
     Round round = look_.look(without, {present_last});
     try_in_place(round, i);
     leave_out_decoys_of_something_else(round, present_last.effects.back());
+    leave_out_rivals_of_something_else(round);
     const Contender* best = best_named(round);
     const bool none = best == nullptr || !contest_.good_enough(*best);
     if (swaps == Swaps::made && (none || best->effect.info != present.info)) {
@@ -137,7 +153,7 @@ bool GapChecks::drop_idle(GapSearch& result) {
     if (stands && needed) continue;
     TrialModel others = result.final.model;
     others.effects.erase(others.effects.begin() + static_cast<std::ptrdiff_t>(place));
-    GapFit without = train_.fit(others, steps_of_a_fit);
+    GapFit without = look_.with_core_afresh(train_.fit(others, steps_of_a_fit));
     if (stands && free_runs_.closer(without.model, result.final.model)) continue;
     result.final = std::move(without);
     return true;

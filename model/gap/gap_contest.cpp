@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "model/gap/decoys.hpp"
+
 namespace wheelwright::gap {
 namespace {
 
@@ -121,6 +123,7 @@ void Contest::judge(Round& round) const {
     return !std::isfinite(one.train_nats) || !std::isfinite(one.heldout_nats);
   });
   rank(round.contenders);
+  leave_out_aliases(round.contenders);
 }
 
 double Contest::inflation_between(const Contender& worse, const Contender& better) const {
@@ -147,6 +150,19 @@ void Contest::rank(std::vector<Contender>& contenders) const {
     if (!holds(contender)) contender.score = std::min(contender.score, 0.0);
   }
   std::ranges::sort(contenders, std::greater<>{}, &Contender::score);
+}
+
+// On some drives a decoy does what an effect of the library does (where both wheels are always told the same
+// speed, each one's own and the other's are the same): one that explains the same as a name is no rival.
+void Contest::leave_out_aliases(std::vector<Contender>& contenders) {
+  constexpr double same = 0.01;  // of the score
+  const auto is_named = [](const Contender& one) { return !is_decoy(*one.effect.info); };
+  const auto named = std::ranges::find_if(contenders, is_named);
+  if (named == contenders.end() || named->score <= 0.0) return;
+  const double score = named->score;
+  std::erase_if(contenders, [&](const Contender& one) {
+    return !is_named(one) && std::abs(one.score - score) < same * score;
+  });
 }
 
 double Contest::core_score(const Round& round, const GapFit& richer) const {
@@ -216,6 +232,15 @@ bool Contest::clearly_better(const GapFit& with, const GapFit& without) const {
 
 bool Contest::stands_beside(const GapFit& both, const Contender& decoy) const {
   return clearly_better(both, decoy.fit);
+}
+
+bool Contest::explains_something_else(const GapFit& both, const Contender& one,
+                                      const Contender& other) const {
+  constexpr double about_as_much = 0.7;
+  const double train_nats = 0.5 * (other.fit.squares - both.squares);
+  const double heldout_nats =
+      0.5 * (squares_of(other.heldout_residuals) - squares_of(heldout_.residuals(both.model)));
+  return train_nats > about_as_much * one.train_nats && heldout_nats > about_as_much * one.heldout_nats;
 }
 
 bool Contest::pair_worth_adding(const GapFit& pair, const Round& round) const {

@@ -77,6 +77,9 @@ class Contest {
   // A decoy that explains more does not speak against a name that explains something else: with the decoy in
   // the model (`both`), the name must still gain what it takes to be named.
   bool stands_beside(const GapFit& both, const Contender& decoy) const;
+  // Whether one contender gains about as much beside another as alone: then they are no rivals. `both` has
+  // the two of them.
+  bool explains_something_else(const GapFit& both, const Contender& one, const Contender& other) const;
   // Whether two effects at once are worth it: against the model without them, and against the best single
   // one.
   bool pair_worth_adding(const GapFit& pair, const Round& round) const;
@@ -86,6 +89,7 @@ class Contest {
                    Contender contender) const;
   double inflation_between(const Contender& worse, const Contender& better) const;
   void rank(std::vector<Contender>& contenders) const;
+  static void leave_out_aliases(std::vector<Contender>& contenders);
   double score_alone(const Contender& contender) const;
   bool clearly_better(const GapFit& with, const GapFit& without) const;
   double price(const TrialModel& model) const;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "model/effect_library.hpp"
+#include "model/gap/decoys.hpp"
 #include "model/gap/gap_run.hpp"
 #include "tests/support/catch.hpp"
 
@@ -109,4 +110,84 @@ TEST_CASE("What is out of its name's character is no contender for it") {
   CHECK_FALSE(stands("rate_limit", {1.0, 5.0}));  // comes to rest at 0.2 m/s: limits speed
   CHECK(stands("stiction", {0.03, 0.005, 0.1, 0.01}));
   CHECK_FALSE(stands("stiction", {0.003, 0.02, 0.1, 0.01}));  // mostly dry friction
+}
+
+namespace {
+
+// Both wheels always at the same speed, to and fro: each one's command has the size of the other's.
+GapProblem straight(const TrialModel& robot) {
+  constexpr double metres_per_tick = 0.0005;
+  ModelSimulation simulation = robot.simulation();
+  simulation.reset({});
+  DriveLog log;
+  log.wheel_base_m = wheel_base_m;
+  log.period_s = period_s;
+  log.metres_per_tick = WheelPair{metres_per_tick, metres_per_tick};
+  double way_m = 0.0;
+  for (int k = 0; k < 1500; ++k) {
+    DriveSample sample;
+    sample.t_s = period_s * k;
+    const double speed_m_s = 0.1 * (1 + k / 60 % 3) * (k / 60 % 2 == 0 ? 1 : -1);
+    sample.command_m_s = {speed_m_s, speed_m_s};
+    sample.ticks = WheelTicks{std::llround(way_m / metres_per_tick), std::llround(way_m / metres_per_tick)};
+    log.samples.push_back(sample);
+    way_m += period_s * simulation.step(sample.command_m_s).wheel_m_s.left;
+  }
+  return {{make_gap_run(log, {}, period_s)}, {*log.metres_per_tick}, for_each_in_turn};
+}
+
+Round judged(const GapProblem& problem, const std::vector<TrialEffect>& effects) {
+  const Contest contest(problem, problem, {});
+  Round round;
+  round.without = problem.fit(with_effects({}), 5);
+  for (const TrialEffect& effect : effects) {
+    TrialModel model = round.without.model;
+    model.effects.push_back(effect);
+    Contender contender;
+    contender.fit = problem.fit(model, 10);
+    round.contenders.push_back(contender);
+  }
+  contest.judge(round);
+  return round;
+}
+
+const EffectInfo* decoy_named(std::string_view name) {
+  for (const EffectInfo& decoy : decoys()) {
+    if (decoy.name == name) return &decoy;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+TEST_CASE("A decoy that does the same as a name on these runs is no rival of it") {
+  const TrialEffect direction_gain{find_effect("direction_gain"), 0, {0.06}};
+  const TrialEffect same_here{decoy_named("decoy_cross_talk"), 0, {-0.03}};
+  const TrialEffect other{decoy_named("decoy_memory"), 0, {0.05, 1.0}};
+  REQUIRE(same_here.info != nullptr);
+  REQUIRE(other.info != nullptr);
+  const Round round =
+      judged(straight(with_effects({{"direction_gain", {0.06}}})), {same_here, other, direction_gain});
+  REQUIRE(round.contenders.size() == 2);
+  CHECK(round.contenders.front().effect.info == direction_gain.info);
+  CHECK(round.contenders.back().effect.info == other.info);
+}
+
+TEST_CASE("What explains as much beside another as alone is no rival of it") {
+  const TrialEffect gain{find_effect("direction_gain"), 0, {0.06}};
+  const TrialEffect dead_zone{find_effect("dead_zone"), 0, {0.02, 0.5}};
+  const TrialEffect same_here{decoy_named("decoy_cross_talk"), 0, {-0.03}};
+  const GapProblem problem = straight(with_effects({{"direction_gain", {0.06}}, {"dead_zone", {0.02, 0.5}}}));
+  const Contest contest(problem, problem, {});
+  const auto stands_beside = [&](const TrialEffect& one, const TrialEffect& other) {
+    const Round apart = judged(problem, {one, other});
+    const bool first = apart.contenders.front().effect.info == one.info;
+    const Contender& mine = first ? apart.contenders.front() : apart.contenders.back();
+    const Contender& rival = first ? apart.contenders.back() : apart.contenders.front();
+    TrialModel both = rival.fit.model;
+    both.effects.push_back(mine.effect);
+    return contest.explains_something_else(problem.fit(both, 10), mine, rival);
+  };
+  CHECK(stands_beside(gain, dead_zone));
+  CHECK_FALSE(stands_beside(same_here, gain));
 }
