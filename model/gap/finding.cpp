@@ -114,7 +114,7 @@ std::optional<Finding> dropout_finding(std::span<const Dropout> dropouts, double
   double lost_s = 0.0;
   for (const auto& dropout : dropouts) lost_s += dropout.duration_s;
   Finding found;
-  found.setting = {"encoder_dropout",
+  found.setting = {std::string(dropout_name),
                    "",
                    {std::min(1.0, lost_s / watched_s), lost_s / static_cast<double>(dropouts.size())}};
   const double share = found.setting.parameters[0];

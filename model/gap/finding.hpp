@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "model/gap/data_gate.hpp"
@@ -38,6 +39,8 @@ std::vector<Finding> findings_of(const GapProblem& train, const GapSearch& searc
 // gain that falls evenly, and no voltage in the logs, the battery.
 void add_rivals_that_cannot_show(std::span<Finding> found, std::span<const Untestable> untestable,
                                  double longest_run_s);
+
+inline constexpr std::string_view dropout_name = "encoder_dropout";
 
 // Counts that stood still are an effect of the library, but one that the data gate finds. A single time is a
 // fault of the data and no more.

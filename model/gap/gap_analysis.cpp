@@ -5,13 +5,14 @@
 
 #include "model/effect_library.hpp"
 #include "model/gap/decoys.hpp"
+#include "model/gap/found_model.hpp"
 #include "model/gap/gap_size.hpp"
 #include "model/gap/gap_verdict.hpp"
+#include "model/gap/search_start.hpp"
 
 namespace wheelwright::gap {
 namespace {
 
-constexpr std::string_view dropout_name = "encoder_dropout";
 constexpr std::uint64_t floor_seed = 1;
 constexpr std::size_t most_regimes = 6;
 
@@ -24,15 +25,11 @@ class Analysis {
 
  private:
   bool nothing_to_see();
-  TrialModel start();
   void search();
   void conclude();
   void describe_where();
   void size_up();
   void show_gap_with_lost_counts();
-  RobotModel linear_model_of(const TrialModel& trial) const;
-  RobotModel whole_model_of(const TrialModel& trial) const;
-  RobotModel model_found() const;
   GapFigures figures(const RobotModel& before, const RobotModel& after,
                      const std::vector<DriveLog>& logs) const;
   void put_slow_noise_into_floors();
@@ -45,6 +42,7 @@ class Analysis {
   const ForEach& for_each_;
   const Progress& progress_;
   GatheredRuns gathered_;
+  ModelOrigin origin_;
   std::optional<GapProblem> train_problem_;
   std::optional<GapProblem> test_problem_;
   Testability testability_;
@@ -83,100 +81,30 @@ bool Analysis::nothing_to_see() {
   return true;
 }
 
-TrialModel Analysis::start() {
-  const GapRun& run = gathered_.train.runs.front();
-  CoreShape shape;
-  shape.shared = !train_problem_->has_counts();
-  shape.reference_lag = std::ranges::all_of(gathered_.train.runs, [](const GapRun& each) {
-    return each.has_counts && !each[Channel::forward].empty();
-  });
-  // A core that reaches back 90 ms holds what delay is usual of a serial line and a motor; more of it is an
-  // effect.
-  shape.weights = static_cast<std::size_t>(std::clamp(std::lround(0.09 / run.period_s) + 1, 3L, 10L));
-  TrialModel best;
-  double least = 0.0;
-  for (const double lag_s : {0.06, 0.15}) {
-    TrialModel guess = first_guess(shape, run.period_s, run.wheel_base_m, lag_s, 0.036);
-    if (options_.model) {
-      for (const auto& effect : options_.model->effects) {
-        const EffectInfo* info = find_effect(effect.setting.name);
-        guess.effects.push_back(
-            {info, variant_index(*info, effect.setting.variant), effect.setting.parameters});
-      }
-    }
-    train_problem_->set_noise({});
-    const GapFit fit = train_problem_->fit(guess, 8);
-    if (best.core.empty() || fit.squares < least) {
-      best = fit.model;
-      least = fit.squares;
-    }
-  }
-  return best;
-}
-
 void Analysis::search() {
   train_problem_.emplace(gathered_.train.runs, gathered_.train.metres_per_tick, for_each_);
   test_problem_.emplace(gathered_.test.runs, gathered_.test.metres_per_tick, for_each_);
   const FreeRuns free_runs{
       [this](const TrialModel& trial) {
-        const RobotModel model = whole_model_of(trial);
+        const RobotModel model = whole_model_of(trial, origin_);
         const GapFigures train = figures(model, model, gathered_.train.logs);
         const GapFigures test = result_.tail_held_out ? train : figures(model, model, gathered_.test.logs);
         return largest_excess(train, test).times >= more_than_noise;
       },
       [this](const TrialModel& without, const TrialModel& with) {
         const auto& logs = result_.tail_held_out ? gathered_.train.logs : gathered_.test.logs;
-        return shows(figures(whole_model_of(without), whole_model_of(with), logs));
+        return shows(figures(whole_model_of(without, origin_), whole_model_of(with, origin_), logs));
       }};
   auto candidates = testability_.candidates;
   if (linear_left_out_) std::erase_if(candidates, [](const EffectInfo* info) { return info->linear; });
-  result_.search = search_gap(*train_problem_, *test_problem_, start(), candidates, options_.limits,
-                              free_runs, for_each_, progress_);
+  result_.search = search_gap(*train_problem_, *test_problem_, search_start(*train_problem_, origin_.given),
+                              candidates, options_.limits, free_runs, for_each_, progress_);
   for (std::size_t r = 0; r < gathered_.train.logs.size(); ++r) {
     gathered_.train.logs[r].rolled_before_m = result_.search.train_rolled_m[r];
   }
   for (std::size_t r = 0; r < gathered_.test.logs.size(); ++r) {
     gathered_.test.logs[r].rolled_before_m = result_.search.heldout_rolled_m[r];
   }
-}
-
-RobotModel Analysis::linear_model_of(const TrialModel& trial) const {
-  RobotModel model;
-  if (options_.model) {
-    model.robot = options_.model->robot;
-    model.encoder_scale = options_.model->encoder_scale;
-  }
-  for (const auto& log : gathered_.train.logs) model.source.push_back(log.name);
-  model.core = trial.linear();
-  return model;
-}
-
-RobotModel Analysis::whole_model_of(const TrialModel& trial) const {
-  RobotModel model = linear_model_of(trial);
-  TrialModel acting = trial;
-  acting.effects = trial.acting();
-  for (const auto& setting : acting.settings()) model.effects.push_back({setting, {}, {}, {}, {}, {}});
-  return model;
-}
-
-// With the evidence. Effects stand in the order in which they act; what the data gate found is put in front.
-RobotModel Analysis::model_found() const {
-  RobotModel model = linear_model_of(result_.search.final.model);
-  const auto add = [&](const std::string& name) {
-    for (const auto& found : result_.found) {
-      if (found.setting.name != name) continue;
-      AddedEffect added;
-      added.setting = found.setting;
-      added.intervals = found.intervals;
-      added.source = model.source;
-      added.heldout_gain_nats = found.heldout_gain_nats;
-      added.p_value = found.p_value;
-      model.effects.push_back(std::move(added));
-    }
-  };
-  add(std::string(dropout_name));
-  for (const auto& effect : result_.search.final.model.acting()) add(effect.info->name);
-  return model;
 }
 
 GapFigures Analysis::figures(const RobotModel& before, const RobotModel& after,
@@ -209,8 +137,8 @@ void Analysis::describe_where() {
 }
 
 void Analysis::size_up() {
-  result_.before = options_.model ? *options_.model : linear_model_of(result_.search.baseline.model);
-  result_.after = model_found();
+  result_.before = options_.model ? *options_.model : linear_model_of(result_.search.baseline.model, origin_);
+  result_.after = found_model_of(result_.search.final.model, result_.found, origin_);
   result_.train = figures(result_.before, result_.after, gathered_.train.logs);
   if (!result_.tail_held_out) {
     result_.test = figures(result_.before, result_.after, gathered_.test.logs);
@@ -258,10 +186,14 @@ void Analysis::conclude() {
     result_.search.final = result_.search.baseline;
     size_up();
   }
-  const Excess over_quick_noise = what_is_left(result_);
+  Leftovers leftovers{
+      what_is_left(result_), changed_gains(result_.search, *train_problem_, *test_problem_), {}};
+  if (result_.found.empty()) {
+    const GapFit& left = result_.search.final;
+    leftovers.swing = regular_swing(*train_problem_, left.model, left.residuals);
+  }
   put_slow_noise_into_floors();
-  reach_verdict(result_, options_.limits, over_quick_noise,
-                changed_gains(result_.search, *train_problem_, *test_problem_));
+  reach_verdict(result_, options_.limits, leftovers);
   describe_where();
   const auto dropout = [](const Finding& found) { return found.setting.name == dropout_name; };
   if (std::ranges::any_of(result_.found, dropout)) show_gap_with_lost_counts();
@@ -327,6 +259,8 @@ void Analysis::hold_out_others() {
 void Analysis::note_runs() {
   result_.train_runs = gathered_.train.runs.size();
   result_.test_runs = gathered_.test.runs.size();
+  origin_ = {options_.model ? &*options_.model : nullptr, {}};
+  for (const auto& log : gathered_.train.logs) origin_.logs.push_back(log.name);
   result_.held_out.clear();
   for (const auto& run : gathered_.test.runs) result_.held_out.push_back(run.name);
 }

@@ -81,6 +81,9 @@ class GapProblem {
   std::optional<Innovations> innovations(std::size_t run, Channel channel,
                                          std::span<const double> errors) const;
 
+  // The least that a reading of a channel can err, m or rad: of counts, by rounding.
+  double smallest_reading(std::size_t channel) const;
+
   // Sets where the wheels of each run stood at its start.
   void set_rolled_before(std::span<const WheelPair> rolled_m);
 
@@ -117,7 +120,6 @@ class GapProblem {
                     std::size_t run, Eigen::MatrixXd& columns) const;
   bool shows_only_in(const Eigen::MatrixXd& columns, std::size_t column, Channel channel) const;
   Part part_of_parameter(const TrialModel& model, std::size_t parameter) const;
-  double smallest_reading(std::size_t channel) const;
 
   std::vector<GapRun> runs_;
   std::vector<WheelPair> metres_per_tick_;  // of each run; zero without counts

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 #include "model/gap/decoys.hpp"
 
@@ -15,7 +17,7 @@ constexpr double least_fall = 0.03;          // of a figure
 
 // Counts that stood still are found by the data gate, not by free runs.
 bool of_free_runs(const Finding& found) {
-  return found.setting.name != "encoder_dropout";
+  return found.setting.name != dropout_name;
 }
 
 std::string in_words(const Excess& excess) {
@@ -71,8 +73,19 @@ bool more_than_any_noise(const Excess& over_quick_noise, const Excess& over_slow
          over_quick_noise.times >= beyond_slow_noise;
 }
 
+// As in "every 0.45 s" or "every 36 mm of a wheel's way".
+std::string in_words(const RegularSwing& swing) {
+  const bool by_time = swing.over == RegularSwing::Over::time;
+  std::ostringstream words;
+  words << "every " << std::setprecision(3) << (by_time ? swing.period : 1000.0 * swing.period)
+        << (by_time ? " s" : " mm of a wheel's way");
+  return words.str();
+}
+
 Judgement of_nothing_found(const GapAnalysis& analysis, const SearchLimits& limits,
-                           const Excess& over_quick_noise, std::span<const GainChange> changes) {
+                           const Leftovers& leftovers) {
+  const Excess& over_quick_noise = leftovers.over_quick_noise;
+  const auto& changes = leftovers.gain_changes;
   if (decoy_explains(analysis, limits)) {
     return {Verdict::unnamed, "Something is missing that no effect of the library explains."};
   }
@@ -99,7 +112,21 @@ Judgement of_nothing_found(const GapAnalysis& analysis, const SearchLimits& limi
     return {Verdict::unnamed, "Something is missing that no effect of the library explains: in free runs " +
                                   in_words(over_quick_noise) + "."};
   }
+  if (leftovers.swing) {
+    return {Verdict::unnamed,
+            "Something swings " + in_words(*leftovers.swing) + ", which no effect of the library does.",
+            {{"a swing " + in_words(*leftovers.swing), leftovers.swing->share, 1.0}}};
+  }
   return {Verdict::nothing_missing, "Nothing is missing that these runs could show."};
+}
+
+// What a core without counts came to for turns, beside the gain of driving, where it has one for each.
+std::string turning_in_words(const TrialModel& model) {
+  const double gain = (1.0 - model.share_of_other_wheel()) / (1.0 + model.share_of_other_wheel());
+  const auto percent = std::lround(100.0 * (gain - 1.0));
+  if (!model.shape.shared || percent == 0) return {};
+  return " The robot turns " + std::to_string(std::abs(percent)) + " % " + (percent < 0 ? "less" : "more") +
+         " than it drives; these logs do not tell why, and the linear core holds it.";
 }
 
 // What was found holds for a run whose wheels begin at a known angle: that has to be said.
@@ -203,10 +230,9 @@ bool leaves_most_of_it(const GapAnalysis& analysis) {
   return left.times >= nowhere_near || (left.times >= far_above_noise && left.closed < 0.5);
 }
 
-void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Excess& over_quick_noise,
-                   std::span<const GainChange> changes) {
-  Judgement judgement = analysis.found.empty() ? of_nothing_found(analysis, limits, over_quick_noise, changes)
-                                               : of_findings(analysis.found);
+void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Leftovers& leftovers) {
+  Judgement judgement =
+      analysis.found.empty() ? of_nothing_found(analysis, limits, leftovers) : of_findings(analysis.found);
   analysis.verdict = judgement.verdict;
   analysis.summary = std::move(judgement.summary);
   analysis.where = std::move(judgement.where);
@@ -214,6 +240,7 @@ void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Exce
     analysis.summary +=
         " The wheels began each run at another angle; the figures take the angles that each run showed.";
   }
+  analysis.summary += turning_in_words(analysis.search.final.model);
   const Excess left = what_is_left(analysis);
   if (analysis.verdict == Verdict::named && left.times >= far_above_noise) {
     analysis.summary += " More may be: in free runs " + in_words(left) + ".";

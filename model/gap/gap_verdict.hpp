@@ -1,11 +1,13 @@
 // What an analysis comes to: one word, and a sentence or two for a person.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "model/gap/gap_analysis.hpp"
+#include "model/gap/regular_swing.hpp"
 
 namespace wheelwright::gap {
 
@@ -41,10 +43,15 @@ bool is_less_than_a_decoy_adds(const GapAnalysis& analysis);
 // What the model found leaves, in floors of the figures as they stand.
 Excess what_is_left(const GapAnalysis& analysis);
 
-// Sets verdict and summary, and `where` for gains that changed, from all else that the analysis holds. Its
-// floors are those of noise over seconds; `over_quick_noise` is what is left over noise from reading to
-// reading.
-void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Excess& over_quick_noise,
-                   std::span<const GainChange> changes);
+// What may be missing where nothing was found.
+struct Leftovers {
+  Excess over_quick_noise;  // in floors of noise from reading to reading
+  std::vector<GainChange> gain_changes;
+  std::optional<RegularSwing> swing;
+};
+
+// Sets verdict and summary, and `where` for gains that changed or a swing, from all else that the analysis
+// holds. Its floors are those of noise over seconds.
+void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Leftovers& leftovers);
 
 }  // namespace wheelwright::gap

@@ -45,7 +45,7 @@ GapAnalysis analysis_with(const std::vector<Finding>& found, const GapFigures& f
 // `over_quick_noise`: in floors of the noise from reading to reading; by default as over that of seconds.
 Verdict verdict_of(GapAnalysis analysis, double over_quick_noise = 0.0) {
   const Excess left = what_is_left(analysis);
-  reach_verdict(analysis, {}, {left.figure, std::max(left.times, over_quick_noise), left.closed}, {});
+  reach_verdict(analysis, {}, {{left.figure, std::max(left.times, over_quick_noise), left.closed}, {}, {}});
   return analysis.verdict;
 }
 
