@@ -1,8 +1,8 @@
 #pragma once
 
-#include "tests/benchmark/second_plant/random.hpp"
+#include "tests/benchmark/plants/random.hpp"
 
-namespace second_plant {
+namespace plants::second {
 
 // Battery pack with internal resistance and another consumer that switches on and off.
 struct BatterySpec {
@@ -46,4 +46,4 @@ class Battery {
   bool auxiliary_on_ = false;
 };
 
-}  // namespace second_plant
+}  // namespace plants::second

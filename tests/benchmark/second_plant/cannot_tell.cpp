@@ -3,9 +3,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/benchmark/plants/effect_table.hpp"
 #include "tests/benchmark/second_plant/run.hpp"
 
-namespace second_plant {
+namespace plants::second {
 
 namespace {
 
@@ -70,4 +71,4 @@ void add_cannot_tell(std::vector<Case>& cases, CaseBuilder& builder, const std::
                                  "volts not logged and falling evenly with time: as gain_drift"));
 }
 
-}  // namespace second_plant
+}  // namespace plants::second

@@ -4,9 +4,9 @@
 
 #include "tests/benchmark/second_plant/case_builder.hpp"
 
-namespace second_plant {
+namespace plants::second {
 
 // Cases in which an effect is there but the logs cannot show it, or cannot tell it from another.
 void add_cannot_tell(std::vector<Case>& cases, CaseBuilder& builder, const std::vector<Effect>& effects);
 
-}  // namespace second_plant
+}  // namespace plants::second

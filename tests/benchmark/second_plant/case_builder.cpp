@@ -2,29 +2,14 @@
 
 #include <algorithm>
 
-namespace second_plant {
+#include "tests/benchmark/plants/effect_table.hpp"
+
+namespace plants::second {
 
 namespace {
 
-std::string label(Sensing sensing) {
-  switch (sensing) {
-    case Sensing::ticks:
-      return "ticks";
-    case Sensing::poses:
-      return "poses";
-    case Sensing::ticks_and_poses:
-      return "ticks+poses";
-    case Sensing::ticks_and_ends:
-      break;
-  }
-  return "ticks+ends";
-}
-
 SensorSet random_sensors(Sensing sensing, bool dense_poses, Random& random) {
-  SensorSet sensors;
-  sensors.ticks = sensing != Sensing::poses;
-  sensors.poses = sensing != Sensing::ticks;
-  sensors.only_end_poses = sensing == Sensing::ticks_and_ends;
+  SensorSet sensors = sensor_set(sensing);
   sensors.battery = random.chance(0.4);
   const double sparse_s = random.uniform(0.1, sensors.ticks ? 0.5 : 0.15);
   sensors.pose_every_s = dense_poses || random.chance(0.4) ? 0.0 : sparse_s;
@@ -49,7 +34,7 @@ bool logs_volts(const std::string& effect) {
 
 }  // namespace
 
-Case CaseBuilder::draw(const std::string& kind, Drive drive, Sensing sensing, bool dense_poses) {
+Case CaseBuilder::draw(CaseKind kind, Drive drive, Sensing sensing, bool dense_poses) {
   random_ = Random(seed_).child(drawn_++);
   Case item;
   item.kind = kind;
@@ -57,7 +42,7 @@ Case CaseBuilder::draw(const std::string& kind, Drive drive, Sensing sensing, bo
   item.robot = random_robot(drive, random_);
   item.innocent = item.robot;
   item.sensors = random_sensors(sensing, dense_poses, random_);
-  item.sensor_label = label(sensing);
+  item.sensing = sensing;
   item.duration_s = random_.uniform(62.0, 88.0);
   return item;
 }
@@ -70,7 +55,7 @@ Sensing CaseBuilder::choose(const std::vector<Sensing>& possible) const {
 Case CaseBuilder::single(const Effect& effect, double level) {
   const bool large = level >= large_level;
   const Sensing sensing = choose(large ? effect.large_sensing : effect.small_sensing);
-  Case item = draw("single", effect.drive, sensing, effect.needs_dense_poses);
+  Case item = draw(CaseKind::effects, effect.drive, sensing, effect.needs_dense_poses);
   item.name = effect.name;
   item.hidden = {effect.name};
   item.size = large ? "large" : "small";
@@ -82,11 +67,10 @@ Case CaseBuilder::single(const Effect& effect, double level) {
 
 Case CaseBuilder::several(const std::vector<Effect>& effects, const std::vector<std::string>& names,
                           Sensing sensing) {
-  std::vector<const Effect*> chosen;
-  for (const std::string& name : names) chosen.push_back(&find_effect(effects, name));
+  const std::vector<const Effect*> chosen = find_effects(effects, names);
   const bool dense = std::any_of(chosen.begin(), chosen.end(),
                                  [](const Effect* effect) { return effect->needs_dense_poses; });
-  Case item = draw("several", common_drive(chosen), sensing, dense);
+  Case item = draw(CaseKind::effects, common_drive(chosen), sensing, dense);
   item.hidden = names;
   item.name = "several";
   for (const Effect* effect : chosen) {
@@ -99,7 +83,7 @@ Case CaseBuilder::several(const std::vector<Effect>& effects, const std::vector<
 }
 
 Case CaseBuilder::clean(Sensing sensing) {
-  Case item = draw("clean", Drive::any, sensing, false);
+  Case item = draw(CaseKind::clean, Drive::any, sensing, false);
   item.name = "clean";
   // Endless voltage must change nothing, or the robot would not be linear.
   item.innocent.motor.supply_v *= 10.0;
@@ -108,7 +92,7 @@ Case CaseBuilder::clean(Sensing sensing) {
 }
 
 Case CaseBuilder::cannot_tell(const Effect& effect, Sensing sensing, Style style, const std::string& why) {
-  Case item = draw("cannot_tell", effect.drive, sensing, effect.needs_dense_poses);
+  Case item = draw(CaseKind::cannot_tell, effect.drive, sensing, effect.needs_dense_poses);
   item.name = "cannot_tell." + effect.name;
   item.hidden = {effect.name};
   item.note = why;
@@ -119,11 +103,12 @@ Case CaseBuilder::cannot_tell(const Effect& effect, Sensing sensing, Style style
 }
 
 Case CaseBuilder::outside(const Effect& effect) {
-  Case item = draw("outside", effect.drive, effect.large_sensing.front(), true);
+  Case item = draw(CaseKind::outside, effect.drive, effect.large_sensing.front(), true);
   item.name = "outside." + effect.name;
+  item.hidden = {"outside_" + effect.name};
   item.note = effect.physics;
   effect.apply(item.robot, large_level, random_);
   return item;
 }
 
-}  // namespace second_plant
+}  // namespace plants::second

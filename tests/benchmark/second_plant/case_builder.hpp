@@ -6,7 +6,7 @@
 
 #include "tests/benchmark/second_plant/case_list.hpp"
 
-namespace second_plant {
+namespace plants::second {
 
 // Draws a robot for each case and hides effects in it. Case n depends on the seed and n only.
 class CaseBuilder {
@@ -20,7 +20,7 @@ class CaseBuilder {
   Case outside(const Effect& effect);
 
  private:
-  Case draw(const std::string& kind, Drive drive, Sensing sensing, bool dense_poses);
+  Case draw(CaseKind kind, Drive drive, Sensing sensing, bool dense_poses);
   Sensing choose(const std::vector<Sensing>& possible) const;
 
   std::uint64_t seed_;
@@ -28,4 +28,4 @@ class CaseBuilder {
   Random random_{0};  // stream of the case that is being drawn
 };
 
-}  // namespace second_plant
+}  // namespace plants::second

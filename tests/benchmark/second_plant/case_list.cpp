@@ -1,11 +1,9 @@
 #include "tests/benchmark/second_plant/case_list.hpp"
 
-#include <algorithm>
-
 #include "tests/benchmark/second_plant/cannot_tell.hpp"
 #include "tests/benchmark/second_plant/case_builder.hpp"
 
-namespace second_plant {
+namespace plants::second {
 
 namespace {
 
@@ -49,19 +47,9 @@ void add_clean(std::vector<Case>& cases, CaseBuilder& builder) {
     cases.push_back(builder.clean(turns[static_cast<std::size_t>(index) % turns.size()]));
 }
 
-std::string case_number(std::size_t index) {
-  const std::string digits = std::to_string(index);
-  return std::string(3 - std::min<std::size_t>(3, digits.size()), '0').append(digits);
-}
-
 void give_names(std::vector<Case>& cases, std::uint64_t seed) {
-  for (std::size_t index = 0; index < cases.size(); ++index) {
-    Case& item = cases[index];
-    std::string name = "s";
-    name.append(std::to_string(seed)).append(".").append(case_number(index)).append(".").append(item.name);
-    if (!item.size.empty()) name.append(".").append(item.size);
-    item.name = name.append(".").append(item.sensor_label);
-  }
+  for (std::size_t index = 0; index < cases.size(); ++index)
+    cases[index].name = case_name(seed, index, cases[index].name, cases[index].size, cases[index].sensing);
 }
 
 }  // namespace
@@ -79,4 +67,4 @@ std::vector<Case> make_cases(std::uint64_t seed) {
   return cases;
 }
 
-}  // namespace second_plant
+}  // namespace plants::second

@@ -4,23 +4,23 @@
 #include <string>
 #include <vector>
 
-#include "tests/benchmark/second_plant/drive_log.hpp"
+#include "tests/benchmark/plants/exam.hpp"
 #include "tests/benchmark/second_plant/effects.hpp"
 #include "tests/benchmark/second_plant/programme.hpp"
 #include "tests/benchmark/second_plant/robot_spec.hpp"
 
-namespace second_plant {
+namespace plants::second {
 
 // One robot with something (or nothing) hidden, how it is driven and what is measured.
 struct Case {
   std::string name;
-  std::string kind;  // single, several, clean, cannot_tell, outside
+  CaseKind kind = CaseKind::effects;
   std::vector<std::string> hidden;
   std::string size;
-  std::string sensor_label;
   std::string note;
   RobotSpec robot;
   RobotSpec innocent;  // what the logs are compared with: the robot without what is hidden
+  Sensing sensing = Sensing::ticks;
   SensorSet sensors;
   Style style = Style::rich;
   bool keep_heading = false;
@@ -30,4 +30,4 @@ struct Case {
 
 std::vector<Case> make_cases(std::uint64_t seed);
 
-}  // namespace second_plant
+}  // namespace plants::second

@@ -3,13 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "tests/benchmark/second_plant/random.hpp"
+#include "tests/benchmark/plants/random.hpp"
+#include "tests/benchmark/plants/sensors.hpp"
 #include "tests/benchmark/second_plant/random_robot.hpp"
 #include "tests/benchmark/second_plant/robot_spec.hpp"
 
-namespace second_plant {
-
-enum class Sensing { ticks, poses, ticks_and_poses, ticks_and_ends };
+namespace plants::second {
 
 // One named imperfection: which numbers of a linear robot it changes.
 struct Effect {
@@ -36,9 +35,7 @@ std::vector<Effect> drive_effects();
 std::vector<Effect> floor_effects();
 std::vector<Effect> all_effects();
 
-const Effect& find_effect(const std::vector<Effect>& effects, const std::string& name);
-
 // Structured imperfections that have no name in the table.
 std::vector<Effect> outside_effects();
 
-}  // namespace second_plant
+}  // namespace plants::second

@@ -1,7 +1,7 @@
 // Effects between the wire and the motor: firmware, bridge, supply.
 #include "tests/benchmark/second_plant/effects.hpp"
 
-namespace second_plant {
+namespace plants::second {
 
 namespace {
 
@@ -164,4 +164,4 @@ std::vector<Effect> command_effects() {
   };
 }
 
-}  // namespace second_plant
+}  // namespace plants::second

@@ -1,7 +1,7 @@
 // Effects from the rotor to the tyre, and of the encoder.
 #include "tests/benchmark/second_plant/effects.hpp"
 
-namespace second_plant {
+namespace plants::second {
 
 namespace {
 
@@ -126,4 +126,4 @@ std::vector<Effect> drive_effects() {
   };
 }
 
-}  // namespace second_plant
+}  // namespace plants::second

@@ -4,7 +4,7 @@
 
 #include "tests/benchmark/second_plant/effects.hpp"
 
-namespace second_plant {
+namespace plants::second {
 
 namespace {
 
@@ -124,4 +124,4 @@ std::vector<Effect> floor_effects() {
   };
 }
 
-}  // namespace second_plant
+}  // namespace plants::second

@@ -3,7 +3,7 @@
 
 #include "tests/benchmark/second_plant/effects.hpp"
 
-namespace second_plant {
+namespace plants::second {
 
 namespace {
 
@@ -77,4 +77,4 @@ std::vector<Effect> outside_effects() {
   };
 }
 
-}  // namespace second_plant
+}  // namespace plants::second

@@ -4,10 +4,10 @@
 #include <numbers>
 #include <vector>
 
-#include "tests/benchmark/second_plant/random.hpp"
+#include "tests/benchmark/plants/random.hpp"
 #include "tests/benchmark/second_plant/robot_spec.hpp"
 
-namespace second_plant {
+namespace plants::second {
 
 // Incremental encoder on the wheel. During an outage edges pass uncounted and are gone for good.
 class Encoder {
@@ -49,4 +49,4 @@ class Encoder {
   bool started_ = false;
 };
 
-}  // namespace second_plant
+}  // namespace plants::second

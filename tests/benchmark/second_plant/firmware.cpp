@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace second_plant {
+namespace plants::second {
 
 PerWheel<double> Firmware::target_m_s(double now_s, double step_s) {
   while (!inbox_.empty() && inbox_.front().due_s <= now_s) {
@@ -26,4 +26,4 @@ double Firmware::shaped(double command_m_s) const {
   return spec_.command_step_m_s * std::round(command_m_s / spec_.command_step_m_s);
 }
 
-}  // namespace second_plant
+}  // namespace plants::second

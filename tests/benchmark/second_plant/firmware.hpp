@@ -3,10 +3,10 @@
 #include <deque>
 #include <limits>
 
+#include "tests/benchmark/plants/wheels.hpp"
 #include "tests/benchmark/second_plant/odd_command.hpp"
-#include "tests/benchmark/second_plant/wheels.hpp"
 
-namespace second_plant {
+namespace plants::second {
 
 // What the robot's firmware does to a command before the wheel controllers see it.
 struct FirmwareSpec {
@@ -42,4 +42,4 @@ class Firmware {
   PerWheel<double> ramped_m_s_{};
 };
 
-}  // namespace second_plant
+}  // namespace plants::second

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace second_plant {
+namespace plants::second {
 
 // The floor of the room: tilt and one round rug.
 struct FloorSpec {
@@ -29,4 +29,4 @@ inline double share_on_rug(const FloorSpec& floor, double x_m, double y_m) {
   return 0.5 * (1.0 + std::tanh(inside_m / kFootprint_m));
 }
 
-}  // namespace second_plant
+}  // namespace plants::second

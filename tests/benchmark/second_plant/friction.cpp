@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace second_plant {
+namespace plants::second {
 
 double Friction::force_n(double speed_m_s, double step_s) {
   if (spec_.breakaway_n <= 0.0) return 0.0;
@@ -19,4 +19,4 @@ double Friction::force_n(double speed_m_s, double step_s) {
   return stiffness_n_m * deflection_m_ + damping_n_s_m * (deflection_m_ - previous_m) / step_s;
 }
 
-}  // namespace second_plant
+}  // namespace plants::second

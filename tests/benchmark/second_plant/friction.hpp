@@ -1,6 +1,6 @@
 #pragma once
 
-namespace second_plant {
+namespace plants::second {
 
 // LuGre friction of a gearbox or a sliding pair, as a force at the wheel rim.
 struct FrictionSpec {
@@ -22,4 +22,4 @@ class Friction {
   double deflection_m_ = 0.0;
 };
 
-}  // namespace second_plant
+}  // namespace plants::second

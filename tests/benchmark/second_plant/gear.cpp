@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace second_plant {
+namespace plants::second {
 
 GearForces Gear::forces(double rotor_m_s, double wheel_m_s, double angle_from_high_rad, double step_s) {
   const double ratio = 1.0 + spec_.eccentricity * std::cos(angle_from_high_rad);
@@ -23,4 +23,4 @@ double Gear::tooth_force_n(double twist_rate_m_s) const {
   return 0.0;
 }
 
-}  // namespace second_plant
+}  // namespace plants::second

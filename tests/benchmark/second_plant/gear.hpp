@@ -1,6 +1,6 @@
 #pragma once
 
-namespace second_plant {
+namespace plants::second {
 
 // Elastic last gear stage between rotor and wheel, in rim units.
 struct GearSpec {
@@ -29,4 +29,4 @@ class Gear {
   double twist_m_;
 };
 
-}  // namespace second_plant
+}  // namespace plants::second

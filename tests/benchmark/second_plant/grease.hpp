@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace second_plant {
+namespace plants::second {
 
 // Gear grease: viscous drag that falls as churning and copper losses warm the drive.
 struct GreaseSpec {
@@ -29,4 +29,4 @@ class Grease {
   double rise_k_ = 0.0;
 };
 
-}  // namespace second_plant
+}  // namespace plants::second

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace second_plant {
+namespace plants::second {
 
 namespace {
 
@@ -124,4 +124,4 @@ Programme bold_manoeuvre(const ProgrammeLimits& limits, double smallest_m_s, Ran
   return part;
 }
 
-}  // namespace second_plant
+}  // namespace plants::second

@@ -2,7 +2,7 @@
 
 #include "tests/benchmark/second_plant/programme.hpp"
 
-namespace second_plant {
+namespace plants::second {
 
 // Draws one manoeuvre of the rich repertoire.
 Programme rich_manoeuvre(const ProgrammeLimits& limits, Random& random);
@@ -18,4 +18,4 @@ void append_hold(Programme& programme, const ProgrammeLimits& limits, PerWheel<d
 void append_ramp(Programme& programme, const ProgrammeLimits& limits, PerWheel<double> from_m_s,
                  PerWheel<double> to_m_s, double duration_s);
 
-}  // namespace second_plant
+}  // namespace plants::second

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace second_plant {
+namespace plants::second {
 
 double Motor::bridge_v(double demanded_v) const {
   const double available_v = spec_.supply_v - spec_.supply_resistance_ohm * std::abs(current_a_);
@@ -29,4 +29,4 @@ double Motor::force_n(double demanded_v, double speed_m_s, double step_s) {
   return emf_v_s_m * current_a_;
 }
 
-}  // namespace second_plant
+}  // namespace plants::second

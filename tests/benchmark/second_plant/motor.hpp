@@ -2,7 +2,7 @@
 
 #include <limits>
 
-namespace second_plant {
+namespace plants::second {
 
 // Brushed motor with its bridge, seen through the gear: speeds and forces are those at the wheel rim.
 struct MotorSpec {
@@ -36,4 +36,4 @@ class Motor {
   bool limited_ = false;
 };
 
-}  // namespace second_plant
+}  // namespace plants::second

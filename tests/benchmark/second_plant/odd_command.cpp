@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-namespace second_plant {
+namespace plants::second {
 
 PerWheel<double> OddCommand::apply(PerWheel<double> command_m_s, double now_s) {
   command_m_s = resend(command_m_s, now_s);
@@ -45,4 +45,4 @@ double OddCommand::gear_ratio(const PerWheel<double>& command_m_s) {
   return low_gear_ ? spec_.low_gear_ratio : 1.0;
 }
 
-}  // namespace second_plant
+}  // namespace plants::second

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "tests/benchmark/second_plant/wheels.hpp"
+#include "tests/benchmark/plants/wheels.hpp"
 
-namespace second_plant {
+namespace plants::second {
 
 // Command-side misbehaviour that is no effect of the library.
 struct OddCommandSpec {
@@ -34,4 +34,4 @@ class OddCommand {
   bool low_gear_ = false;
 };
 
-}  // namespace second_plant
+}  // namespace plants::second

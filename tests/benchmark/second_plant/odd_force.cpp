@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace second_plant {
+namespace plants::second {
 
 namespace {
 constexpr double full_turn = 2.0 * std::numbers::pi;
@@ -54,4 +54,4 @@ double OddForce::seizing_n(std::size_t wheel, double now_s, double wheel_m_s) co
   return -spec_.seizing_drag_n_s_m * wheel_m_s;
 }
 
-}  // namespace second_plant
+}  // namespace plants::second

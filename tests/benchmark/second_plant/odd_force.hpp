@@ -1,10 +1,10 @@
 #pragma once
 
+#include "tests/benchmark/plants/random.hpp"
+#include "tests/benchmark/plants/wheels.hpp"
 #include "tests/benchmark/second_plant/friction.hpp"
-#include "tests/benchmark/second_plant/random.hpp"
-#include "tests/benchmark/second_plant/wheels.hpp"
 
-namespace second_plant {
+namespace plants::second {
 
 // Forces on the robot that are no effect of the library.
 struct OddForceSpec {
@@ -47,4 +47,4 @@ class OddForce {
   double payload_n_ = 0.0;
 };
 
-}  // namespace second_plant
+}  // namespace plants::second

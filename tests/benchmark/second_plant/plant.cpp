@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace second_plant {
+namespace plants::second {
 
 namespace {
 double side_sign(std::size_t wheel) {
@@ -86,7 +86,7 @@ void Plant::step_body(const PerWheel<double>& traction_n, bool driving) {
                          felt_force_n(under, forward_m_s_, turn_rad_s_) +
                          odd_force_.gust_n(now_s_, pose_.heading_rad) + odd_force_.payload_n();
   const double moment_n_m = 0.5 * body.true_track_m * (traction_n[right_side] - traction_n[left_side]) +
-                            second_plant::skid_moment_n_m(under, turn_rad_s_) +
+                            second::skid_moment_n_m(under, turn_rad_s_) +
                             (driving ? under.side_brush_n_m : 0.0) +
                             caster_.moment_n_m(forward_m_s_, kStep_s);
   acceleration_m_s2_ = force_n / body.mass_kg;
@@ -98,4 +98,4 @@ void Plant::step_body(const PerWheel<double>& traction_n, bool driving) {
   pose_.heading_rad += kStep_s * turn_rad_s_;
 }
 
-}  // namespace second_plant
+}  // namespace plants::second

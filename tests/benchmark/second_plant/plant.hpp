@@ -2,15 +2,11 @@
 
 #include <vector>
 
+#include "tests/benchmark/plants/pose.hpp"
+#include "tests/benchmark/plants/random.hpp"
 #include "tests/benchmark/second_plant/robot_spec.hpp"
 
-namespace second_plant {
-
-struct Pose {
-  double x_m = 0.0;
-  double y_m = 0.0;
-  double heading_rad = 0.0;
-};
+namespace plants::second {
 
 // Rotor, gear and tyre of one side.
 struct DriveTrain {
@@ -69,4 +65,4 @@ class Plant {
   long steps_ = 0;
 };
 
-}  // namespace second_plant
+}  // namespace plants::second

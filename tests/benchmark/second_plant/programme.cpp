@@ -5,7 +5,7 @@
 
 #include "tests/benchmark/second_plant/manoeuvres.hpp"
 
-namespace second_plant {
+namespace plants::second {
 
 namespace {
 
@@ -134,4 +134,4 @@ Programme random_programme(Style style, const ProgrammeLimits& limits, Random ra
   return programme;
 }
 
-}  // namespace second_plant
+}  // namespace plants::second

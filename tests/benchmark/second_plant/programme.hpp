@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "tests/benchmark/second_plant/random.hpp"
-#include "tests/benchmark/second_plant/wheels.hpp"
+#include "tests/benchmark/plants/random.hpp"
+#include "tests/benchmark/plants/wheels.hpp"
 
-namespace second_plant {
+namespace plants::second {
 
 // One command per row of the log.
 using Programme = std::vector<PerWheel<double>>;
@@ -34,4 +34,4 @@ inline double one_speed_m_s(double fastest_m_s) {
 
 Programme random_programme(Style style, const ProgrammeLimits& limits, Random random);
 
-}  // namespace second_plant
+}  // namespace plants::second

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-namespace second_plant {
+namespace plants::second {
 
 namespace {
 
@@ -74,4 +74,4 @@ RobotSpec random_robot(Drive drive, Random& random) {
   return robot;
 }
 
-}  // namespace second_plant
+}  // namespace plants::second

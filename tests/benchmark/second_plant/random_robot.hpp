@@ -1,9 +1,9 @@
 #pragma once
 
-#include "tests/benchmark/second_plant/random.hpp"
+#include "tests/benchmark/plants/random.hpp"
 #include "tests/benchmark/second_plant/robot_spec.hpp"
 
-namespace second_plant {
+namespace plants::second {
 
 // How hard the wheel controller holds the speed against a load.
 enum class Drive {
@@ -14,4 +14,4 @@ enum class Drive {
 
 RobotSpec random_robot(Drive drive, Random& random);
 
-}  // namespace second_plant
+}  // namespace plants::second

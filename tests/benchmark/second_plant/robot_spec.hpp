@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tests/benchmark/plants/wheels.hpp"
 #include "tests/benchmark/second_plant/battery.hpp"
 #include "tests/benchmark/second_plant/firmware.hpp"
 #include "tests/benchmark/second_plant/floor.hpp"
@@ -11,9 +12,8 @@
 #include "tests/benchmark/second_plant/tyre.hpp"
 #include "tests/benchmark/second_plant/undercarriage.hpp"
 #include "tests/benchmark/second_plant/wheel_controller.hpp"
-#include "tests/benchmark/second_plant/wheels.hpp"
 
-namespace second_plant {
+namespace plants::second {
 
 struct BodySpec {
   double mass_kg = 3.5;
@@ -62,4 +62,4 @@ struct RobotSpec {
   }
 };
 
-}  // namespace second_plant
+}  // namespace plants::second

@@ -4,54 +4,19 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/benchmark/plants/reference.hpp"
 #include "tests/benchmark/second_plant/encoder.hpp"
+#include "tests/benchmark/second_plant/plant.hpp"
 
-namespace second_plant {
+namespace plants::second {
 
 namespace {
-
-double wrapped_rad(double angle_rad) {
-  return std::remainder(angle_rad, 2.0 * std::numbers::pi);
-}
 
 Pose start_pose(Random random, bool keep_heading) {
   const double heading_rad = random.uniform(-std::numbers::pi, std::numbers::pi);
   return {random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3),
           keep_heading ? kKeptHeading_rad : heading_rad};
 }
-
-Pose reference_point(const RobotSpec& robot, const Pose& axle) {
-  const double cosine = std::cos(axle.heading_rad);
-  const double sine = std::sin(axle.heading_rad);
-  return {axle.x_m + cosine * robot.reference_x_m - sine * robot.reference_y_m,
-          axle.y_m + sine * robot.reference_x_m + cosine * robot.reference_y_m, axle.heading_rad};
-}
-
-// The outside reference: noise on every axis, heading within one turn.
-class Reference {
- public:
-  Reference(const SensorSet& sensors, double period_s, std::size_t rows, Random random)
-      : sensors_(sensors),
-        random_(random),
-        every_(std::max(1L, std::lround(sensors.pose_every_s / period_s))),
-        last_row_(static_cast<long>(rows) - 1) {}
-
-  std::optional<Pose> look(long row, const Pose& truth) {
-    const Pose seen{truth.x_m + random_.normal(sensors_.position_noise_m),
-                    truth.y_m + random_.normal(sensors_.position_noise_m),
-                    wrapped_rad(truth.heading_rad + random_.normal(sensors_.heading_noise_rad))};
-    const bool at_end = row == 0 || row == last_row_;
-    const bool due = !sensors_.only_end_poses && row % every_ == 0;
-    if (at_end || due) return seen;
-    return std::nullopt;
-  }
-
- private:
-  SensorSet sensors_;
-  Random random_;
-  long every_;
-  long last_row_;
-};
 
 }  // namespace
 
@@ -69,7 +34,7 @@ Run drive_run(const RobotSpec& robot, const SensorSet& sensors, const Programme&
 
   const double metres_per_tick =
       2.0 * std::numbers::pi * robot.tyre[left_side].radius_m / robot.encoder.ticks_per_turn;
-  Run run{{robot.body.nominal_track_m, robot.period_s, metres_per_tick, {}}, {}};
+  Run run{{robot.body.nominal_track_m, robot.period_s, metres_per_tick, {}, {}}, {}};
   for (std::size_t index = 0; index < programme.size(); ++index) {
     const double event_s =
         robot.period_s * static_cast<double>(index) + std::abs(jitter.normal(kLoopJitter_s));
@@ -81,7 +46,7 @@ Run drive_run(const RobotSpec& robot, const SensorSet& sensors, const Programme&
     for (std::size_t wheel = 0; wheel < wheel_count; ++wheel) {
       row.ticks[wheel] = encoders[wheel].read(event_s, plant.wheel_angle_rad(wheel));
     }
-    truth.reference_point = reference_point(robot, plant.pose());
+    truth.reference_point = point_of_body(plant.pose(), robot.reference_x_m, robot.reference_y_m);
     truth.heading_rad = plant.pose().heading_rad;
     row.reference = reference.look(static_cast<long>(index), truth.reference_point);
     row.battery_v = plant.terminal_v() + volts.normal(robot.battery.noise_v);
@@ -92,4 +57,4 @@ Run drive_run(const RobotSpec& robot, const SensorSet& sensors, const Programme&
   return run;
 }
 
-}  // namespace second_plant
+}  // namespace plants::second

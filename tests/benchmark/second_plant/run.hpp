@@ -1,24 +1,12 @@
 #pragma once
 
-#include <vector>
-
-#include "tests/benchmark/second_plant/drive_log.hpp"
-#include "tests/benchmark/second_plant/plant.hpp"
+#include "tests/benchmark/plants/random.hpp"
+#include "tests/benchmark/plants/run.hpp"
+#include "tests/benchmark/plants/sensors.hpp"
 #include "tests/benchmark/second_plant/programme.hpp"
 #include "tests/benchmark/second_plant/robot_spec.hpp"
 
-namespace second_plant {
-
-// The motion that no sensor disturbed, for comparisons between two robots.
-struct TrueRow {
-  Pose reference_point;
-  double heading_rad = 0.0;  // unwrapped
-};
-
-struct Run {
-  DriveLog log;
-  std::vector<TrueRow> truth;
-};
+namespace plants::second {
 
 // Start heading of the runs that all point the same way.
 inline constexpr double kKeptHeading_rad = 0.4;
@@ -27,4 +15,4 @@ inline constexpr double kKeptHeading_rad = 0.4;
 Run drive_run(const RobotSpec& robot, const SensorSet& sensors, const Programme& programme, int run_index,
               bool keep_heading, const Random& random);
 
-}  // namespace second_plant
+}  // namespace plants::second

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace second_plant {
+namespace plants::second {
 
 // Tyre on the floor: force over slip speed after Pacejka's formula, linear for small slip.
 struct TyreSpec {
@@ -33,4 +33,4 @@ inline double rolling_ratio(const TyreSpec& spec, double wheel_angle_rad) {
          (1.0 + spec.hub_offset_m / spec.radius_m * std::cos(wheel_angle_rad - spec.high_point_rad));
 }
 
-}  // namespace second_plant
+}  // namespace plants::second

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace second_plant {
+namespace plants::second {
 
 // What touches the floor besides the driven wheels.
 struct UndercarriageSpec {
@@ -50,4 +50,4 @@ class Caster {
   double angle_rad_ = 0.0;  // heading of the caster wheel in the body, 0 = trailing in forward travel
 };
 
-}  // namespace second_plant
+}  // namespace plants::second

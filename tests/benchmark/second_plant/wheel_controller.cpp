@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace second_plant {
+namespace plants::second {
 
 double WheelController::voltage_v(double target_m_s, double measured_m_s, bool motor_limited, double step_s) {
   const double error_m_s = target_m_s - measured_m_s;
@@ -22,4 +22,4 @@ double WheelController::hunting_v(double target_m_s, double measured_m_s, double
   return relay_ * spec_.hunting_v;
 }
 
-}  // namespace second_plant
+}  // namespace plants::second

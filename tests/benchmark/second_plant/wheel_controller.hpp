@@ -1,6 +1,6 @@
 #pragma once
 
-namespace second_plant {
+namespace plants::second {
 
 // Speed controller of one wheel: feed-forward plus PI on the motor's own tachometer.
 struct ControllerSpec {
@@ -26,4 +26,4 @@ class WheelController {
   double relay_ = 1.0;
 };
 
-}  // namespace second_plant
+}  // namespace plants::second

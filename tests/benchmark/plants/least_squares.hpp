@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace second_plant {
+namespace plants {
 
 // Sum of squares that remains of the target after the best linear combination of the regressors.
 class LeastSquares {
@@ -19,4 +19,4 @@ class LeastSquares {
   long rows_ = 0;
 };
 
-}  // namespace second_plant
+}  // namespace plants

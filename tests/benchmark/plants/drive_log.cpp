@@ -1,20 +1,14 @@
-#include "tests/benchmark/second_plant/drive_log.hpp"
+#include "tests/benchmark/plants/drive_log.hpp"
 
-#include <cstdio>
 #include <fstream>
 #include <stdexcept>
 #include <string>
 
-namespace second_plant {
+#include "tests/benchmark/plants/text.hpp"
+
+namespace plants {
 
 namespace {
-
-std::string fixed(double value, int digits) {
-  std::string text(32, '\0');
-  const int length = std::snprintf(text.data(), text.size(), "%.*f", digits, value);
-  text.resize(static_cast<std::size_t>(length));
-  return text;
-}
 
 std::string header(const DriveLog& log, const SensorSet& sensors) {
   std::string text = "# wheelwright_drive_log: 1\n# wheel_base_m: " + fixed(log.wheel_base_m, 4) +
@@ -29,18 +23,20 @@ std::string header(const DriveLog& log, const SensorSet& sensors) {
   return text + "\n";
 }
 
-std::string reference_fields(const std::optional<Pose>& pose) {
+std::string reference_fields(const std::optional<Pose>& pose, int digits) {
   if (!pose) return ",,,";
-  return "," + fixed(pose->x_m, 5) + "," + fixed(pose->y_m, 5) + "," + fixed(pose->heading_rad, 5);
+  return "," + fixed(pose->x_m, digits) + "," + fixed(pose->y_m, digits) + "," +
+         fixed(pose->heading_rad, digits);
 }
 
-std::string line(const LogRow& row, const SensorSet& sensors) {
-  std::string text = fixed(row.time_s, 5) + "," + fixed(row.command_m_s[left_side], 3) + "," +
-                     fixed(row.command_m_s[right_side], 3);
+std::string line(const LogRow& row, const LogDigits& digits, const SensorSet& sensors) {
+  std::string text = fixed(row.time_s, digits.time) + "," +
+                     fixed(row.command_m_s[left_side], digits.command) + "," +
+                     fixed(row.command_m_s[right_side], digits.command);
   if (sensors.ticks)
     text += "," + std::to_string(row.ticks[left_side]) + "," + std::to_string(row.ticks[right_side]);
-  if (sensors.poses) text += reference_fields(row.reference);
-  if (sensors.battery) text += "," + fixed(row.battery_v, 3);
+  if (sensors.poses) text += reference_fields(row.reference, digits.pose);
+  if (sensors.battery) text += "," + fixed(row.battery_v, digits.battery);
   return text + "\n";
 }
 
@@ -48,9 +44,9 @@ std::string line(const LogRow& row, const SensorSet& sensors) {
 
 void write_drive_log(const std::filesystem::path& file, const DriveLog& log, const SensorSet& sensors) {
   std::string text = header(log, sensors);
-  for (const LogRow& row : log.rows) text += line(row, sensors);
+  for (const LogRow& row : log.rows) text += line(row, log.digits, sensors);
   std::ofstream stream(file, std::ios::binary);
   if (!(stream << text)) throw std::runtime_error("cannot write " + file.string());
 }
 
-}  // namespace second_plant
+}  // namespace plants

@@ -1,4 +1,4 @@
-#include "tests/benchmark/second_plant/comparison.hpp"
+#include "tests/benchmark/plants/comparison.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,14 +6,14 @@
 #include <functional>
 #include <numbers>
 
-#include "tests/benchmark/second_plant/least_squares.hpp"
+#include "tests/benchmark/plants/least_squares.hpp"
 
-namespace second_plant {
+namespace plants {
 
 namespace {
 
-constexpr double kWindow_s = 0.25;
-constexpr double kMemory_s = 1.0;
+constexpr double window_s = 0.25;
+constexpr double memory_s = 1.0;
 constexpr std::size_t lags = 12;
 
 // A speed between two rows of the true motion.
@@ -63,8 +63,8 @@ Difference difference(const std::vector<Run>& hidden, const std::vector<Run>& in
   LeastSquares fit(lags * wheel_count);
   for (std::size_t index = 0; index < hidden.size(); ++index) {
     const double period_s = hidden[index].log.period_s;
-    const auto window_rows = static_cast<std::size_t>(std::lround(kWindow_s / period_s));
-    const auto memory_rows = static_cast<std::size_t>(std::lround(kMemory_s / period_s));
+    const auto window_rows = static_cast<std::size_t>(std::lround(window_s / period_s));
+    const auto memory_rows = static_cast<std::size_t>(std::lround(memory_s / period_s));
     for (std::size_t row = memory_rows; row < hidden[index].truth.size(); row += 2) {
       const double change =
           speed(hidden[index], row - window_rows, row) - speed(innocent[index], row - window_rows, row);
@@ -86,14 +86,14 @@ Comparison compare(const std::vector<Run>& hidden, const std::vector<Run>& innoc
   Comparison result;
   result.wheel_speed_m_s = std::max(left.rms, right.rms);
   result.wheel_bent_m_s = std::max(left.bent_rms, right.bent_rms);
-  result.wheel_noise_m_s = hidden.front().log.metres_per_tick / std::sqrt(6.0) / kWindow_s;
+  result.wheel_noise_m_s = hidden.front().log.metres_per_tick / std::sqrt(6.0) / window_s;
   result.lateral_speed_m_s = lateral.rms;
   result.forward_speed_m_s = forward.rms;
   result.forward_bent_m_s = forward.bent_rms;
-  result.forward_noise_m_s = std::sqrt(2.0) * sensors.position_noise_m / kWindow_s;
+  result.forward_noise_m_s = std::sqrt(2.0) * sensors.position_noise_m / window_s;
   result.turn_rate_rad_s = turn.rms;
   result.turn_bent_rad_s = turn.bent_rms;
-  result.turn_noise_rad_s = std::sqrt(2.0) * sensors.heading_noise_rad / kWindow_s;
+  result.turn_noise_rad_s = std::sqrt(2.0) * sensors.heading_noise_rad / window_s;
   return result;
 }
 
@@ -113,4 +113,4 @@ std::string comparison_line(const std::string& case_name, const Comparison& comp
   return case_name + text;
 }
 
-}  // namespace second_plant
+}  // namespace plants

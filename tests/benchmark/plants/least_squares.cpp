@@ -1,8 +1,8 @@
-#include "tests/benchmark/second_plant/least_squares.hpp"
+#include "tests/benchmark/plants/least_squares.hpp"
 
 #include <algorithm>
 
-namespace second_plant {
+namespace plants {
 
 LeastSquares::LeastSquares(std::size_t regressors) : size_(regressors + 1), gram_(size_ * size_, 0.0) {}
 
@@ -32,4 +32,4 @@ double LeastSquares::mean_square() const {
   return gram_.back() / static_cast<double>(std::max(1L, rows_));
 }
 
-}  // namespace second_plant
+}  // namespace plants

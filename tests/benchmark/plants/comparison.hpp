@@ -3,9 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "tests/benchmark/second_plant/run.hpp"
+#include "tests/benchmark/plants/run.hpp"
+#include "tests/benchmark/plants/sensors.hpp"
 
-namespace second_plant {
+namespace plants {
 
 // How far a case lies from the same robot without what is hidden, on the same drives.
 struct Comparison {
@@ -27,4 +28,4 @@ Comparison compare(const std::vector<Run>& hidden, const std::vector<Run>& innoc
 std::string comparison_header();
 std::string comparison_line(const std::string& case_name, const Comparison& comparison);
 
-}  // namespace second_plant
+}  // namespace plants

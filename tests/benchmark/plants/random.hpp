@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <numbers>
 
-namespace second_plant {
+namespace plants {
 
 // Small deterministic generator (splitmix64): the same numbers with every compiler and library.
 class Random {
@@ -45,4 +45,4 @@ class Random {
   std::uint64_t state_;
 };
 
-}  // namespace second_plant
+}  // namespace plants
