@@ -30,6 +30,13 @@ class Random {
     return low + (high - low) * unit;
   }
 
+  double log_uniform(double low, double high) { return low * std::pow(high / low, uniform(0.0, 1.0)); }
+
+  double signed_uniform(double low, double high) {
+    const double side = sign();
+    return side * uniform(low, high);
+  }
+
   double normal(double sigma) {
     const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform(0.0, 1.0)));
     return sigma * radius * std::cos(2.0 * std::numbers::pi * uniform(0.0, 1.0));
