@@ -33,7 +33,9 @@ Eigen::MatrixXd products_of(const Eigen::MatrixXd& columns) {
   }
   const Eigen::MatrixXd some = columns(Eigen::all, filled);
   Eigen::MatrixXd products = Eigen::MatrixXd::Zero(columns.cols(), columns.cols());
-  products(filled, filled) = some.transpose() * some;
+  Eigen::MatrixXd lower = Eigen::MatrixXd::Zero(some.cols(), some.cols());
+  lower.selfadjointView<Eigen::Lower>().rankUpdate(some.transpose());
+  products(filled, filled) = Eigen::MatrixXd(lower.selfadjointView<Eigen::Lower>());
   return products;
 }
 

@@ -86,7 +86,10 @@ GapFit GapLook::with_core_afresh(const GapFit& fit) {
   std::vector<TrialModel> models;
   models.reserve(usual_lags_s.size());
   for (const double lag_s : usual_lags_s) models.push_back(with_bare_core(fit.model, lag_s));
-  GapFit afresh = train_.fit(closest(models), 2 * steps_of_a_fit);
+  constexpr double within_reach = 1.05;  // of the squares
+  GapFit afresh = train_.fit(closest(models), steps_of_a_fit);
+  if (afresh.squares > within_reach * fit.squares) return fit;
+  afresh = train_.fit(afresh.model, steps_of_a_fit);
   return afresh.squares < fit.squares ? afresh : fit;
 }
 

@@ -44,6 +44,7 @@ class Search {
 
  private:
   Round first_round(const TrialModel& start);
+  std::vector<TrialModel> richer_cores(const TrialModel& present) const;
   std::optional<GapFit> better_core(const Round& round) const;
   bool helps_what_is_off(const Contender& best, const Round& round) const;
   bool accepted(const Contender* best, const Round& round, const std::vector<Round>& so_far) const;
@@ -67,10 +68,8 @@ class Search {
   GapChecks checks_;
 };
 
-// A richer linear core is a rival too: it wins where what is missing is linear. No slope leads from a quick
-// pole to a slow one.
-std::optional<GapFit> Search::better_core(const Round& round) const {
-  const TrialModel& present = round.without.model;
+// No slope leads from a quick pole to a slow one.
+std::vector<TrialModel> Search::richer_cores(const TrialModel& present) const {
   std::vector<TrialModel> richer;
   if (present.shape.poles < limits_.most_poles) {
     for (const double pole : {0.0, slow_pole(present.period_s)})
@@ -82,10 +81,21 @@ std::optional<GapFit> Search::better_core(const Round& round) const {
       if (crossing > present.shape.crossing) richer.push_back(present.with_crossed_core(crossing));
     }
   }
+  return richer;
+}
+
+// A richer linear core is a rival too: it wins where what is missing is linear. Only those that promise
+// something after a few steps are fitted to the end.
+std::optional<GapFit> Search::better_core(const Round& round) const {
+  constexpr double promising = 0.3;  // of what the best effect explains
+  const Part part = train_.part_of(EffectStage::command);
   std::optional<GapFit> best;
   double best_score = round.contenders.empty() ? 0.0 : std::max(0.0, round.contenders.front().score);
-  for (const TrialModel& start : richer) {
-    GapFit fit = train_.fit(start, 2 * steps_of_a_fit, train_.part_of(EffectStage::command));
+  const double least_nats = promising * best_score;
+  for (const TrialModel& start : richer_cores(round.without.model)) {
+    const GapFit first = train_.fit(start, steps_of_a_refit, part);
+    if (0.5 * (round.without.squares - first.squares) <= least_nats) continue;
+    GapFit fit = train_.fit(first.model, 2 * steps_of_a_fit - steps_of_a_refit, part);
     const double score = contest_.core_score(round, fit);
     if (score <= best_score) continue;
     best_score = score;
@@ -160,6 +170,9 @@ Path Search::best_path(const Round& first) {
   for (const Contender* contender : first_effects(first)) {
     Path path{{first}, look_.with_core_afresh(look_.settle(contender->fit.model, 1))};
     paths.push_back(grown(std::move(path)));
+    // One effect and nothing left: whoever else could be it is asked in the checks.
+    const TrialModel& found = paths.front().model.model;
+    if (found.effects.size() == 1 && !free_runs_.still_off(found)) return std::move(paths.front());
   }
   if (pair_accepted(first, 0)) {
     paths.push_back(grown({{first}, look_.with_core_afresh(look_.settle(first.pair->model, 1))}));
