@@ -1,6 +1,7 @@
 #include "model/gap/data_gate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iomanip>
 #include <optional>
@@ -62,13 +63,29 @@ void remove_garbage_commands(GateState& gate) {
   gate.lines = std::move(lines);
 }
 
+// Whether a counter that was switched off and on meanwhile tells of a way that no command asks for.
+bool counts_begin_anew(const GateState& gate, const LogHole& hole) {
+  constexpr double beyond_what_was_asked = 1.5;
+  const DriveLog& log = gate.result.log;
+  if (!log.samples[hole.row].ticks || !log.samples[hole.row - 1].ticks) return false;
+  double fastest_m_s = 0.0;
+  for (const auto& sample : log.samples) fastest_m_s = std::max(fastest_m_s, size_of(sample.command_m_s));
+  const double farthest_m = beyond_what_was_asked * fastest_m_s * hole.duration_s + 0.05;
+  return std::ranges::any_of(std::array{true, false}, [&](bool left) {
+    return std::abs(gate.travel(hole.row, left) - gate.travel(hole.row - 1, left)) > farthest_m;
+  });
+}
+
 // The robot went on, with commands that no row tells: what it does until they are forgotten is no model's
 // fault.
 void leave_out_holes(GateState& gate) {
   const auto& samples = gate.result.log.samples;
   for (const auto& hole : find_holes(gate.result.log)) {
-    gate.fault(hole.row, "no rows for " + in_digits(hole.duration_s, 4) +
-                             " s; the first second behind them was left out");
+    const bool anew = counts_begin_anew(gate, hole);
+    gate.fault(hole.row, "no rows for " + in_digits(hole.duration_s, 4) + " s" +
+                             (anew ? ", and the counts begin anew behind them" : "") +
+                             "; the first second behind them was left out");
+    gate.result.faults.back().distorts = anew;
     const double known_s = samples[hole.row].t_s + forgetting_s;
     for (std::size_t i = hole.row; i < samples.size() && samples[i].t_s < known_s; ++i) {
       gate.result.flags.counts[i] = 1;

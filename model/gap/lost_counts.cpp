@@ -206,6 +206,7 @@ void find_jumps(GateState& gate) {
                              ? " (a 16-bit counter that was not unwrapped?)"
                              : "") +
                         "; the counts were taken up again behind it");
+      gate.result.faults.back().distorts = true;
     }
   }
 }

@@ -92,8 +92,27 @@ TEST_CASE("A jump of the counts is named with its line, and both sides of it are
   CHECK(gated.faults.front().row == log.first_line + row);
   CHECK_THAT(gated.faults.front().what, ContainsSubstring("ticks_left jumps by 10000"));
   CHECK_FALSE(gated.faults.front().explains);
+  CHECK(gated.faults.front().distorts);
   CHECK(gated.flags.restart.at(row) == 1);
   CHECK(gated.flags.restart.at(row + 1) == 1);
+}
+
+TEST_CASE("Counts that begin anew behind a hole are told from those that went on") {
+  auto log = clean_log();
+  const auto row = static_cast<std::ptrdiff_t>(moving_row(log));
+  log.samples.erase(log.samples.begin() + row, log.samples.begin() + row + 60);
+  const auto hole = gate(log);
+  REQUIRE(hole.faults.size() == 1);
+  CHECK_FALSE(hole.faults.front().distorts);
+  auto began_anew = log;
+  for (auto at = began_anew.samples.begin() + row; at != began_anew.samples.end(); ++at) {
+    at->ticks->left -= 5000;
+    at->ticks->right -= 5000;
+  }
+  const auto gated = gate(began_anew);
+  REQUIRE(gated.faults.size() == 1);
+  CHECK_THAT(gated.faults.front().what, ContainsSubstring("and the counts begin anew behind them"));
+  CHECK(gated.faults.front().distorts);
 }
 
 TEST_CASE("A command far beyond all others is named with its line, and its row left out") {
