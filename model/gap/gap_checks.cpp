@@ -130,11 +130,11 @@ void GapChecks::swap_while_better(GapSearch& result) {
   improve_by_swaps(result, Swaps::only_looked_at);
 }
 
-// Beside other effects, a linear one is no more than a better linear model, and one that helps a little is
-// often the shape of the others: such an effect stays only where free runs come closer by it. One at a time,
-// the least needed first, since two may stand for each other. Free runs hardly tell a delay from a slow
-// motor; one that no core could hold is no mere shape. One that does not stand for itself goes whatever the
-// free runs say.
+// Beside other effects, one that helps a little is often the shape of the others: such an effect stays only
+// where free runs come closer by it. One at a time, the least needed first, since two may stand for each
+// other. A delay that a core could hold is no more than a better linear model: where free runs come closer by
+// it, the core holds it from then on; one that no core could hold is no mere shape. One that does not stand
+// for itself goes whatever the free runs say.
 bool GapChecks::drop_idle(GapSearch& result) {
   const auto& effects = result.final.model.effects;
   if (effects.size() < 2) return false;
@@ -147,14 +147,17 @@ bool GapChecks::drop_idle(GapSearch& result) {
   std::ranges::sort(order, {}, [&](std::size_t i) { return nats[i]; });
   for (const std::size_t place : order) {
     const bool stands = stands_for_itself(result.checks[place], effects[place].info, nats[place], largest);
-    const bool beyond_core = beyond_a_core(effects[place]) && nats[place] > limits_.clear_delay_nats;
-    const bool needed =
-        (!effects[place].info->linear || beyond_core) && nats[place] >= limits_.least_idle_nats;
-    if (stands && needed) continue;
+    const bool linear = effects[place].info->linear;
+    const double least_nats = linear ? limits_.clear_delay_nats : limits_.least_idle_nats;
+    const bool of_a_core = linear && !beyond_a_core(effects[place]);
+    if (stands && !of_a_core && nats[place] >= least_nats) continue;
+    const TrialEffect effect = effects[place];
     TrialModel others = result.final.model;
     others.effects.erase(others.effects.begin() + static_cast<std::ptrdiff_t>(place));
     GapFit without = look_.with_core_afresh(train_.fit(others, steps_of_a_fit));
-    if (stands && free_runs_.closer(without.model, result.final.model)) continue;
+    const bool closer = stands && free_runs_.closer(without.model, result.final.model);
+    if (closer && !of_a_core) continue;
+    if (closer) without = train_.fit(others.with_later_core(effect.parameters.front()), steps_of_a_refit);
     result.final = std::move(without);
     return true;
   }

@@ -157,6 +157,31 @@ TrialModel TrialModel::with_crossed_core(Crossing crossing) const {
   return crossed;
 }
 
+TrialModel TrialModel::with_later_core(double delay_s) const {
+  const auto whole = static_cast<std::size_t>(delay_s / period_s);
+  const double rest = delay_s / period_s - static_cast<double>(whole);
+  TrialModel later = *this;
+  later.shape.weights += whole + 1;
+  later.core.clear();
+  const auto put_off = [&](auto first) {
+    later.core.insert(later.core.end(), whole, 0.0);
+    const std::vector<double> weights(first, first + static_cast<std::ptrdiff_t>(shape.weights));
+    std::ranges::copy(delayed(weights, rest), std::back_inserter(later.core));
+  };
+  for (std::size_t wheel = 0; wheel < shape.of_wheels(); wheel += shape.per_wheel()) {
+    const auto begin = core.begin() + static_cast<std::ptrdiff_t>(wheel);
+    const auto weights = begin + static_cast<std::ptrdiff_t>(shape.poles);
+    const auto crossing = weights + static_cast<std::ptrdiff_t>(shape.weights);
+    later.core.insert(later.core.end(), begin, weights);
+    put_off(weights);
+    if (shape.crossing == Crossing::share) later.core.push_back(*crossing);
+    if (shape.crossing == Crossing::free) put_off(crossing);
+  }
+  later.core.insert(later.core.end(), core.begin() + static_cast<std::ptrdiff_t>(shape.of_wheels()),
+                    core.end());
+  return later;
+}
+
 TrialModel TrialModel::with_skewed_core() const {
   TrialModel skewed = *this;
   skewed.shape.skewed = true;

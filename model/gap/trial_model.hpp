@@ -76,6 +76,8 @@ struct TrialModel {
   TrialModel with_larger_core(double pole = 0.0) const;
   // The same model with a core that is crossed, by as much as before for a start.
   TrialModel with_crossed_core(Crossing crossing) const;
+  // The same model with a core that answers so much later, by as many more weights as that takes.
+  TrialModel with_later_core(double delay_s) const;
   // The same model with a core that is skewed.
   TrialModel with_skewed_core() const;
   // Of the effects, as they are listed.

@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "model/effect_library.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace wheelwright;
@@ -47,6 +48,17 @@ TEST_CASE("A richer core begins with the answer of the one that it came from") {
   check_same(answer(share), answer(core));
   check_same(answer(core.with_crossed_core(Crossing::free).with_larger_core(0.98)), answer(core));
   if (shared) check_same(answer(core.with_skewed_core().with_larger_core(0.98)), answer(core));
+}
+
+TEST_CASE("A core that is later answers as its own does behind a delay") {
+  const Crossing crossing = GENERATE(Crossing::none, Crossing::share, Crossing::free);
+  const TrialModel core = some_core(false).with_crossed_core(crossing);
+  const EffectInfo* info = find_effect("transport_delay");
+  for (const double delay_s : {0.005, 0.04, 0.077}) {
+    TrialModel behind_delay = core;
+    behind_delay.effects = {{info, 0, {delay_s}}};
+    check_same(answer(core.with_later_core(delay_s)), answer(behind_delay));
+  }
 }
 
 TEST_CASE("A core that feels the other wheel by a share feels as much by weights of its own") {
