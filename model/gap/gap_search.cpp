@@ -55,6 +55,7 @@ class Search {
   bool preferred(const Path& one, const Path& other, double clear) const;
   void grow_on(GapSearch& result);
   void let_turns_have_a_gain(GapSearch& result);
+  GapFit best_linear_model(const GapSearch& result);
   void size_up(GapSearch& result);
 
   GapProblem& train_;
@@ -223,12 +224,22 @@ void Search::let_turns_have_a_gain(GapSearch& result) {
   if (free_runs_.closer(found, crossed.model)) result.final = std::move(crossed);
 }
 
+// The core of the model found, alone, or the one with which the search began: fits of what lacks an effect
+// end in many places.
+GapFit Search::best_linear_model(const GapSearch& result) {
+  TrialModel linear = result.final.model;
+  linear.effects.clear();
+  const GapFit of_found = look_.with_core_afresh(train_.fit(linear, steps_of_a_fit));
+  const TrialModel& first = result.rounds.front().without.model;
+  if (!first.effects.empty()) return of_found;
+  const GapFit of_first = train_.fit(first, steps_of_a_fit);
+  return of_first.squares < of_found.squares ? of_first : of_found;
+}
+
 void Search::size_up(GapSearch& result) {
   result.final = look_.settle(result.final.model, 1);
   result.final = train_.fit(with_steps_centred(train_, result.final.model, for_each_), steps_of_a_refit);
-  TrialModel linear = result.final.model;
-  linear.effects.clear();
-  result.baseline = train_.fit(linear, steps_of_a_fit);
+  result.baseline = best_linear_model(result);
   std::vector<const EffectInfo*> named;
   for (const EffectInfo* info : look_.absent_from(result.final.model)) {
     if (!is_decoy(*info)) named.push_back(info);
