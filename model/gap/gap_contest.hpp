@@ -40,7 +40,7 @@ struct SearchLimits {
   double least_train_nats = 9.0;
   double clear_train_nats = 30.0;    // training leaves no doubt which effect held-out runs have to confirm,
   double confirming_nats = 6.0;      // and this confirms it
-  std::size_t most_poles = 4;        // of the linear core
+  std::size_t most_poles = 5;        // of the linear core
   double least_core_nats = 3.0;      // held out, deflated, for a larger core
   double least_further_nats = 20.0;  // held out, deflated, for a further effect
   double least_share = 0.06;         // of what the strongest effect explains, for a further one

@@ -1,6 +1,7 @@
 #include "model/gap/gap_search.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <optional>
 
@@ -69,12 +70,13 @@ class Search {
   GapChecks checks_;
 };
 
-// No slope leads from a quick pole to a slow one.
+// No slope leads from a quick pole to a slow one, nor always from a slow one to one less slow.
 std::vector<TrialModel> Search::richer_cores(const TrialModel& present) const {
   std::vector<TrialModel> richer;
   if (present.shape.poles < limits_.most_poles) {
-    for (const double pole : {0.0, slow_pole(present.period_s)})
-      richer.push_back(present.with_larger_core(pole));
+    richer.push_back(present.with_larger_core());
+    for (const double lag_s : {0.4, 1.5})
+      richer.push_back(present.with_larger_core(std::exp(-present.period_s / lag_s)));
   }
   if (present.shape.shared && !present.shape.skewed) richer.push_back(present.with_skewed_core());
   if (!present.shape.shared) {
@@ -89,6 +91,7 @@ std::vector<TrialModel> Search::richer_cores(const TrialModel& present) const {
 // something after a few steps are fitted to the end.
 std::optional<GapFit> Search::better_core(const Round& round) const {
   constexpr double promising = 0.3;  // of what the best effect explains
+  constexpr int steps_to_the_end = 60;
   const Part part = train_.part_of(EffectStage::command);
   std::optional<GapFit> best;
   double best_score = round.contenders.empty() ? 0.0 : std::max(0.0, round.contenders.front().score);
@@ -96,7 +99,7 @@ std::optional<GapFit> Search::better_core(const Round& round) const {
   for (const TrialModel& start : richer_cores(round.without.model)) {
     const GapFit first = train_.fit(start, steps_of_a_refit, part);
     if (0.5 * (round.without.squares - first.squares) <= least_nats) continue;
-    GapFit fit = train_.fit(first.model, 2 * steps_of_a_fit - steps_of_a_refit, part);
+    GapFit fit = train_.fit(first.model, steps_to_the_end, part);
     const double score = contest_.core_score(round, fit);
     if (score <= best_score) continue;
     best_score = score;
@@ -229,10 +232,10 @@ void Search::let_turns_have_a_gain(GapSearch& result) {
 GapFit Search::best_linear_model(const GapSearch& result) {
   TrialModel linear = result.final.model;
   linear.effects.clear();
-  const GapFit of_found = look_.with_core_afresh(train_.fit(linear, steps_of_a_fit));
+  GapFit of_found = look_.with_core_afresh(train_.fit(linear, steps_of_a_fit));
   const TrialModel& first = result.rounds.front().without.model;
   if (!first.effects.empty()) return of_found;
-  const GapFit of_first = train_.fit(first, steps_of_a_fit);
+  GapFit of_first = train_.fit(first, steps_of_a_fit);
   return of_first.squares < of_found.squares ? of_first : of_found;
 }
 
