@@ -151,13 +151,15 @@ bool GapChecks::drop_idle(GapSearch& result) {
     const double least_nats = linear ? limits_.clear_delay_nats : limits_.least_idle_nats;
     const bool of_a_core = linear && !beyond_a_core(effects[place]);
     if (stands && !of_a_core && nats[place] >= least_nats) continue;
-    const TrialEffect effect = effects[place];
     TrialModel others = result.final.model;
     others.effects.erase(others.effects.begin() + static_cast<std::ptrdiff_t>(place));
     GapFit without = look_.with_core_afresh(train_.fit(others, steps_of_a_fit));
     const bool closer = stands && free_runs_.closer(without.model, result.final.model);
     if (closer && !of_a_core) continue;
-    if (closer) without = train_.fit(others.with_later_core(effect.parameters.front()), steps_of_a_refit);
+    if (closer) {
+      const double delay_s = effects[place].parameters.front();
+      without = train_.fit(others.with_later_core(delay_s), steps_of_a_refit);
+    }
     result.final = std::move(without);
     return true;
   }

@@ -10,6 +10,12 @@ namespace {
 
 constexpr double largest_pole_allowed = 0.995;
 
+// Of a motor that creeps up to its speed.
+double slow_pole(double period_s) {
+  constexpr double creeping_s = 1.0;
+  return std::exp(-period_s / creeping_s);
+}
+
 // Later by a part of a period, the gain being the same.
 std::vector<double> delayed(const std::vector<double>& weights, double periods) {
   std::vector<double> later(weights.size() + 1, 0.0);
@@ -202,11 +208,6 @@ std::vector<TrialEffect> TrialModel::acting() const {
   std::stable_partition(acting.begin(), acting.end(),
                         [](const TrialEffect& effect) { return effect.info->acts_first; });
   return acting;
-}
-
-double slow_pole(double period_s) {
-  constexpr double creeping_s = 1.0;
-  return std::exp(-period_s / creeping_s);
 }
 
 TrialModel first_guess(const CoreShape& shape, double period_s, double wheel_base_m, double lag_s,

@@ -86,9 +86,6 @@ struct TrialModel {
   std::vector<TrialEffect> acting() const;
 };
 
-// Of a motor that creeps up to its speed.
-double slow_pole(double period_s);
-
 // A first-order lag behind a delay, with a gain of 1: where every search begins. Of more poles than two, one
 // is slow and hidden for a start.
 TrialModel first_guess(const CoreShape& shape, double period_s, double wheel_base_m, double lag_s,
