@@ -17,7 +17,8 @@ class SurfacePatch final : public EffectOf<SurfacePatch> {
         cosine_(std::cos(arguments.parameters[5])),
         sine_(std::sin(arguments.parameters[5])),
         seen_by_encoder_(arguments.variant % 2 == 1),
-        under_each_(arguments.variant >= 2) {}
+        under_each_(arguments.variant / 2 % 2 == 1),
+        round_(arguments.variant >= 4) {}
 
   void wheel(WheelPair& speed_m_s, const Surroundings& around) override {
     if (seen_by_encoder_) slow_down(speed_m_s, around);
@@ -43,8 +44,18 @@ class SurfacePatch final : public EffectOf<SurfacePatch> {
   double gain_at(double at_x_m, double at_y_m) const {
     const double dx = at_x_m - x_m_;
     const double dy = at_y_m - y_m_;
-    return 1.0 + change_ * share_inside(half_length_m_ - std::abs(cosine_ * dx + sine_ * dy)) *
-                     share_inside(half_width_m_ - std::abs(cosine_ * dy - sine_ * dx));
+    const double along_m = cosine_ * dx + sine_ * dy;
+    const double across_m = cosine_ * dy - sine_ * dx;
+    if (round_) return 1.0 + change_ * share_inside(inside_ellipse_m(along_m, across_m));
+    return 1.0 + change_ * share_inside(half_length_m_ - std::abs(along_m)) *
+                     share_inside(half_width_m_ - std::abs(across_m));
+  }
+  // How far the edge is, to first order; infinitely far in the middle.
+  double inside_ellipse_m(double along_m, double across_m) const {
+    const double along = along_m / half_length_m_;
+    const double across = across_m / half_width_m_;
+    const double slope_1_m = 2.0 * std::hypot(along / half_length_m_, across / half_width_m_);
+    return (1.0 - along * along - across * across) / slope_1_m;
   }
 
   double change_;
@@ -56,6 +67,7 @@ class SurfacePatch final : public EffectOf<SurfacePatch> {
   double sine_;
   bool seen_by_encoder_;
   bool under_each_;
+  bool round_;
 };
 
 }  // namespace
@@ -66,15 +78,19 @@ EffectInfo surface_patch() {
       "motion differs inside a region of the floor",
       "A rug, a wet or worn place. Come back to it: time and battery have changed, the place has not. "
       "'floor': the wheels slip there, 'wheel': they turn more slowly and the encoders see it; '_each': "
-      "under each wheel by itself, so that the robot turns at the edge.",
+      "under each wheel by itself, so that the robot turns at the edge; '_round': an ellipse.",
       {{"floor", EffectStage::floor},
        {"wheel", EffectStage::wheel},
        {"floor_each", EffectStage::floor},
-       {"wheel_each", EffectStage::wheel}},
+       {"wheel_each", EffectStage::wheel},
+       {"floor_round", EffectStage::floor},
+       {"wheel_round", EffectStage::wheel},
+       {"floor_each_round", EffectStage::floor},
+       {"wheel_each_round", EffectStage::wheel}},
       {{"change", "1", "relative change of motion inside", -0.9, 0.9, {-0.1}, 0.01},
        {"x", "m", "middle of the region, in the frame of the reference", -100.0, 100.0, {}, 0.0, false},
        {"y", "m", "middle of the region", -100.0, 100.0, {}, 0.0, false},
-       {"length", "m", "of the region, a rectangle", 0.1, 40.0, {0.5, 1.0}, 0.0, false},
+       {"length", "m", "of the region, a rectangle or an ellipse", 0.1, 40.0, {0.5, 1.0}, 0.0, false},
        {"width", "m", "of the region", 0.1, 40.0, {0.5, 1.0}, 0.0, false},
        {"heading", "rad", "of its length", -1.6, 1.6, {0.1}, 0.0, false}},
       {.reference = true, .place = true},

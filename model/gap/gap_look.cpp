@@ -177,16 +177,18 @@ Part GapLook::part_of_last(const TrialModel& model, std::size_t effects) const {
 }
 
 // Of the few best that have a region of the floor in them.
-void GapLook::place_regions(Round& round, int steps) const {
+void GapLook::place_regions(Round& round, int steps, RegionSearch placed) const {
   constexpr std::size_t few = 3;
-  bool placed = false;
+  bool any = false;
   for (std::size_t i = 0; i < std::min(few, round.contenders.size()); ++i) {
     GapFit& fit = round.contenders[i].fit;
     if (!has_region(fit.model)) continue;
-    fit = train_.fit(with_region_tuned(train_, fit.model, for_each_), steps, part_of_last(fit.model, 1));
-    placed = true;
+    const bool itself = round.contenders[i].effect.info->name == "surface_patch";
+    TrialModel model = (itself ? placed : with_region_tuned)(train_, fit.model, for_each_);
+    fit = train_.fit(model, steps, part_of_last(model, 1));
+    any = true;
   }
-  if (placed) contest_.judge(round);
+  if (any) contest_.judge(round);
 }
 
 // What is missing, noise that was estimated without it has taken up: a steady drift looks like a random walk.
@@ -228,17 +230,17 @@ Round GapLook::look(const GapFit& without, const std::vector<TrialModel>& more_m
   const Starts tried = starts(without, more_models);
   round.contenders.resize(tried.singles.size());
   if (tried.pair) round.pair.emplace().model = *tried.pair;
-  const auto fit_all = [&](int steps) {
+  const auto fit_all = [&](int steps, RegionSearch placed) {
     const std::size_t singles = round.contenders.size();
     for_each_(singles + (round.pair ? 1 : 0), [&](std::size_t i) {
       GapFit& fit = i < singles ? round.contenders[i].fit : *round.pair;
       fit = train_.fit(fit.model, steps, part_of_last(fit.model, i < singles ? 1 : 2));
     });
     contest_.judge(round);
-    place_regions(round, steps);
+    place_regions(round, steps, placed);
   };
   for (std::size_t i = 0; i < tried.singles.size(); ++i) round.contenders[i].fit.model = tried.singles[i];
-  fit_all(steps_of_a_fit);
+  fit_all(steps_of_a_fit, with_region_found);
   const bool by_pair = round.pair && contest_.pair_worth_adding(*round.pair, round);
   const bool by_single =
       !round.contenders.empty() && round.contenders.front().score >= limits_.least_train_nats;
@@ -250,7 +252,7 @@ Round GapLook::look(const GapFit& without, const std::vector<TrialModel>& more_m
   round.without = train_.fit(round.without.model, steps_of_a_refit);
   if (by_pair) round.without = with_core_of(round.without, round.pair->model);
   if (by_single) round.without = with_core_of(round.without, round.contenders.front().fit.model);
-  fit_all(steps_of_a_refit);
+  fit_all(steps_of_a_refit, with_region_tuned);
   return round;
 }
 

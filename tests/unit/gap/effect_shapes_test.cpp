@@ -115,6 +115,21 @@ TEST_CASE("A region of the floor is a rectangle that may lie askew") {
   CHECK_THAT(speed_at(1.0, 0.55), WithinAbs(0.1, 1e-9));
 }
 
+TEST_CASE("A region of the floor may be an ellipse that lies askew") {
+  ModelSimulation simulation =
+      only({"surface_patch", "floor_round", {-0.2, 1.0, 0.0, 1.0, 0.5, 0.5 * std::numbers::pi}});
+  const auto speed_at = [&](double x_m, double y_m) {
+    simulation.reset({x_m, y_m, 0.0});
+    return simulation.step({0.1, 0.1}).twist.v_m_s;
+  };
+  CHECK_THAT(speed_at(1.0, 0.0), WithinAbs(0.08, 1e-9));
+  CHECK_THAT(speed_at(1.0, 0.48), WithinAbs(0.08, 1e-9));
+  CHECK_THAT(speed_at(1.23, 0.0), WithinAbs(0.08, 1e-9));
+  CHECK_THAT(speed_at(1.2, 0.45), WithinAbs(0.1, 1e-9));
+  CHECK_THAT(speed_at(1.0, 0.5), WithinAbs(0.09, 1e-4));
+  CHECK_THAT(speed_at(1.0, 0.52), WithinAbs(0.1, 1e-9));
+}
+
 TEST_CASE("A region of the floor takes hold of each wheel by itself, or of the whole robot") {
   // To the left of the x axis, which the robot drives along.
   const std::vector<double> left{-0.2, 0.0, 0.5, 4.0, 1.0, 0.0};

@@ -67,6 +67,28 @@ TEST_CASE("A region that reaches as far again beyond its end is cut to its size"
   CHECK_THAT(region[3], WithinAbs(1.0, 0.1));
 }
 
+TEST_CASE("A round region is not left as the rectangle that comes closest to it") {
+  TrialModel truth = with_region({-0.3, 0.6, 0.5, 1.2, 1.2, 0.0});
+  truth.effects.front().variant = variant_index(*truth.effects.front().info, "floor_round");
+  const GapProblem problem({driven(truth)}, {WheelPair{}}, for_each_in_turn);
+  const TrialModel off = with_region({-0.3, 0.4, 0.7, 0.7, 0.7, 0.1});
+  const TrialModel tuned = with_region_tuned(problem, off, for_each_in_turn);
+  const TrialEffect& region = tuned.effects.front();
+  CHECK(region.info->variants[region.variant].name == "floor_round");
+  const auto squares = [&](const TrialModel& model) { return squares_of(problem.residuals(model)); };
+  CHECK(squares(tuned) < 1e-3 * squares(off));
+}
+
+TEST_CASE("A region that is turned round and round is given by a heading of half a turn") {
+  const TrialModel truth = with_region({-0.3, 0.6, 0.5, 1.6, 0.5, 0.0});
+  const GapProblem problem({driven(truth)}, {WheelPair{}}, for_each_in_turn);
+  const TrialModel upright = with_region({-0.3, 0.6, 0.5, 1.6, 0.5, 1.58});
+  const TrialModel tuned = with_region_tuned(problem, upright, for_each_in_turn);
+  const ParameterInfo& heading = tuned.effects.front().info->parameters[5];
+  CHECK(tuned.effects.front().parameters[5] >= heading.lower);
+  CHECK(tuned.effects.front().parameters[5] <= heading.upper);
+}
+
 TEST_CASE("A model without a region comes back as it was") {
   const GapProblem problem({driven(with_region({-0.3, 0.6, 0.5, 1.2, 0.8, 0.0}))}, {WheelPair{}},
                            for_each_in_turn);
