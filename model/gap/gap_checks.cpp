@@ -73,16 +73,18 @@ void GapChecks::leave_out_decoys_of_something_else(Round& check, const TrialEffe
 
 // How far correlation inflates the difference of two effects that explain different things says nothing of
 // either; only those that explain the same are rivals.
-void GapChecks::leave_out_rivals_of_something_else(Round& check) const {
+void GapChecks::leave_out_rivals_of_something_else(Round& check, const EffectInfo* than) const {
   constexpr double doubtful = 5.0;  // of the score: 150 to 1
-  if (check.contenders.empty()) return;
-  const Contender first = check.contenders.front();
+  const auto found = std::ranges::find(check.contenders, than,
+                                       [](const Contender& contender) { return contender.effect.info; });
+  if (found == check.contenders.end()) return;
+  const Contender itself = *found;
   std::erase_if(check.contenders, [&](const Contender& rival) {
-    if (rival.effect.info == first.effect.info || is_decoy(*rival.effect.info)) return false;
-    if (rival.score < first.score - doubtful) return false;
+    if (rival.effect.info == than || is_decoy(*rival.effect.info)) return false;
+    if (rival.score < itself.score - doubtful) return false;
     TrialModel both = rival.fit.model;
-    both.effects.push_back(first.effect);
-    return contest_.explains_something_else(train_.fit(both, steps_of_a_fit), first, rival);
+    both.effects.push_back(itself.effect);
+    return contest_.explains_something_else(train_.fit(both, steps_of_a_fit), itself, rival);
   });
 }
 
@@ -99,7 +101,12 @@ bool GapChecks::improve_by_swaps(GapSearch& result, Swaps swaps) {
     Round round = look_.look(without, {present_last});
     try_in_place(round, i);
     leave_out_decoys_of_something_else(round, present_last.effects.back());
-    leave_out_rivals_of_something_else(round);
+    // One that is better but explains something else takes the place when swaps are made; after, it is no
+    // doubt.
+    if (swaps == Swaps::only_looked_at) leave_out_rivals_of_something_else(round, present.info);
+    if (!round.contenders.empty()) {
+      leave_out_rivals_of_something_else(round, round.contenders.front().effect.info);
+    }
     const Contender* best = best_named(round);
     const bool none = best == nullptr || !contest_.good_enough(*best);
     if (swaps == Swaps::made && (none || best->effect.info != present.info)) {

@@ -26,7 +26,7 @@ class GapChecks {
   enum class Swaps { made, only_looked_at };
   bool improve_by_swaps(GapSearch& result, Swaps swaps);
   void leave_out_decoys_of_something_else(Round& check, const TrialEffect& present) const;
-  void leave_out_rivals_of_something_else(Round& check) const;
+  void leave_out_rivals_of_something_else(Round& check, const EffectInfo* than) const;
   bool stands_for_itself(const Round& check, const EffectInfo* info, double nats, double largest) const;
   GapFit in_place(const Contender& contender, std::size_t place) const;
   void try_in_place(Round& check, std::size_t place) const;

@@ -187,3 +187,23 @@ TEST_CASE("An effect and its rivals are judged where it stands: friction in fron
   CHECK_THAT(first.effect.parameters.front(), WithinAbs(0.03, 0.001));
   CHECK(result.final.model.effects.front().info == friction.info);
 }
+
+TEST_CASE("What explains something else and more is no doubt of what is there") {
+  const TrialEffect present = named("gain_drift", {0.1, 15.0});
+  const TrialModel robot = with_effects({named("dead_zone", {0.04, 0.5}), present});
+  GapProblem train = counted_drive(robot);
+  GapProblem heldout = counted_drive(robot);
+  Contest contest(train, heldout, {});
+  const std::vector<const EffectInfo*> candidates{find_effect("dead_zone"), present.info};
+  GapLook look(train, heldout, contest, candidates, {}, for_each_in_turn);
+  const auto never = [](const auto&...) { return false; };
+  const FreeRuns free_runs{never, never};
+  GapChecks checks(train, contest, look, {}, free_runs);
+  GapSearch result;
+  result.final = train.fit(with_effects({present}), steps_of_a_refit);
+  checks.check(result);
+  REQUIRE(result.checks.size() == 1);
+  const auto& contenders = result.checks.front().contenders;
+  REQUIRE(!contenders.empty());
+  CHECK(contenders.front().effect.info == present.info);
+}
