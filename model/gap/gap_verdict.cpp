@@ -82,6 +82,27 @@ std::string in_words(const RegularSwing& swing) {
   return words.str();
 }
 
+// As in "run2 at 12.3 s, run1 at 4.5 s": the strongest.
+std::string in_words(std::span<const RandomMoments::Moment> moments) {
+  constexpr std::size_t most = 3;
+  std::ostringstream words;
+  words << std::fixed << std::setprecision(1);
+  for (const auto& moment : moments.first(std::min(most, moments.size()))) {
+    words << (words.view().empty() ? "" : ", ") << moment.run << " at " << moment.time_s << " s";
+  }
+  return words.str();
+}
+
+Judgement of_moments(const RandomMoments& found) {
+  const std::string such = in_words(found.moments);
+  std::ostringstream summary;
+  summary << "Something happens now and then, which nothing in these runs foretells and no effect of the "
+             "library does: in "
+          << std::setprecision(2) << 100.0 * found.share_of_time << " % of the time lies "
+          << std::lround(100.0 * found.share) << " % of what is left (" << such << ").";
+  return {Verdict::unnamed, summary.str(), {{"moments like " + such, found.share, found.share_of_time}}};
+}
+
 Judgement of_nothing_found(const GapAnalysis& analysis, const SearchLimits& limits,
                            const Leftovers& leftovers) {
   const Excess& over_quick_noise = leftovers.over_quick_noise;
@@ -106,6 +127,7 @@ Judgement of_nothing_found(const GapAnalysis& analysis, const SearchLimits& limi
     return {Verdict::bad_data,
             "Faults of the data explain the gap; without those rows nothing is missing that could show."};
   }
+  if (leftovers.moments) return of_moments(*leftovers.moments);
   // That no effect was found does not mean that nothing is missing: where the free runs are off by more than
   // noise explains, in the runs that were fitted and in those that were not, something is.
   if (more_than_any_noise(over_quick_noise, what_is_left(analysis))) {

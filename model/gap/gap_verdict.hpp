@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/gap/gap_analysis.hpp"
+#include "model/gap/random_moments.hpp"
 #include "model/gap/regular_swing.hpp"
 
 namespace wheelwright::gap {
@@ -48,10 +49,11 @@ struct Leftovers {
   Excess over_quick_noise;  // in floors of noise from reading to reading
   std::vector<GainChange> gain_changes;
   std::optional<RegularSwing> swing;
+  std::optional<RandomMoments> moments;
 };
 
-// Sets verdict and summary, and `where` for gains that changed or a swing, from all else that the analysis
-// holds. Its floors are those of noise over seconds.
+// Sets verdict and summary, and `where` for gains that changed, a swing or moments, from all else that the
+// analysis holds. Its floors are those of noise over seconds.
 void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Leftovers& leftovers);
 
 }  // namespace wheelwright::gap

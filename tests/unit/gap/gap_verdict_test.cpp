@@ -45,7 +45,8 @@ GapAnalysis analysis_with(const std::vector<Finding>& found, const GapFigures& f
 // `over_quick_noise`: in floors of the noise from reading to reading; by default as over that of seconds.
 Verdict verdict_of(GapAnalysis analysis, double over_quick_noise = 0.0) {
   const Excess left = what_is_left(analysis);
-  reach_verdict(analysis, {}, {{left.figure, std::max(left.times, over_quick_noise), left.closed}, {}, {}});
+  reach_verdict(analysis, {},
+                {{left.figure, std::max(left.times, over_quick_noise), left.closed}, {}, {}, {}});
   return analysis.verdict;
 }
 
@@ -147,6 +148,18 @@ TEST_CASE("A wheel that was held more than once is something for which the libra
   CHECK(verdict_of(analysis) == Verdict::nothing_missing);
   analysis.data_faults.push_back(held);
   CHECK(verdict_of(analysis) == Verdict::unnamed);
+}
+
+TEST_CASE("What happens at moments that nothing foretells is said to, and where") {
+  GapAnalysis analysis = analysis_with({}, position(1.0, 1.0));
+  Leftovers leftovers{
+      {"position", 1.0, 0.0}, {}, {}, RandomMoments{{{"run2", 12.34}, {"run1", 4.5}}, 0.7, 0.012}};
+  reach_verdict(analysis, {}, leftovers);
+  CHECK(analysis.verdict == Verdict::unnamed);
+  CHECK_THAT(analysis.summary, ContainsSubstring("in 1.2 % of the time lies 70 %") &&
+                                   ContainsSubstring("run2 at 12.3 s, run1 at 4.5 s"));
+  REQUIRE(analysis.where.size() == 1);
+  CHECK(analysis.where.front().share_of_gap == 0.7);
 }
 
 TEST_CASE("A loss in one direction at one heading may be friction as well as a slope") {
