@@ -110,12 +110,13 @@ Score noise_floor(const RobotModel& model, std::span<const DriveLog> logs, const
 }
 
 NoiseModel with_slow_noise(const GapProblem& problem, const TrialModel& model) {
-  constexpr double far_apart_s = 0.5;
   NoiseModel noise = problem.noise();
-  const NoiseModel slow = problem.noise_left_by(model, far_apart_s);
-  for (std::size_t c = 0; c < channel_count; ++c) {
-    double& walk = noise.channel[c].walk_per_sqrt_s;
-    walk = std::max(walk, slow.channel[c].walk_per_sqrt_s);
+  for (const double far_apart_s : {0.5, 2.0}) {
+    const NoiseModel slow = problem.noise_left_by(model, far_apart_s);
+    for (std::size_t c = 0; c < channel_count; ++c) {
+      double& walk = noise.channel[c].walk_per_sqrt_s;
+      walk = std::max(walk, slow.channel[c].walk_per_sqrt_s);
+    }
   }
   return noise;
 }
