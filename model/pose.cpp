@@ -51,13 +51,4 @@ double distance_between_m(const Pose& a, const Pose& b) {
   return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
 }
 
-Twist twist_of_wheels(const WheelPair& speed_m_s, double wheel_base_m) {
-  return {0.5 * (speed_m_s.left + speed_m_s.right), (speed_m_s.right - speed_m_s.left) / wheel_base_m};
-}
-
-WheelPair wheels_of_twist(const Twist& twist, double wheel_base_m) {
-  const double half_difference = 0.5 * twist.w_rad_s * wheel_base_m;
-  return {twist.v_m_s - half_difference, twist.v_m_s + half_difference};
-}
-
 }  // namespace wheelwright

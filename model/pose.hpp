@@ -38,7 +38,12 @@ Pose placed_at(const Pose& origin, const Pose& offset);
 double distance_between_m(const Pose& a, const Pose& b);
 
 // Body motion from wheel speeds in m/s, and back.
-Twist twist_of_wheels(const WheelPair& speed_m_s, double wheel_base_m);
-WheelPair wheels_of_twist(const Twist& twist, double wheel_base_m);
+inline Twist twist_of_wheels(const WheelPair& speed_m_s, double wheel_base_m) {
+  return {0.5 * (speed_m_s.left + speed_m_s.right), (speed_m_s.right - speed_m_s.left) / wheel_base_m};
+}
+inline WheelPair wheels_of_twist(const Twist& twist, double wheel_base_m) {
+  const double half_difference = 0.5 * twist.w_rad_s * wheel_base_m;
+  return {twist.v_m_s - half_difference, twist.v_m_s + half_difference};
+}
 
 }  // namespace wheelwright

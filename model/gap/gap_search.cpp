@@ -24,6 +24,7 @@ std::vector<const EffectInfo*> infos_of(const TrialModel& model) {
 struct Path {
   std::vector<Round> rounds;
   GapFit model;
+  bool met_another = false;  // which goes on from here
 };
 
 class Search {
@@ -51,6 +52,7 @@ class Search {
   bool accepted(const Contender* best, const Round& round, const std::vector<Round>& so_far) const;
   bool pair_accepted(const Round& round, std::size_t rounds_so_far) const;
   std::vector<const Contender*> first_effects(const Round& first) const;
+  bool was_here_before(const GapFit& present) const;
   Path grown(Path path);
   Path best_path(const Round& first);
   bool preferred(const Path& one, const Path& other, double clear) const;
@@ -68,6 +70,7 @@ class Search {
   Contest contest_;
   GapLook look_;
   GapChecks checks_;
+  std::vector<TrialModel> been_at_;  // by all paths
 };
 
 // No slope leads from a quick pole to a slow one, nor always from a slow one to one less slow.
@@ -130,9 +133,27 @@ bool Search::accepted(const Contender* best, const Round& round, const std::vect
   return contest_.stands_beside(train_.fit(with_both, steps_of_a_fit), round.contenders.front());
 }
 
-// From the model of a path, one effect after the other, until none is worth adding.
+// Paths that took up the same effects one after the other in another order meet, and go on alike.
+bool Search::was_here_before(const GapFit& present) const {
+  constexpr double same = 5e-4;  // of the squares
+  const auto sorted_infos_of = [](const TrialModel& model) {
+    auto infos = infos_of(model);
+    std::ranges::sort(infos);
+    return infos;
+  };
+  const auto infos = sorted_infos_of(present.model);
+  return std::ranges::any_of(been_at_, [&](const TrialModel& before) {
+    return sorted_infos_of(before) == infos &&
+           squares_of(train_.residuals(before)) < (1.0 + same) * present.squares;
+  });
+}
+
+// From the model of a path, one effect after the other, until none is worth adding, or another path is met.
 Path Search::grown(Path path) {
   for (;;) {
+    path.met_another = was_here_before(path.model);
+    if (path.met_another) return path;
+    been_at_.push_back(path.model.model);
     progress_("effect " + std::to_string(path.rounds.size() + 1),
               0.1 + 0.15 * static_cast<double>(path.rounds.size()));
     Round round = look_.look(path.model);
@@ -172,14 +193,16 @@ std::vector<const Contender*> Search::first_effects(const Round& first) const {
 Path Search::best_path(const Round& first) {
   std::vector<Path> paths;
   for (const Contender* contender : first_effects(first)) {
-    Path path{{first}, look_.with_core_afresh(look_.settle(contender->fit.model, 1))};
-    paths.push_back(grown(std::move(path)));
+    Path path = grown({{first}, look_.with_core_afresh(look_.settle(contender->fit.model, 1))});
+    if (path.met_another) continue;
+    paths.push_back(std::move(path));
     // One effect and nothing left: whoever else could be it is asked in the checks.
     const TrialModel& found = paths.front().model.model;
     if (found.effects.size() == 1 && !free_runs_.still_off(found)) return std::move(paths.front());
   }
   if (pair_accepted(first, 0)) {
-    paths.push_back(grown({{first}, look_.with_core_afresh(look_.settle(first.pair->model, 1))}));
+    Path path = grown({{first}, look_.with_core_afresh(look_.settle(first.pair->model, 1))});
+    if (!path.met_another) paths.push_back(std::move(path));
   }
   if (paths.empty()) return {{first}, first.without};
   if (paths.size() == 1) return std::move(paths.front());
@@ -208,6 +231,7 @@ bool Search::preferred(const Path& one, const Path& other, double clear) const {
 
 // What did not help beside an effect that has gone since, or found no place for what it masked, may help now.
 void Search::grow_on(GapSearch& result) {
+  been_at_.clear();
   Path path = grown({result.checks, result.final});
   const auto looks = path.rounds.begin() + static_cast<std::ptrdiff_t>(result.checks.size());
   std::move(looks, path.rounds.end(), std::back_inserter(result.rounds));
