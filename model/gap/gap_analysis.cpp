@@ -201,11 +201,13 @@ void Analysis::conclude() {
     size_up();
   }
   Leftovers leftovers{
-      what_is_left(result_), changed_gains(result_.search, *train_problem_, *test_problem_), {}, {}};
+      what_is_left(result_), changed_gains(result_.search, *train_problem_, *test_problem_), {}, {}, 0.0};
   if (result_.found.empty()) {
     const GapFit& left = result_.search.final;
     leftovers.swing = regular_swing(*train_problem_, left.model, left.residuals);
     leftovers.moments = random_moments(*train_problem_, left.model, left.residuals);
+    leftovers.wandering_m_per_sqrt_s =
+        wandering_m_per_sqrt_s(*train_problem_, with_slow_noise(*train_problem_, left.model));
   }
   put_slow_noise_into_floors();
   reach_verdict(result_, options_.limits, leftovers);

@@ -121,4 +121,15 @@ NoiseModel with_slow_noise(const GapProblem& problem, const TrialModel& model) {
   return noise;
 }
 
+double wandering_m_per_sqrt_s(const GapProblem& problem, const NoiseModel& noise) {
+  double largest = 0.0;
+  for (const GapRun& run : problem.runs()) {
+    for (const Channel channel : {Channel::left, Channel::right, Channel::forward}) {
+      if (run[channel].empty()) continue;
+      largest = std::max(largest, noise.channel[static_cast<std::size_t>(channel)].walk_per_sqrt_s);
+    }
+  }
+  return largest;
+}
+
 }  // namespace wheelwright::gap

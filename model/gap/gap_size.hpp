@@ -25,4 +25,7 @@ Score noise_floor(const RobotModel& model, std::span<const DriveLog> logs, const
 // wanders for a tenth of a second looks smoother than it is.
 NoiseModel with_slow_noise(const GapProblem& problem, const TrialModel& model);
 
+// How far a wheel, or the body, wanders within a second by this noise: the furthest of the channels there are.
+double wandering_m_per_sqrt_s(const GapProblem& problem, const NoiseModel& noise);
+
 }  // namespace wheelwright::gap

@@ -50,6 +50,7 @@ struct Leftovers {
   std::vector<GainChange> gain_changes;
   std::optional<RegularSwing> swing;
   std::optional<RandomMoments> moments;
+  double wandering_m_per_sqrt_s = 0.0;  // of wheels or body, over seconds
 };
 
 // Sets verdict and summary, and `where` for gains that changed, a swing or moments, from all else that the

@@ -46,7 +46,7 @@ GapAnalysis analysis_with(const std::vector<Finding>& found, const GapFigures& f
 Verdict verdict_of(GapAnalysis analysis, double over_quick_noise = 0.0) {
   const Excess left = what_is_left(analysis);
   reach_verdict(analysis, {},
-                {{left.figure, std::max(left.times, over_quick_noise), left.closed}, {}, {}, {}});
+                {{left.figure, std::max(left.times, over_quick_noise), left.closed}, {}, {}, {}, 0.0});
   return analysis.verdict;
 }
 
@@ -153,13 +153,22 @@ TEST_CASE("A wheel that was held more than once is something for which the libra
 TEST_CASE("What happens at moments that nothing foretells is said to, and where") {
   GapAnalysis analysis = analysis_with({}, position(1.0, 1.0));
   Leftovers leftovers{
-      {"position", 1.0, 0.0}, {}, {}, RandomMoments{{{"run2", 12.34}, {"run1", 4.5}}, 0.7, 0.012}};
+      {"position", 1.0, 0.0}, {}, {}, RandomMoments{{{"run2", 12.34}, {"run1", 4.5}}, 0.7, 0.012}, 0.0};
   reach_verdict(analysis, {}, leftovers);
   CHECK(analysis.verdict == Verdict::unnamed);
   CHECK_THAT(analysis.summary, ContainsSubstring("in 1.2 % of the time lies 70 %") &&
                                    ContainsSubstring("run2 at 12.3 s, run1 at 4.5 s"));
   REQUIRE(analysis.where.size() == 1);
   CHECK(analysis.where.front().share_of_gap == 0.7);
+}
+
+TEST_CASE("What wanders further than any robot's noise is missing something, however likely as noise") {
+  for (const double wandering_m : {0.004, 0.04}) {
+    GapAnalysis analysis = analysis_with({}, position(1.0, 1.0));
+    reach_verdict(analysis, {}, {{"position", 1.0, 0.0}, {}, {}, {}, wandering_m});
+    CHECK(analysis.verdict == (wandering_m < 0.01 ? Verdict::nothing_missing : Verdict::unnamed));
+    CHECK((analysis.summary.find("40 mm") != std::string::npos) == (wandering_m > 0.01));
+  }
 }
 
 TEST_CASE("A loss in one direction at one heading may be friction as well as a slope") {
