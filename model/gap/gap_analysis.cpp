@@ -32,12 +32,13 @@ class Analysis {
   void show_gap_with_lost_counts();
   GapFigures figures(const RobotModel& before, const RobotModel& after,
                      const std::vector<DriveLog>& logs) const;
-  Score slow_floor(const std::vector<DriveLog>& logs) const;
+  Score slow_floor(const std::vector<DriveLog>& logs, double most_apart_s = 2.0) const;
   void put_slow_noise_into_floors();
   bool closes_the_gap() const;
   bool leave_out_linear_effects();
   std::vector<std::size_t> runs_off_by_more_than_noise() const;
   void hold_out_others();
+  void doubt_the_noise();
   void note_runs();
 
   const GapOptions& options_;
@@ -115,8 +116,8 @@ GapFigures Analysis::figures(const RobotModel& before, const RobotModel& after,
           noise_floor(after, logs, train_problem_->noise(), floor_seed)};
 }
 
-Score Analysis::slow_floor(const std::vector<DriveLog>& logs) const {
-  const NoiseModel noise = with_slow_noise(*train_problem_, result_.search.final.model);
+Score Analysis::slow_floor(const std::vector<DriveLog>& logs, double most_apart_s) const {
+  const NoiseModel noise = with_slow_noise(*train_problem_, result_.search.final.model, most_apart_s);
   return noise_floor(result_.after, logs, noise, floor_seed);
 }
 
@@ -201,13 +202,10 @@ void Analysis::conclude() {
     size_up();
   }
   Leftovers leftovers{
-      what_is_left(result_), changed_gains(result_.search, *train_problem_, *test_problem_), {}, {}, 0.0};
+      what_is_left(result_), changed_gains(result_.search, *train_problem_, *test_problem_), {}};
   if (result_.found.empty()) {
     const GapFit& left = result_.search.final;
     leftovers.swing = regular_swing(*train_problem_, left.model, left.residuals);
-    leftovers.moments = random_moments(*train_problem_, left.model, left.residuals);
-    leftovers.wandering_m_per_sqrt_s =
-        wandering_m_per_sqrt_s(*train_problem_, with_slow_noise(*train_problem_, left.model));
   }
   put_slow_noise_into_floors();
   reach_verdict(result_, options_.limits, leftovers);
@@ -243,7 +241,11 @@ std::vector<std::size_t> Analysis::runs_off_by_more_than_noise() const {
 // that are held out: one in which it shows is held out in their place, where another is left to find it in.
 void Analysis::hold_out_others() {
   if (result_.verdict != Verdict::nothing_missing || result_.tail_held_out) return;
-  if (largest_excess(result_.train, result_.train).times < more_than_noise) return;
+  // A place that is passed within seconds must not be taken for noise over seconds.
+  constexpr double half_a_second_s = 0.5;
+  GapFigures figures = result_.train;
+  figures.floor = slow_floor(gathered_.train.logs, half_a_second_s);
+  if (largest_excess(figures, figures).times < more_than_noise) return;
   const auto off = runs_off_by_more_than_noise();
   if (off.size() < 2) return;
   const GapAnalysis first = result_;
@@ -273,6 +275,14 @@ void Analysis::hold_out_others() {
   }
 }
 
+void Analysis::doubt_the_noise() {
+  if (result_.verdict != Verdict::nothing_missing) return;
+  const GapFit& left = result_.search.final;
+  const NoiseModel noise = with_slow_noise(*train_problem_, left.model);
+  gap::doubt_the_noise(result_, {random_moments(*train_problem_, left.model, left.residuals),
+                                 wandering_m_per_sqrt_s(*train_problem_, noise)});
+}
+
 void Analysis::note_runs() {
   result_.train_runs = gathered_.train.runs.size();
   result_.test_runs = gathered_.test.runs.size();
@@ -293,6 +303,7 @@ tl::expected<GapAnalysis, GapRefusal> Analysis::run(std::span<const DriveLog> tr
   search();
   conclude();
   hold_out_others();
+  doubt_the_noise();
   return result_;
 }
 

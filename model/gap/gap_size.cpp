@@ -109,9 +109,10 @@ Score noise_floor(const RobotModel& model, std::span<const DriveLog> logs, const
   return sums.score();
 }
 
-NoiseModel with_slow_noise(const GapProblem& problem, const TrialModel& model) {
+NoiseModel with_slow_noise(const GapProblem& problem, const TrialModel& model, double most_apart_s) {
   NoiseModel noise = problem.noise();
   for (const double far_apart_s : {0.5, 2.0}) {
+    if (far_apart_s > most_apart_s) continue;
     const NoiseModel slow = problem.noise_left_by(model, far_apart_s);
     for (std::size_t c = 0; c < channel_count; ++c) {
       double& walk = noise.channel[c].walk_per_sqrt_s;

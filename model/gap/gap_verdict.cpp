@@ -106,11 +106,10 @@ Judgement of_moments(const RandomMoments& found) {
   return {Verdict::unnamed, summary.str(), {{"moments like " + such, found.share, found.share_of_time}}};
 }
 
-Judgement of_wandering(const Leftovers& leftovers) {
-  const auto millimetres = std::lround(1e3 * leftovers.wandering_m_per_sqrt_s);
+Judgement of_wandering(double wandering_m_per_sqrt_s) {
   return {Verdict::unnamed,
           "Something is missing that no effect of the library explains: the robot wanders by " +
-              std::to_string(millimetres) + " mm within a second."};
+              std::to_string(std::lround(1e3 * wandering_m_per_sqrt_s)) + " mm within a second."};
 }
 
 Judgement of_nothing_found(const GapAnalysis& analysis, const SearchLimits& limits,
@@ -137,8 +136,6 @@ Judgement of_nothing_found(const GapAnalysis& analysis, const SearchLimits& limi
     return {Verdict::bad_data,
             "Faults of the data explain the gap; without those rows nothing is missing that could show."};
   }
-  if (leftovers.moments) return of_moments(*leftovers.moments);
-  if (leftovers.wandering_m_per_sqrt_s > largest_noise_m_per_sqrt_s) return of_wandering(leftovers);
   // That no effect was found does not mean that nothing is missing: where the free runs are off by more than
   // noise explains, in the runs that were fitted and in those that were not, something is.
   if (more_than_any_noise(over_quick_noise, what_is_left(analysis))) {
@@ -278,6 +275,17 @@ void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Left
   if (analysis.verdict == Verdict::named && left.times >= far_above_noise) {
     analysis.summary += " More may be: in free runs " + in_words(left) + ".";
   }
+}
+
+void doubt_the_noise(GapAnalysis& analysis, const SupposedNoise& noise) {
+  if (analysis.verdict != Verdict::nothing_missing) return;
+  const bool too_large = noise.wandering_m_per_sqrt_s > largest_noise_m_per_sqrt_s;
+  if (!noise.moments && !too_large) return;
+  Judgement judgement =
+      noise.moments ? of_moments(*noise.moments) : of_wandering(noise.wandering_m_per_sqrt_s);
+  analysis.verdict = judgement.verdict;
+  analysis.summary = std::move(judgement.summary);
+  analysis.where = std::move(judgement.where);
 }
 
 }  // namespace wheelwright::gap

@@ -49,12 +49,18 @@ struct Leftovers {
   Excess over_quick_noise;  // in floors of noise from reading to reading
   std::vector<GainChange> gain_changes;
   std::optional<RegularSwing> swing;
+};
+
+// Sets verdict and summary, and `where` for gains that changed or a swing, from all else that the analysis
+// holds. Its floors are those of noise over seconds.
+void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Leftovers& leftovers);
+
+// Where nothing seems to be missing, what explains nothing was taken for noise. It is none where it comes at
+// moments, or where it has the robot wander further within a second than robots do: then it is unnamed.
+struct SupposedNoise {
   std::optional<RandomMoments> moments;
   double wandering_m_per_sqrt_s = 0.0;  // of wheels or body, over seconds
 };
-
-// Sets verdict and summary, and `where` for gains that changed, a swing or moments, from all else that the
-// analysis holds. Its floors are those of noise over seconds.
-void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Leftovers& leftovers);
+void doubt_the_noise(GapAnalysis& analysis, const SupposedNoise& noise);
 
 }  // namespace wheelwright::gap

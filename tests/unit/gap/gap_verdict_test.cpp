@@ -45,8 +45,7 @@ GapAnalysis analysis_with(const std::vector<Finding>& found, const GapFigures& f
 // `over_quick_noise`: in floors of the noise from reading to reading; by default as over that of seconds.
 Verdict verdict_of(GapAnalysis analysis, double over_quick_noise = 0.0) {
   const Excess left = what_is_left(analysis);
-  reach_verdict(analysis, {},
-                {{left.figure, std::max(left.times, over_quick_noise), left.closed}, {}, {}, {}, 0.0});
+  reach_verdict(analysis, {}, {{left.figure, std::max(left.times, over_quick_noise), left.closed}, {}, {}});
   return analysis.verdict;
 }
 
@@ -150,11 +149,10 @@ TEST_CASE("A wheel that was held more than once is something for which the libra
   CHECK(verdict_of(analysis) == Verdict::unnamed);
 }
 
-TEST_CASE("What happens at moments that nothing foretells is said to, and where") {
+TEST_CASE("What was called noise is none where it comes at moments, and the moments are said") {
   GapAnalysis analysis = analysis_with({}, position(1.0, 1.0));
-  Leftovers leftovers{
-      {"position", 1.0, 0.0}, {}, {}, RandomMoments{{{"run2", 12.34}, {"run1", 4.5}}, 0.7, 0.012}, 0.0};
-  reach_verdict(analysis, {}, leftovers);
+  analysis.verdict = Verdict::nothing_missing;
+  doubt_the_noise(analysis, {RandomMoments{{{"run2", 12.34}, {"run1", 4.5}}, 0.7, 0.012}, 0.001});
   CHECK(analysis.verdict == Verdict::unnamed);
   CHECK_THAT(analysis.summary, ContainsSubstring("in 1.2 % of the time lies 70 %") &&
                                    ContainsSubstring("run2 at 12.3 s, run1 at 4.5 s"));
@@ -162,13 +160,21 @@ TEST_CASE("What happens at moments that nothing foretells is said to, and where"
   CHECK(analysis.where.front().share_of_gap == 0.7);
 }
 
-TEST_CASE("What wanders further than any robot's noise is missing something, however likely as noise") {
-  for (const double wandering_m : {0.004, 0.04}) {
-    GapAnalysis analysis = analysis_with({}, position(1.0, 1.0));
-    reach_verdict(analysis, {}, {{"position", 1.0, 0.0}, {}, {}, {}, wandering_m});
-    CHECK(analysis.verdict == (wandering_m < 0.01 ? Verdict::nothing_missing : Verdict::unnamed));
-    CHECK((analysis.summary.find("40 mm") != std::string::npos) == (wandering_m > 0.01));
-  }
+TEST_CASE("What was called noise is none where a robot wanders further than robots do") {
+  GapAnalysis analysis = analysis_with({}, position(1.0, 1.0));
+  analysis.verdict = Verdict::nothing_missing;
+  doubt_the_noise(analysis, {{}, 0.004});
+  CHECK(analysis.verdict == Verdict::nothing_missing);
+  doubt_the_noise(analysis, {{}, 0.04});
+  CHECK(analysis.verdict == Verdict::unnamed);
+  CHECK_THAT(analysis.summary, ContainsSubstring("40 mm within a second"));
+}
+
+TEST_CASE("Where something was said already, the noise is not doubted") {
+  GapAnalysis analysis = analysis_with({}, position(1.0, 1.0));
+  analysis.verdict = Verdict::not_testable;
+  doubt_the_noise(analysis, {{}, 0.04});
+  CHECK(analysis.verdict == Verdict::not_testable);
 }
 
 TEST_CASE("A loss in one direction at one heading may be friction as well as a slope") {
