@@ -23,8 +23,8 @@ struct RandomMoments {
   double share_of_time = 0.0;   // in which it does
 };
 
-// Such moments in what a model leaves of these runs: not a fiftieth of the time, but half of the power, of the
-// wheels' travel or of the body's; each of some millimetres. Nothing where the power is spread.
+// Such moments in what a model leaves of these runs: not a fiftieth of the time, but half of the power, of
+// the wheels' travel or of the body's; each of some millimetres. Nothing where the power is spread.
 std::optional<RandomMoments> random_moments(const GapProblem& problem, const TrialModel& model,
                                             std::span<const double> residuals);
 
