@@ -32,7 +32,7 @@ class Analysis {
   void show_gap_with_lost_counts();
   GapFigures figures(const RobotModel& before, const RobotModel& after,
                      const std::vector<DriveLog>& logs) const;
-  Score slow_floor(const std::vector<DriveLog>& logs, double most_apart_s = 2.0) const;
+  Score slow_floor(const std::vector<DriveLog>& logs, double most_apart_s) const;
   void put_slow_noise_into_floors();
   bool closes_the_gap() const;
   bool leave_out_linear_effects();
@@ -122,8 +122,8 @@ Score Analysis::slow_floor(const std::vector<DriveLog>& logs, double most_apart_
 }
 
 void Analysis::put_slow_noise_into_floors() {
-  result_.train.floor = slow_floor(gathered_.train.logs);
-  if (!result_.tail_held_out) result_.test.floor = slow_floor(gathered_.test.logs);
+  result_.train.floor = slow_floor(gathered_.train.logs, two_seconds_apart_s);
+  if (!result_.tail_held_out) result_.test.floor = slow_floor(gathered_.test.logs, two_seconds_apart_s);
 }
 
 // Linear effects alone have to show above noise over seconds, too: what wanders slowly, a delay may follow.
@@ -133,7 +133,7 @@ bool Analysis::closes_the_gap() const {
   if (!std::ranges::all_of(effects, [](const TrialEffect& e) { return e.info->linear; })) return true;
   const GapFigures& figures = result_.tail_held_out ? result_.train : result_.test;
   const auto& logs = result_.tail_held_out ? gathered_.train.logs : gathered_.test.logs;
-  return shows({figures.before, figures.after, slow_floor(logs)});
+  return shows({figures.before, figures.after, slow_floor(logs, two_seconds_apart_s)});
 }
 
 void Analysis::describe_where() {
@@ -242,10 +242,9 @@ std::vector<std::size_t> Analysis::runs_off_by_more_than_noise() const {
 void Analysis::hold_out_others() {
   if (result_.verdict != Verdict::nothing_missing || result_.tail_held_out) return;
   // A place that is passed within seconds must not be taken for noise over seconds.
-  constexpr double half_a_second_s = 0.5;
-  GapFigures figures = result_.train;
-  figures.floor = slow_floor(gathered_.train.logs, half_a_second_s);
-  if (largest_excess(figures, figures).times < more_than_noise) return;
+  GapFigures training = result_.train;
+  training.floor = slow_floor(gathered_.train.logs, half_a_second_apart_s);
+  if (largest_excess(training, training).times < more_than_noise) return;
   const auto off = runs_off_by_more_than_noise();
   if (off.size() < 2) return;
   const GapAnalysis first = result_;
@@ -278,7 +277,7 @@ void Analysis::hold_out_others() {
 void Analysis::doubt_the_noise() {
   if (result_.verdict != Verdict::nothing_missing) return;
   const GapFit& left = result_.search.final;
-  const NoiseModel noise = with_slow_noise(*train_problem_, left.model);
+  const NoiseModel noise = with_slow_noise(*train_problem_, left.model, two_seconds_apart_s);
   gap::doubt_the_noise(result_, {random_moments(*train_problem_, left.model, left.residuals),
                                  wandering_m_per_sqrt_s(*train_problem_, noise)});
 }

@@ -111,7 +111,7 @@ Score noise_floor(const RobotModel& model, std::span<const DriveLog> logs, const
 
 NoiseModel with_slow_noise(const GapProblem& problem, const TrialModel& model, double most_apart_s) {
   NoiseModel noise = problem.noise();
-  for (const double far_apart_s : {0.5, 2.0}) {
+  for (const double far_apart_s : {half_a_second_apart_s, two_seconds_apart_s}) {
     if (far_apart_s > most_apart_s) continue;
     const NoiseModel slow = problem.noise_left_by(model, far_apart_s);
     for (std::size_t c = 0; c < channel_count; ++c) {

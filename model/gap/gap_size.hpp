@@ -22,9 +22,11 @@ Score noise_floor(const RobotModel& model, std::span<const DriveLog> logs, const
                   std::uint64_t seed);
 
 // The noise of a problem with what its runs wander over seconds under a model: from reading to reading, what
-// wanders for a tenth of a second looks smoother than it is. Judged by readings half a second apart and,
-// where that is asked for, two seconds.
-NoiseModel with_slow_noise(const GapProblem& problem, const TrialModel& model, double most_apart_s = 2.0);
+// wanders for a tenth of a second looks smoother than it is. Judged by readings half a second apart, or by
+// those and by readings two seconds apart.
+constexpr double half_a_second_apart_s = 0.5;
+constexpr double two_seconds_apart_s = 2.0;
+NoiseModel with_slow_noise(const GapProblem& problem, const TrialModel& model, double most_apart_s);
 
 // How far a wheel, or the body, wanders within a second by this noise: the furthest of the channels there
 // are.

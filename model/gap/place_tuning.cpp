@@ -81,8 +81,9 @@ std::vector<TrialEffect> moved(const TrialEffect& present, double step_m) {
     for (const std::size_t parameter : {x, y, heading}) add(with(region, {parameter}, by_m));
     add(with(region, {length, width}, by_m));
   }
-  add(with(with(region, {length}, 0.5 * (region[width] - region[length])), {width},
-           0.5 * (region[length] - region[width])));
+  std::vector<double> square = region;
+  square[length] = square[width] = 0.5 * (region[length] + region[width]);
+  add(std::move(square));
   all.push_back(present);
   all.back().variant ^= under_each;
   return all;

@@ -8,6 +8,7 @@
 #include "model/gap/decoys.hpp"
 #include "model/gap/gap_run.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/counted_run.hpp"
 
 using namespace wheelwright;
 using namespace wheelwright::gap;
@@ -17,7 +18,7 @@ namespace {
 constexpr double period_s = 0.02;
 
 TrialModel with_effects(const std::vector<TrialEffect>& effects) {
-  TrialModel model = first_guess({}, period_s, 0.25, 0.06, 0.04);
+  TrialModel model = test::counted_robot();
   model.effects = effects;
   return model;
 }
@@ -46,27 +47,12 @@ GapProblem some_drive() {
 
 // Steps to and fro in several sizes, with the counts that `robot` would give.
 GapProblem counted_drive(const TrialModel& robot) {
-  constexpr double metres_per_tick = 0.0005;
-  ModelSimulation simulation = robot.simulation();
-  simulation.reset({});
-  DriveLog log;
-  log.wheel_base_m = 0.25;
-  log.period_s = period_s;
-  log.metres_per_tick = WheelPair{metres_per_tick, metres_per_tick};
-  WheelPair travel_m;
-  for (int k = 0; k < 2000; ++k) {
-    DriveSample sample;
-    sample.t_s = period_s * k;
-    const int step = k / 40;
+  const auto command_m_s = [](int period) {
+    const int step = period / 40;
     const double size_m_s = 0.05 * (1 + step % 4);
-    sample.command_m_s = {step % 2 == 0 ? size_m_s : -size_m_s, step % 3 == 0 ? size_m_s : -0.5 * size_m_s};
-    sample.ticks = WheelTicks{std::llround(travel_m.left / metres_per_tick),
-                              std::llround(travel_m.right / metres_per_tick)};
-    log.samples.push_back(sample);
-    const WheelPair speed_m_s = simulation.step(sample.command_m_s).wheel_m_s;
-    travel_m = {travel_m.left + period_s * speed_m_s.left, travel_m.right + period_s * speed_m_s.right};
-  }
-  return {{make_gap_run(log, {}, period_s)}, {*log.metres_per_tick}, for_each_in_turn};
+    return WheelPair{step % 2 == 0 ? size_m_s : -size_m_s, step % 3 == 0 ? size_m_s : -0.5 * size_m_s};
+  };
+  return {{test::counted_run(robot, 2000, command_m_s)}, {test::counted_metres_per_tick}, for_each_in_turn};
 }
 
 struct Said {

@@ -6,14 +6,13 @@
 #include <random>
 
 #include "tests/support/catch.hpp"
+#include "tests/support/counted_run.hpp"
 
 using namespace wheelwright;
 using namespace wheelwright::gap;
+using namespace wheelwright::test;
 
 namespace {
-
-constexpr double period_s = 0.02;
-constexpr double metres_per_tick = 0.0005;
 
 // What a swing adds to the travel of a wheel at a time, having come so far.
 using Added = std::function<double(double time_s, double way_m)>;
@@ -22,43 +21,26 @@ double nothing(double, double) {
   return 0.0;
 }
 
-TrialModel robot() {
-  return first_guess({}, period_s, 0.25, 0.06, 0.04);
-}
-
-// Forward at two speeds by turns, as the model says but for what is added and for rough ground.
+// As the model says but for what is added and for rough ground.
 GapRun drive(const Added& added, double rough_m, unsigned seed) {
-  ModelSimulation simulation = robot().simulation();
-  simulation.reset({});
   std::mt19937 engine(seed);
   std::normal_distribution<double> rough(0.0, rough_m);
-  DriveLog log;
-  log.wheel_base_m = 0.25;
-  log.period_s = period_s;
-  log.metres_per_tick = WheelPair{metres_per_tick, metres_per_tick};
-  WheelPair way_m;
-  const auto ticks = [&](double time_s, double wheel_way_m) {
-    return std::llround((wheel_way_m + added(time_s, wheel_way_m)) / metres_per_tick);
+  WheelPair wandered_m;
+  const auto beyond_m = [&](double time_s, const WheelPair& way_m) {
+    const WheelPair so_far_m = wandered_m;
+    wandered_m.left += rough(engine);
+    wandered_m.right += rough(engine);
+    return WheelPair{so_far_m.left + added(time_s, way_m.left + so_far_m.left),
+                     so_far_m.right + added(time_s, way_m.right + so_far_m.right)};
   };
-  for (int k = 0; k < 2500; ++k) {
-    DriveSample sample;
-    sample.t_s = period_s * k;
-    const double speed_m_s = k / 150 % 2 == 0 ? 0.2 : 0.11;
-    sample.command_m_s = {speed_m_s, speed_m_s};
-    sample.ticks = WheelTicks{ticks(sample.t_s, way_m.left), ticks(sample.t_s, way_m.right)};
-    log.samples.push_back(sample);
-    const WheelPair moved = simulation.step(sample.command_m_s).wheel_m_s;
-    way_m = {way_m.left + period_s * moved.left + rough(engine),
-             way_m.right + period_s * moved.right + rough(engine)};
-  }
-  return make_gap_run(log, {}, period_s);
+  return counted_run(counted_robot(), 2500, forward_at_two_speeds, beyond_m);
 }
 
 std::optional<RegularSwing> swing_in(const Added& added, double rough_m = 2e-5) {
-  const WheelPair scale{metres_per_tick, metres_per_tick};
-  GapProblem problem({drive(added, rough_m, 1), drive(added, rough_m, 2)}, {scale, scale}, for_each_in_turn);
-  problem.set_noise(problem.noise_left_by(robot()));
-  return regular_swing(problem, robot(), problem.residuals(robot()));
+  GapProblem problem({drive(added, rough_m, 1), drive(added, rough_m, 2)},
+                     {counted_metres_per_tick, counted_metres_per_tick}, for_each_in_turn);
+  problem.set_noise(problem.noise_left_by(counted_robot()));
+  return regular_swing(problem, counted_robot(), problem.residuals(counted_robot()));
 }
 
 double sine_m(double amplitude_m, double turns) {
