@@ -1,7 +1,6 @@
 #include "tests/benchmark/third_plant/case_list.hpp"
 
-#include <utility>
-
+#include "tests/benchmark/plants/shuffle.hpp"
 #include "tests/benchmark/third_plant/cannot_tell.hpp"
 #include "tests/benchmark/third_plant/case_builder.hpp"
 
@@ -45,12 +44,6 @@ void add_clean(std::vector<Case>& cases, CaseBuilder& builder) {
                                   Style::slow_fast_mixture};
   for (const Style style : styles)
     for (const Sensing sensing : sensings) cases.push_back(builder.clean(sensing, style));
-}
-
-void shuffle(std::vector<Case>& cases, Random random) {
-  for (std::size_t left = cases.size(); left > 1; --left)
-    std::swap(cases[left - 1],
-              cases[static_cast<std::size_t>(random.integer(0, static_cast<int>(left) - 1))]);
 }
 
 }  // namespace
