@@ -1,6 +1,8 @@
 #include "tests/benchmark/fourth_plant/case_list.hpp"
 
 #include <array>
+#include <string>
+#include <vector>
 
 #include "tests/benchmark/fourth_plant/case_builder.hpp"
 #include "tests/benchmark/plants/effect_table.hpp"

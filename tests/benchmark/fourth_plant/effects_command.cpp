@@ -20,7 +20,7 @@ std::string hide_dead_zone(const Setting& setting) {
 
 // Small: the drive stage of a speed loop; large: the firmware.
 std::string hide_saturation(const Setting& setting) {
-  const double limit_m_s = setting.top_m_s() * drawn(setting, {0.86, 0.92}, {0.55, 0.65});
+  const double limit_m_s = setting.top_m_s() * drawn(setting, {0.8, 0.86}, {0.55, 0.65});
   if (setting.large) {
     add_to_both(setting.diagram().command, Limiter{limit_m_s});
     return "firmware limits the command to " + millimetres_per_s(limit_m_s);
@@ -30,7 +30,7 @@ std::string hide_saturation(const Setting& setting) {
 }
 
 std::string hide_rate_limit(const Setting& setting) {
-  const double limit_m_s2 = drawn(setting, {1.2, 1.5}, {0.35, 0.5});
+  const double limit_m_s2 = drawn(setting, {2.4, 3.0}, {0.35, 0.5});
   add_to_both(setting.diagram().command, RateLimiter{limit_m_s2});
   return "rate limiter of " + fixed(limit_m_s2, 2) + " m/s2 on the set speed";
 }
@@ -83,7 +83,7 @@ std::vector<Effect> command_effects() {
        {.programme = random_steps},
        hide_dead_zone},
       {"saturation",
-       {.programme = random_steps, .loop = Loop::integral},
+       {.programme = stairs, .loop = Loop::integral},
        {.sensing = poses, .programme = multi_sine},
        hide_saturation},
       {"rate_limit", {.programme = stop_and_go}, {.programme = random_steps}, hide_rate_limit},

@@ -1,4 +1,5 @@
 // Effects of the wheels on the floor, and of the floor.
+#include <cmath>
 #include <numbers>
 
 #include "tests/benchmark/fourth_plant/body_blocks.hpp"

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "tests/benchmark/fourth_plant/delay_line.hpp"
 #include "tests/benchmark/fourth_plant/plant.hpp"
