@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "model/gap/command_spectrum.hpp"
+
 namespace wheelwright::gap {
 namespace {
 
@@ -214,11 +216,28 @@ BestSteps best_of(const std::vector<CommandSteps>& steps, const WheelCommands& w
           *best >= stands_out * deviations_of_median * median_size(likenesses)};
 }
 
+// Commands that change all the time, so that there is little to learn of any one of them.
+bool hardly_repeat(const WheelCommands& wheels) {
+  constexpr double usual_share = 0.05;
+  double commands = 0.0;
+  double periods = 0.0;
+  for (const auto& wheel : wheels) {
+    commands += static_cast<double>(wheel.size());
+    for (const auto& told : wheel) periods += told.periods;
+  }
+  return commands > usual_share * periods;
+}
+
 }  // namespace
 
 std::optional<TrialEffect> find_command_steps(const GapProblem& train, const GapFit& fit,
                                               const EffectInfo& info, const ForEach& for_each) {
   const WheelCommands wheels = gathered(train, fit.model);
+  if (hardly_repeat(wheels)) {
+    const auto steps = find_steps_by_spectrum(train, fit, info, for_each);
+    if (!steps) return std::nullopt;
+    return TrialEffect{&info, 0, {steps->step_m_s, steps->rises_at}};
+  }
   const std::vector<CommandSteps> steps = steps_to_try(wheels);
   if (steps.empty()) return std::nullopt;
   const BestSteps near = best_of(steps, wheels, info, for_each);

@@ -1,13 +1,23 @@
 #include "model/gap/command_steps.hpp"
 
+#include <cmath>
+
 #include "model/effect_library.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/counted_run.hpp"
 #include "tests/support/gap_plant/gap_case.hpp"
 
 using namespace wheelwright;
 using namespace wheelwright::gap;
 
 namespace {
+
+std::optional<TrialEffect> steps_beside_linear_model(GapProblem& problem, const TrialModel& guess) {
+  const GapFit fit = problem.fit(guess, 8);
+  problem.set_noise(problem.noise_left_by(fit.model));
+  return find_command_steps(problem, problem.fit(fit.model, 8), *find_effect("command_quantization"),
+                            for_each_in_turn);
+}
 
 std::optional<TrialEffect> steps_in(const test::GapCaseSpec& spec) {
   std::vector<GapRun> runs;
@@ -20,9 +30,8 @@ std::optional<TrialEffect> steps_in(const test::GapCaseSpec& spec) {
   CoreShape shape;
   shape.shared = !runs.front().has_counts;
   const TrialModel guess = first_guess(shape, runs.front().period_s, runs.front().wheel_base_m, 0.1, 0.036);
-  const GapProblem problem(std::move(runs), std::move(metres_per_tick), for_each_in_turn);
-  return find_command_steps(problem, problem.fit(guess, 8), *find_effect("command_quantization"),
-                            for_each_in_turn);
+  GapProblem problem(std::move(runs), std::move(metres_per_tick), for_each_in_turn);
+  return steps_beside_linear_model(problem, guess);
 }
 
 test::GapCaseSpec drives(const std::string& hidden, test::Severity severity = test::Severity::medium) {
@@ -32,6 +41,20 @@ test::GapCaseSpec drives(const std::string& hidden, test::Severity severity = te
   spec.runs = 3;
   spec.seconds = 60.0;
   return spec;
+}
+
+// Of two sines, so that hardly a command is given twice; with a robot that has these effects.
+std::optional<TrialEffect> steps_in_sines(const std::vector<TrialEffect>& effects) {
+  TrialModel robot = test::counted_robot();
+  robot.effects = effects;
+  const auto command_m_s = [](int period) {
+    const double t_s = test::counted_period_s * period;
+    return WheelPair{0.15 * std::sin(0.9 * t_s) + 0.1 * std::sin(2.3 * t_s),
+                     0.15 * std::sin(0.7 * t_s) + 0.1 * std::cos(1.9 * t_s)};
+  };
+  GapProblem problem({test::counted_run(robot, 3000, command_m_s)}, {test::counted_metres_per_tick},
+                     for_each_in_turn);
+  return steps_beside_linear_model(problem, test::counted_robot());
 }
 
 }  // namespace
@@ -53,6 +76,19 @@ TEST_CASE("Poses alone show the step too, where there is one for each row") {
   const auto found = steps_in(spec);
   REQUIRE(found);
   CHECK_THAT(found->parameters[0], WithinRel(0.035, 0.015));
+}
+
+TEST_CASE("A step is found in commands that change all the time, and where it rises") {
+  for (const double rises_at : {0.2, 0.5, 1.0}) {
+    const auto found = steps_in_sines({{find_effect("command_quantization"), 0, {0.02, rises_at}}});
+    REQUIRE(found);
+    CHECK_THAT(found->parameters[0], WithinRel(0.02, 0.01));
+    CHECK_THAT(found->parameters[1], WithinAbs(rises_at, 0.1));
+  }
+}
+
+TEST_CASE("Commands that change all the time and act as they are show no step") {
+  CHECK(!steps_in_sines({}));
 }
 
 TEST_CASE("Commands that act as they are show no step") {
