@@ -43,6 +43,7 @@ struct DriveLog {
   double period_s = 0.0;                     // nominal time between samples
   std::optional<WheelPair> metres_per_tick;  // present where there are ticks
   WheelPair rolled_before_m;                 // tells the angle at which the wheels stood at the start
+  double references_late_s = 0.0;            // behind the counts, where that has been found
   std::vector<std::pair<std::string, std::string>> other_metadata;
   std::vector<DriveSample> samples;  // times strictly rising
   std::vector<ExtraColumn> extra_columns;

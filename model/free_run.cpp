@@ -1,5 +1,7 @@
 #include "model/free_run.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "model/command_timeline.hpp"
@@ -19,6 +21,23 @@ Pose start_pose(const DriveLog& log) {
 // The newest voltage that was measured by row `row`.
 double battery_at(const DriveLog& log, std::size_t row, double last_v) {
   return log.samples[row].battery_v.value_or(last_v);
+}
+
+Pose pose_at(const std::vector<PredictedMotion>& motion, double t_s) {
+  const auto after = std::ranges::lower_bound(motion, t_s, {}, &PredictedMotion::t_s);
+  if (after == motion.begin()) return motion.front().pose;
+  if (after == motion.end()) return motion.back().pose;
+  const PredictedMotion& before = *std::prev(after);
+  const double share = (t_s - before.t_s) / (after->t_s - before.t_s);
+  const Pose step = relative_to(before.pose, after->pose);
+  return placed_at(before.pose, {share * step.x_m, share * step.y_m, share * step.theta_rad});
+}
+
+// Each row holds the pose that a late reference tells then.
+void tell_late(std::vector<PredictedMotion>& motion, double late_s) {
+  if (late_s == 0.0) return;
+  const std::vector<PredictedMotion> in_time = motion;
+  for (auto& row : motion) row.pose = pose_at(in_time, row.t_s - late_s);
 }
 
 }  // namespace
@@ -56,6 +75,7 @@ std::vector<PredictedMotion> free_run(const LinearModel& core, std::span<const E
       battery_v = battery_at(log, row, battery_v);
     }
   }
+  tell_late(motion, log.references_late_s);
   return motion;
 }
 

@@ -26,6 +26,7 @@ class Analysis {
  private:
   bool nothing_to_see();
   void search();
+  void note_late_references(double late_s);
   void conclude();
   void describe_where();
   void size_up();
@@ -98,15 +99,24 @@ void Analysis::search() {
         const auto& logs = result_.tail_held_out ? gathered_.train.logs : gathered_.test.logs;
         return shows(figures(whole_model_of(without, origin_), whole_model_of(with, origin_), logs));
       }};
+  const TrialModel start = search_start(*train_problem_, origin_.given);
+  note_late_references(start.reference_lag_s());
   auto candidates = testability_.candidates;
   if (linear_left_out_) std::erase_if(candidates, [](const EffectInfo* info) { return info->linear; });
-  result_.search = search_gap(*train_problem_, *test_problem_, search_start(*train_problem_, origin_.given),
-                              candidates, options_.limits, free_runs, for_each_, progress_);
+  result_.search = search_gap(*train_problem_, *test_problem_, start, candidates, options_.limits, free_runs,
+                              for_each_, progress_);
+  note_late_references(result_.search.final.model.reference_lag_s());
   for (std::size_t r = 0; r < gathered_.train.logs.size(); ++r) {
     gathered_.train.logs[r].rolled_before_m = result_.search.train_rolled_m[r];
   }
   for (std::size_t r = 0; r < gathered_.test.logs.size(); ++r) {
     gathered_.test.logs[r].rolled_before_m = result_.search.heldout_rolled_m[r];
+  }
+}
+
+void Analysis::note_late_references(double late_s) {
+  for (auto* runs : {&gathered_.train, &gathered_.test}) {
+    for (auto& log : runs->logs) log.references_late_s = late_s;
   }
 }
 

@@ -23,8 +23,12 @@ inline DriveLog plant_run(unsigned seed, std::size_t rows = 1000, const SpeedCur
   PublishedPlant left;
   PublishedPlant right;
   constexpr double metres_per_tick = 0.000444565;
-  DriveLog log{"plant", 0.235, 0.018, WheelPair{metres_per_tick, metres_per_tick}, {}, {{"robot", "plant"}},
-               {},      {},    1};
+  DriveLog log;
+  log.name = "plant";
+  log.wheel_base_m = 0.235;
+  log.period_s = 0.018;
+  log.metres_per_tick = WheelPair{metres_per_tick, metres_per_tick};
+  log.other_metadata = {{"robot", "plant"}};
   WheelPair travelled;
   WheelPair command;
   for (std::size_t k = 0; k < rows; ++k) {

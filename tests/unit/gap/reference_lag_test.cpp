@@ -16,14 +16,14 @@ void let_references_lag(DriveLog& log, std::size_t rows) {
   }
 }
 
-GapAnalysis analysed_with_late_references(const std::string& hidden) {
+GapAnalysis analysed_with_late_references(const std::string& hidden, std::size_t rows = 1) {
   test::GapCaseSpec spec;
   spec.name = hidden;
   spec.channels = test::Channels::ticks_ref;
   spec.runs = 3;
   spec.seconds = 30.0;
   auto logs = test::make_gap_case(spec).runs;
-  for (auto& log : logs) let_references_lag(log, 1);
+  for (auto& log : logs) let_references_lag(log, rows);
   auto analysis = analyse_gap(std::span(logs).first(2), std::span(logs).last(1), {}, for_each_in_turn,
                               [](const std::string&, double) {});
   REQUIRE(analysis);
@@ -36,6 +36,16 @@ TEST_CASE("References that come a period late are no play between encoder and fl
   const auto analysis = analysed_with_late_references("clean");
   CHECK(analysis.verdict == Verdict::nothing_missing);
   CHECK_THAT(analysis.search.final.model.reference_lag_s(), WithinAbs(0.018, 0.002));
+}
+
+TEST_CASE("What late references tell is compared with where the robot was then") {
+  const auto analysis = analysed_with_late_references("clean", 3);
+  CHECK(analysis.verdict == Verdict::nothing_missing);
+  CHECK_THAT(analysis.search.final.model.reference_lag_s(), WithinAbs(0.054, 0.002));
+  for (const GapFigures* figures : {&analysis.train, &analysis.test}) {
+    CHECK(figures->after.heading_rms_rad->value < 1.5 * figures->floor.heading_rms_rad->value);
+    CHECK(figures->after.position_rms_m->value < 1.5 * figures->floor.position_rms_m->value);
+  }
 }
 
 TEST_CASE("References that come a period late do not hide what the floor does") {

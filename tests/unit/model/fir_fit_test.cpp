@@ -23,8 +23,11 @@ DriveLog published_plant_run(const RunPlan& plan) {
   std::normal_distribution<double> normal(0.0, 0.2);
   test::PublishedPlant left;
   test::PublishedPlant right;
-  DriveLog log{"plant", 0.235, 0.018, WheelPair{plan.metres_per_tick, plan.metres_per_tick}, {}, {},
-               {},      {},    1};
+  DriveLog log;
+  log.name = "plant";
+  log.wheel_base_m = 0.235;
+  log.period_s = 0.018;
+  log.metres_per_tick = WheelPair{plan.metres_per_tick, plan.metres_per_tick};
   WheelPair travelled;
   WheelPair command;
   for (std::size_t k = 0; k < plan.rows; ++k) {

@@ -15,12 +15,15 @@ constexpr double period_s = 0.1;
 // A robot that really drives straight at 0.2 m/s, seen by encoders of 0.1 mm and by an outside reference, and
 // a prediction whose wheels are wrong by `error_m_s`.
 struct Example {
-  DriveLog log{"run", 0.25, period_s, WheelPair{1e-4, 1e-4}, {}, {}, {}, {}, 1};
+  DriveLog log;
   std::vector<PredictedMotion> predicted;
 };
 
 Example straight_run(std::size_t rows, const WheelPair& error_m_s) {
   Example example;
+  example.log.wheel_base_m = 0.25;
+  example.log.period_s = period_s;
+  example.log.metres_per_tick = WheelPair{1e-4, 1e-4};
   const WheelPair speed{0.2 + error_m_s.left, 0.2 + error_m_s.right};
   const Twist twist = twist_of_wheels(speed, 0.25);
   for (std::size_t k = 0; k < rows; ++k) {
