@@ -35,8 +35,10 @@ std::unique_ptr<Effect> at_the_wheels(std::unique_ptr<Effect> effect) {
 EffectInfo with_variants_at_the_wheels(EffectInfo info) {
   const std::size_t count = info.variants.size();
   for (std::size_t i = 0; i < count; ++i) {
-    const std::string& name = info.variants[i].name;
-    info.variants.push_back({name.empty() ? "at_wheels" : name + "_at_wheels", EffectStage::wheel});
+    EffectVariant variant = info.variants[i];
+    variant.name += variant.name.empty() ? "at_wheels" : "_at_wheels";
+    variant.stage = EffectStage::wheel;
+    info.variants.push_back(std::move(variant));
   }
   info.make = [make = std::move(info.make), count](const EffectArguments& arguments) {
     if (arguments.variant < count) return make(arguments);

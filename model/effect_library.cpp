@@ -22,17 +22,19 @@ std::string number(double value) {
   return text;
 }
 
-void check_parameters(const EffectInfo& info, const std::vector<double>& parameters) {
-  if (parameters.size() != info.parameters.size()) {
-    throw std::invalid_argument("effect '" + info.name + "' has " + std::to_string(parameters.size()) +
-                                " parameters, but must have " + std::to_string(info.parameters.size()));
+void check_parameters(const EffectSetting& setting) {
+  const auto parameters = parameters_of(setting);
+  if (setting.parameters.size() != parameters.size()) {
+    throw std::invalid_argument("effect '" + setting.name + "' has " +
+                                std::to_string(setting.parameters.size()) + " parameters, but must have " +
+                                std::to_string(parameters.size()));
   }
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const ParameterInfo& expected = info.parameters[i];
-    if (!(parameters[i] >= expected.lower && parameters[i] <= expected.upper)) {
-      throw std::invalid_argument("effect '" + info.name + "': " + expected.name + " is " +
-                                  number(parameters[i]) + " " + expected.unit + ", but must be from " +
-                                  number(expected.lower) + " to " + number(expected.upper));
+    const ParameterInfo& expected = parameters[i];
+    if (!(setting.parameters[i] >= expected.lower && setting.parameters[i] <= expected.upper)) {
+      throw std::invalid_argument(
+          "effect '" + setting.name + "': " + expected.name + " is " + number(setting.parameters[i]) + " " +
+          expected.unit + ", but must be from " + number(expected.lower) + " to " + number(expected.upper));
     }
   }
 }
@@ -67,12 +69,18 @@ std::size_t variant_index(const EffectInfo& info, std::string_view variant) {
                               (known.empty() ? "" : "; there is " + known));
 }
 
+std::span<const ParameterInfo> parameters_of(const EffectSetting& setting) {
+  const EffectInfo* info = find_effect(setting.name);
+  if (info == nullptr) return {};
+  return info->parameters_of(variant_index(*info, setting.variant));
+}
+
 std::unique_ptr<Effect> make_effect(const EffectSetting& setting) {
   const EffectInfo* info = find_effect(setting.name);
   if (info == nullptr) {
     throw std::invalid_argument("there is no effect '" + setting.name + "'; see 'wheelwright effects'");
   }
-  check_parameters(*info, setting.parameters);
+  check_parameters(setting);
   return info->make({setting.parameters, variant_index(*info, setting.variant)});
 }
 

@@ -20,4 +20,8 @@ std::unique_ptr<Effect> make_effect(const EffectSetting& setting);
 // The place of a variant in its effect; the first for an empty name.
 std::size_t variant_index(const EffectInfo& info, std::string_view variant);
 
+// What the parameters of `setting` are; none where there is no effect of that name. Throws
+// std::invalid_argument for an unknown variant.
+std::span<const ParameterInfo> parameters_of(const EffectSetting& setting);
+
 }  // namespace wheelwright

@@ -23,10 +23,10 @@ const EffectInfo& read_name(YamlReader& entry) {
                  (nearest.empty() ? "there are " + known_effects() : "did you mean '" + nearest + "'?"));
 }
 
-void read_intervals(YamlReader& entry, const EffectInfo& info, AddedEffect& effect) {
+void read_intervals(YamlReader& entry, AddedEffect& effect) {
   auto section = entry.section("ci95");
   if (!section) return;
-  for (const auto& parameter : info.parameters) {
+  for (const auto& parameter : parameters_of(effect.setting)) {
     const std::vector<double> ends = section->numbers(parameter.name, {-1e9, 1e9});
     if (ends.size() != 2) section->fail(parameter.name, "must be [lowest, highest]");
     effect.intervals.push_back({ends[0], ends[1]});
@@ -46,12 +46,12 @@ AddedEffect read_effect(YamlReader entry) {
   }
   auto parameters = entry.section("parameters");
   if (!parameters) entry.fail("parameters", "is missing here; it must hold the effect's parameters");
-  for (const auto& parameter : info.parameters) {
+  for (const auto& parameter : parameters_of(effect.setting)) {
     effect.setting.parameters.push_back(
         parameters->number(parameter.name, {parameter.lower, parameter.upper, parameter.unit}));
   }
   parameters->finish();
-  read_intervals(entry, info, effect);
+  read_intervals(entry, effect);
   effect.source = entry.texts("source");
   effect.created = entry.text("created", "");
   if (entry.has("heldout_gain_nats"))
@@ -63,20 +63,21 @@ AddedEffect read_effect(YamlReader entry) {
 
 std::string effect_to_yaml(const AddedEffect& effect) {
   const EffectInfo* info = find_effect(effect.setting.name);
-  if (info == nullptr || info->parameters.size() != effect.setting.parameters.size()) {
+  const auto parameters = parameters_of(effect.setting);
+  if (info == nullptr || parameters.size() != effect.setting.parameters.size()) {
     throw ConfigError("effect '" + effect.setting.name + "' is not one of the library and cannot be written");
   }
   std::string text = "  - name: " + info->name + "  # " + info->summary + "\n";
   if (!effect.setting.variant.empty()) text += "    variant: " + effect.setting.variant + "\n";
   text += "    parameters:\n";
-  for (std::size_t i = 0; i < info->parameters.size(); ++i) {
-    const ParameterInfo& parameter = info->parameters[i];
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const ParameterInfo& parameter = parameters[i];
     text += "      " + parameter.name + ": " + plain_number(effect.setting.parameters[i]) + "  # " +
             (parameter.unit == "1" ? "" : parameter.unit + ", ") + parameter.meaning + "\n";
   }
   if (!effect.intervals.empty()) text += "    ci95:\n";
   for (std::size_t i = 0; i < effect.intervals.size(); ++i) {
-    text += "      " + info->parameters[i].name + ": [" + plain_number(effect.intervals[i].lower) + ", " +
+    text += "      " + parameters[i].name + ": [" + plain_number(effect.intervals[i].lower) + ", " +
             plain_number(effect.intervals[i].upper) + "]\n";
   }
   if (!effect.source.empty()) text += "    source:\n";

@@ -1,6 +1,7 @@
 // caster_kick: a short yaw disturbance after the direction of travel flips.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "model/effects/effect.hpp"
 
@@ -50,10 +51,69 @@ class CasterKick final : public EffectOf<CasterKick> {
   double swung_ = 1.0;      // share of it
 };
 
+// A fork that is stiff in its pivot pushes for as long as it turns, at flips and in every turn. Its wheel is
+// dragged after the pivot (a tractrix: the tangent of half the angle between the fork and where its pivot
+// goes shrinks to 1/e within one trail), and what turns it against friction is a force on the robot's nose.
+class StiffSwivel final : public EffectOf<StiffSwivel> {
+ public:
+  explicit StiffSwivel(const EffectArguments& arguments)
+      : push_m_s_(arguments.parameters[0]),
+        trail_m_(arguments.parameters[1]),
+        ahead_m_(arguments.parameters[2]) {}
+
+  void body(Twist& twist, const Surroundings& around) override {
+    const double turned_rad = dragged_rad(twist, around.period_s);
+    const double middle_rad = fork_rad_ + 0.5 * turned_rad;
+    fork_rad_ += turned_rad - twist.w_rad_s * around.period_s;
+    const double swivel_rad_s = turned_rad / around.period_s - twist.w_rad_s;
+    const double push_m_s = push_m_s_ * std::tanh(swivel_rad_s / sliding_rad_s);
+    // Wheels that give way by that much to a force along the robot turn it by this much for one across.
+    const double arm_1_m = 4.0 * ahead_m_ / (around.wheel_base_m * around.wheel_base_m);
+    twist.v_m_s += push_m_s * std::sin(middle_rad);
+    twist.w_rad_s -= push_m_s * std::cos(middle_rad) * arm_1_m;
+  }
+  void reset() override { fork_rad_ = 0.0; }
+
+ private:
+  static constexpr double sliding_rad_s = 0.7;  // where friction of the pivot has its full size
+
+  // Seen from the floor, in the middle of the period's turn.
+  double dragged_rad(const Twist& twist, double period_s) const {
+    const double sideways_m_s = twist.w_rad_s * ahead_m_;
+    const double heading_rad = std::atan2(sideways_m_s, twist.v_m_s);
+    const double off_rad =
+        std::remainder(fork_rad_ - 0.5 * twist.w_rad_s * period_s - heading_rad, 2.0 * std::numbers::pi);
+    const double shrunk = std::exp(-std::hypot(twist.v_m_s, sideways_m_s) * period_s / trail_m_);
+    return 2.0 * std::atan(std::tan(0.5 * off_rad) * shrunk) - off_rad;
+  }
+
+  double push_m_s_;
+  double trail_m_;
+  double ahead_m_;
+  double fork_rad_ = 0.0;  // from behind the pivot, seen from the robot
+};
+
+// Variants of caster_kick, which come a second time at the wheels (model/at_the_wheels.hpp).
+constexpr std::size_t swivel = 2;
+constexpr std::size_t shapes = 3;
+
+std::vector<ParameterInfo> swivel_parameters() {
+  return {
+      {"push",
+       "m/s",
+       "speed that the fork's friction takes when it points backward",
+       0.0,
+       0.3,
+       {0.003, 0.015},
+       0.0003},
+      {"trail", "m", "of the fork: its wheel behind its pivot", 0.003, 0.2, {0.015, 0.04}, 0.0, false},
+      {"ahead", "m", "of the axle the pivot is; negative: behind it", -0.5, 0.5, {0.1, -0.1}, 0.0, false}};
+}
+
 // What turns the robot by as much as that is no caster's swing.
-bool only_kicks(std::span<const double> parameters, double) {
+bool only_kicks(const EffectArguments& caster, double) {
   constexpr double largest_kick_rad = 0.5;
-  return std::abs(parameters[0]) < largest_kick_rad;
+  return caster.variant % shapes == swivel || std::abs(caster.parameters[0]) < largest_kick_rad;
 }
 
 }  // namespace
@@ -63,9 +123,11 @@ EffectInfo caster_kick() {
       "caster_kick",
       "a short yaw disturbance after the direction of travel flips",
       "A caster swings round and pushes the robot aside while it does. 'same': to the same side at every "
-      "flip, "
-      "'alternating': to one side when it begins to go forward, to the other when backward.",
-      {{"same", EffectStage::body}, {"alternating", EffectStage::body}},
+      "flip, 'alternating': to one side when it begins to go forward, to the other when backward; 'swivel': "
+      "by the friction of its pivot, in turns as well.",
+      {{"same", EffectStage::body},
+       {"alternating", EffectStage::body},
+       {"swivel", EffectStage::body, swivel_parameters()}},
       {{"angle", "rad", "turn that one kick makes in all", -1.0, 1.0, {-0.05, -0.02, 0.02, 0.05}, 0.002},
        {"distance",
         "m",
@@ -84,7 +146,10 @@ EffectInfo caster_kick() {
         0.0,
         false}},
       {.reference = true, .reversal = true},
-      [](const EffectArguments& arguments) { return std::make_unique<CasterKick>(arguments); },
+      [](const EffectArguments& arguments) -> std::unique_ptr<Effect> {
+        if (arguments.variant == swivel) return std::make_unique<StiffSwivel>(arguments);
+        return std::make_unique<CasterKick>(arguments);
+      },
       true};
   info.in_character = only_kicks;
   return info;

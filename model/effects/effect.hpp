@@ -83,10 +83,11 @@ struct ParameterInfo {
   bool scales_effect = true;  // false for a shape (a time constant, a place) that says nothing of the size
 };
 
-// Two ways in which the same effect may show, e.g. before or behind the encoder.
+// Ways in which the same effect may show, e.g. before or behind the encoder.
 struct EffectVariant {
   std::string name;
   EffectStage stage;
+  std::vector<ParameterInfo> parameters{};  // of its own, in the place of the effect's
 };
 
 // What the data must hold for the effect to be seen at all.
@@ -102,16 +103,16 @@ struct EffectNeeds {
 };
 
 struct EffectArguments {
-  std::span<const double> parameters;  // in the order of EffectInfo::parameters
+  std::span<const double> parameters;  // in the order of EffectInfo::parameters_of
   std::size_t variant = 0;             // index in EffectInfo::variants
 };
 
 struct EffectInfo {
   std::string name;
-  std::string summary;                  // one line: what is seen
-  std::string cause;                    // physical origin, and what separates it from its likes
-  std::vector<EffectVariant> variants;  // at least one; the first is the usual one
-  std::vector<ParameterInfo> parameters;
+  std::string summary;                    // one line: what is seen
+  std::string cause;                      // physical origin, and what separates it from its likes
+  std::vector<EffectVariant> variants;    // at least one; the first is the usual one
+  std::vector<ParameterInfo> parameters;  // of the variants that have none of their own
   EffectNeeds needs;
   std::function<std::unique_ptr<Effect>(const EffectArguments&)> make;
   bool may_load_wheels = false;  // what it does to the body may show in the wheels: at_the_wheels.hpp
@@ -120,7 +121,12 @@ struct EffectInfo {
   bool by_wheel_angle = false;   // hangs on the angle at which the wheels stood when a run began
   bool by_pose = false;          // hangs on where the robot stands and heads
   // Whether it is what its name says, in runs with such commands, and not mostly another's; empty: always.
-  std::function<bool(std::span<const double> parameters, double largest_command_m_s)> in_character{};
+  std::function<bool(const EffectArguments&, double largest_command_m_s)> in_character{};
+
+  const std::vector<ParameterInfo>& parameters_of(std::size_t variant) const {
+    const std::vector<ParameterInfo>& own = variants[variant].parameters;
+    return own.empty() ? parameters : own;
+  }
 };
 
 // An effect as a model holds it.

@@ -41,8 +41,8 @@ class RateLimit final : public EffectOf<RateLimit> {
 };
 
 // Where drag leaves nothing of it at speeds that are asked for, what is limited is speed: saturation.
-bool leaves_speed_free(std::span<const double> parameters, double largest_command_m_s) {
-  return parameters[0] > parameters[1] * 2.0 * largest_command_m_s;
+bool leaves_speed_free(const EffectArguments& limit, double largest_command_m_s) {
+  return limit.parameters[0] > limit.parameters[1] * 2.0 * largest_command_m_s;
 }
 
 }  // namespace

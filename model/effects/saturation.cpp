@@ -54,8 +54,8 @@ class Saturation final : public EffectOf<Saturation> {
 };
 
 // A limit far above all commands limits no speed; what its lag does then is a limit of acceleration.
-bool within_reach(std::span<const double> parameters, double largest_command_m_s) {
-  return parameters[0] < 2.0 * largest_command_m_s;
+bool within_reach(const EffectArguments& limit, double largest_command_m_s) {
+  return limit.parameters[0] < 2.0 * largest_command_m_s;
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ class Stiction final : public EffectOf<Stiction> {
 };
 
 // One that needs not twice as much to break away as to keep moving has mostly dry friction.
-bool sticks(std::span<const double> parameters, double /*largest_command_m_s*/) {
-  return parameters[0] > parameters[1];
+bool sticks(const EffectArguments& friction, double /*largest_command_m_s*/) {
+  return friction.parameters[0] > friction.parameters[1];
 }
 
 }  // namespace

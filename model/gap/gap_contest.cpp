@@ -36,7 +36,7 @@ double inflation_of(const GapProblem& problem, const std::vector<double>& withou
 bool negligible(const TrialEffect& effect) {
   bool any = false;
   for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
-    const double least = effect.info->parameters[i].negligible;
+    const double least = effect.parameter_info(i).negligible;
     if (least == 0.0) continue;
     if (std::abs(effect.parameters[i]) >= least) return false;
     any = true;
@@ -113,7 +113,8 @@ void Contest::judge(Round& round) const {
   std::erase_if(round.contenders, [this](const Contender& contender) {
     const TrialEffect& effect = effect_of(contender);
     const auto& in_character = effect.info->in_character;
-    return negligible(effect) || (in_character && !in_character(effect.parameters, largest_command_m_s_));
+    return negligible(effect) ||
+           (in_character && !in_character({effect.parameters, effect.variant}, largest_command_m_s_));
   });
   for (auto& contender : round.contenders) {
     contender = judged(round.without, heldout_without, std::move(contender));

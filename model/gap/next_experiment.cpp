@@ -113,7 +113,7 @@ std::vector<Hypothesis> Planner::rivals() const {
 // An effect at a size in the middle of those that a search begins from.
 TrialModel Planner::with_effect(const EffectInfo& info) const {
   TrialEffect effect{&info, 0, {}};
-  for (const auto& parameter : info.parameters) {
+  for (const auto& parameter : info.parameters_of(effect.variant)) {
     effect.parameters.push_back(parameter.sizes.empty() ? 0.5 * (parameter.lower + parameter.upper)
                                                         : parameter.sizes[parameter.sizes.size() / 2]);
   }

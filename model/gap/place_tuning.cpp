@@ -52,8 +52,8 @@ TrialEffect reshaped(TrialEffect region) {
   for (const std::size_t side : {length, width}) {
     const double size_m =
         region.parameters[side] * ((region.variant & an_ellipse) != 0 ? wider : 1.0 / wider);
-    region.parameters[side] =
-        std::clamp(size_m, region.info->parameters[side].lower, region.info->parameters[side].upper);
+    const ParameterInfo& size = region.parameter_info(side);
+    region.parameters[side] = std::clamp(size_m, size.lower, size.upper);
   }
   return region;
 }
@@ -64,7 +64,7 @@ std::vector<TrialEffect> moved(const TrialEffect& present, double step_m) {
   std::vector<TrialEffect> all;
   const auto add = [&](std::vector<double> region) {
     for (const std::size_t side : {length, width}) {
-      const ParameterInfo& size = present.info->parameters[side];
+      const ParameterInfo& size = present.parameter_info(side);
       if (region[side] < size.lower || region[side] > size.upper) return;
     }
     region[heading] = std::remainder(region[heading], std::numbers::pi);  // it looks the same turned by half

@@ -30,12 +30,13 @@ struct Stretch {
   double most = 3.0;
 };
 
-Stretch stretch_of(const EffectInfo& info, const std::vector<double>& point) {
+Stretch stretch_of(const TrialEffect& effect) {
   Stretch stretch;
-  for (std::size_t i = 0; i < info.parameters.size(); ++i) {
-    if (!info.parameters[i].scales_effect || point[i] == 0.0) continue;
-    for (const double size : info.parameters[i].sizes) {
-      const double ratio = size / point[i];
+  for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
+    const ParameterInfo& parameter = effect.parameter_info(i);
+    if (!parameter.scales_effect || effect.parameters[i] == 0.0) continue;
+    for (const double size : parameter.sizes) {
+      const double ratio = size / effect.parameters[i];
       if (ratio > 0.0 && ratio < 1.0) stretch.least = std::max(stretch.least, ratio);
       if (ratio > 1.0) stretch.most = std::min(stretch.most, ratio);
     }
@@ -82,8 +83,8 @@ Screened judged(const Probe& probe, const Common& common) {
     const Eigen::VectorXd amounts = common.products.colPivHouseholderQr().solve(-common.with_left);
     result.gain_nats = -0.5 * amounts.dot(common.with_left);
     std::size_t k = 0;
-    for (std::size_t i = 0; i < probe.info->parameters.size(); ++i) {
-      const ParameterInfo& parameter = probe.info->parameters[i];
+    for (std::size_t i = 0; i < result.start.parameters.size(); ++i) {
+      const ParameterInfo& parameter = result.start.parameter_info(i);
       if (!parameter.scales_effect) continue;
       result.start.parameters[i] = std::clamp(amounts(static_cast<Eigen::Index>(k)) * parameter.sizes.front(),
                                               parameter.lower, parameter.upper);
@@ -92,11 +93,11 @@ Screened judged(const Probe& probe, const Common& common) {
     return result;
   }
   const double power = common.products(0, 0);
-  const auto [least, most] = stretch_of(*probe.info, probe.points[0]);
+  const auto [least, most] = stretch_of(result.start);
   const double stretch = std::clamp(-common.with_left(0) / power, least, most);
   result.gain_nats = -stretch * (common.with_left(0) + 0.5 * stretch * power);
-  for (std::size_t i = 0; i < probe.info->parameters.size(); ++i) {
-    const ParameterInfo& parameter = probe.info->parameters[i];
+  for (std::size_t i = 0; i < result.start.parameters.size(); ++i) {
+    const ParameterInfo& parameter = result.start.parameter_info(i);
     if (!parameter.scales_effect || !vanishes_at_zero(parameter)) continue;
     result.start.parameters[i] =
         std::clamp(stretch * result.start.parameters[i], parameter.lower, parameter.upper);
@@ -110,7 +111,7 @@ std::optional<TrialEffect> resized(TrialEffect effect, double amount) {
   constexpr double most_amount = 30.0;
   if (!(std::abs(amount) > least_amount) || !(std::abs(amount) < most_amount)) return std::nullopt;
   for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
-    const ParameterInfo& parameter = effect.info->parameters[i];
+    const ParameterInfo& parameter = effect.parameter_info(i);
     if (!parameter.scales_effect || !vanishes_at_zero(parameter)) continue;
     const double size = amount * effect.parameters[i];
     if (size < parameter.lower || size > parameter.upper) return std::nullopt;

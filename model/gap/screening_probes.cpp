@@ -65,10 +65,10 @@ Points spread(const Points& points, std::size_t x, std::size_t y, const std::vec
 }
 
 // All that does not scale the effect, in all combinations, with x and y together; the sizes are still zero.
-Points shapes_of(const EffectInfo& info, const std::vector<Pose>& places) {
-  Points points{std::vector<double>(info.parameters.size(), 0.0)};
-  for (std::size_t i = 0; i < info.parameters.size(); ++i) {
-    const ParameterInfo& parameter = info.parameters[i];
+Points shapes_of(const std::vector<ParameterInfo>& parameters, const std::vector<Pose>& places) {
+  Points points{std::vector<double>(parameters.size(), 0.0)};
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const ParameterInfo& parameter = parameters[i];
     if (parameter.scales_effect || parameter.name == "y") continue;
     points = parameter.name == "x" ? spread(points, i, i + 1, places) : spread(points, i, parameter.sizes);
   }
@@ -76,21 +76,22 @@ Points shapes_of(const EffectInfo& info, const std::vector<Pose>& places) {
 }
 
 // One size is tried at several values, one at a time; several sizes at one value each, together.
-void add_probes(const EffectInfo& info, std::size_t variant, const Points& shapes,
+void add_probes(const EffectInfo& info, std::size_t variant, const std::vector<Pose>& places,
                 std::vector<Probe>& probes) {
+  const std::vector<ParameterInfo>& parameters = info.parameters_of(variant);
   std::vector<std::size_t> sizes;
-  for (std::size_t i = 0; i < info.parameters.size(); ++i) {
-    if (info.parameters[i].scales_effect) sizes.push_back(i);
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (parameters[i].scales_effect) sizes.push_back(i);
   }
-  for (const auto& shape : shapes) {
+  for (const auto& shape : shapes_of(parameters, places)) {
     if (sizes.size() == 1) {
-      for (auto& point : spread({shape}, sizes[0], info.parameters[sizes[0]].sizes)) {
+      for (auto& point : spread({shape}, sizes[0], parameters[sizes[0]].sizes)) {
         probes.push_back({&info, variant, {std::move(point)}});
       }
     } else if (sizes.size() > 1) {
       Probe probe{&info, variant, Points(sizes.size(), shape)};
       for (std::size_t i = 0; i < sizes.size(); ++i) {
-        probe.points[i][sizes[i]] = info.parameters[sizes[i]].sizes.front();
+        probe.points[i][sizes[i]] = parameters[sizes[i]].sizes.front();
       }
       probes.push_back(std::move(probe));
     }
@@ -104,9 +105,8 @@ std::vector<Probe> probes_of(std::span<const EffectInfo* const> candidates, cons
   std::vector<Probe> probes;
   const std::vector<Pose> places = visited_places(problem, model);
   for (const EffectInfo* info : candidates) {
-    const Points shapes = shapes_of(*info, places);
     for (std::size_t variant = 0; variant < info->variants.size(); ++variant) {
-      if (told_apart(*info, variant, problem.has_counts())) add_probes(*info, variant, shapes, probes);
+      if (told_apart(*info, variant, problem.has_counts())) add_probes(*info, variant, places, probes);
     }
   }
   return probes;

@@ -137,9 +137,9 @@ std::vector<Detectable> detectable_sizes(const Screening& look, double nats_to_b
   std::vector<Detectable> sizes;
   for (const auto& [name, entry] : best) {
     const Visibility& at = entry.seen != nullptr ? *entry.seen : *entry.strongest;
-    const EffectInfo& info = *at.effect.info;
-    const auto parameter = std::ranges::find_if(info.parameters, &ParameterInfo::scales_effect);
-    const auto index = static_cast<std::size_t>(parameter - info.parameters.begin());
+    const auto& parameters = at.effect.info->parameters_of(at.effect.variant);
+    const auto parameter = std::ranges::find_if(parameters, &ParameterInfo::scales_effect);
+    const auto index = static_cast<std::size_t>(parameter - parameters.begin());
     const bool grows_with_size = parameter->lower <= 0.0;
     double size = std::abs(at.effect.parameters[index]);
     // Near to nothing, what shows grows with the square of the size.

@@ -96,7 +96,7 @@ void TrialModel::set_parameter(std::size_t index, double value) {
   index -= core.size();
   for (auto& effect : effects) {
     if (index < effect.parameters.size()) {
-      const ParameterInfo& info = effect.info->parameters[index];
+      const ParameterInfo& info = effect.parameter_info(index);
       effect.parameters[index] = std::clamp(value, info.lower, info.upper);
       return;
     }
@@ -108,7 +108,7 @@ const ParameterInfo* TrialModel::parameter_info(std::size_t index) const {
   if (index < core.size()) return nullptr;
   index -= core.size();
   for (const auto& effect : effects) {
-    if (index < effect.parameters.size()) return &effect.info->parameters[index];
+    if (index < effect.parameters.size()) return &effect.parameter_info(index);
     index -= effect.parameters.size();
   }
   return nullptr;

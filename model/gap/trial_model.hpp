@@ -17,6 +17,8 @@ struct TrialEffect {
   const EffectInfo* info = nullptr;
   std::size_t variant = 0;
   std::vector<double> parameters;
+
+  const ParameterInfo& parameter_info(std::size_t index) const { return info->parameters_of(variant)[index]; }
 };
 
 // The linear core: y(k) = sum a_i y(k-i) + sum b_j u(k-j) for each wheel from its own command.

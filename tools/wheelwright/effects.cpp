@@ -59,6 +59,14 @@ std::vector<std::string> needs_of(const EffectNeeds& needs) {
   return list;
 }
 
+void print_parameters(std::ostream& out, const std::vector<ParameterInfo>& parameters) {
+  for (const auto& parameter : parameters) {
+    out << "  " << std::left << std::setw(16) << parameter.name << std::setw(10)
+        << (parameter.unit == "1" ? "-" : parameter.unit) << parameter.meaning << "; from "
+        << config::plain_number(parameter.lower) << " to " << config::plain_number(parameter.upper) << "\n";
+  }
+}
+
 void print_effect(std::ostream& out, const EffectInfo& info) {
   out << info.name << ": " << info.summary << "\n\n" << info.cause << "\n\n";
   out << "acts on:";
@@ -66,10 +74,11 @@ void print_effect(std::ostream& out, const EffectInfo& info) {
     out << " " << stage_name(variant.stage) << (variant.name.empty() ? "" : " (" + variant.name + ")");
   }
   out << "\nparameters:\n";
-  for (const auto& parameter : info.parameters) {
-    out << "  " << std::left << std::setw(16) << parameter.name << std::setw(10)
-        << (parameter.unit == "1" ? "-" : parameter.unit) << parameter.meaning << "; from "
-        << config::plain_number(parameter.lower) << " to " << config::plain_number(parameter.upper) << "\n";
+  print_parameters(out, info.parameters);
+  for (const auto& variant : info.variants) {
+    if (variant.parameters.empty()) continue;
+    out << "of " << variant.name << ":\n";
+    print_parameters(out, variant.parameters);
   }
   const auto needs = needs_of(info.needs);
   out << "to be seen it takes:";
@@ -77,19 +86,26 @@ void print_effect(std::ostream& out, const EffectInfo& info) {
   out << (needs.empty() ? " encoder counts or reference poses" : "") << "\n";
 }
 
+ordered_json to_json(const std::vector<ParameterInfo>& parameters) {
+  ordered_json json = ordered_json::array();
+  for (const auto& parameter : parameters) {
+    json.push_back({{"name", parameter.name},
+                    {"unit", parameter.unit},
+                    {"meaning", parameter.meaning},
+                    {"lower", parameter.lower},
+                    {"upper", parameter.upper}});
+  }
+  return json;
+}
+
 ordered_json to_json(const EffectInfo& info) {
   ordered_json json{{"effect", info.name}, {"summary", info.summary}, {"cause", info.cause}};
   for (const auto& variant : info.variants) {
-    json["variants"].push_back({{"name", variant.name}, {"acts_on", stage_name(variant.stage)}});
+    ordered_json entry{{"name", variant.name}, {"acts_on", stage_name(variant.stage)}};
+    if (!variant.parameters.empty()) entry["parameters"] = to_json(variant.parameters);
+    json["variants"].push_back(std::move(entry));
   }
-  json["parameters"] = ordered_json::array();
-  for (const auto& parameter : info.parameters) {
-    json["parameters"].push_back({{"name", parameter.name},
-                                  {"unit", parameter.unit},
-                                  {"meaning", parameter.meaning},
-                                  {"lower", parameter.lower},
-                                  {"upper", parameter.upper}});
-  }
+  json["parameters"] = to_json(info.parameters);
   json["needs"] = needs_of(info.needs);
   return json;
 }

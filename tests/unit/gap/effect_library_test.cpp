@@ -20,13 +20,24 @@ LinearModel small_core() {
 // Absent where every parameter that scales the effect can be zero; others have no size that is nothing.
 std::optional<EffectSetting> absent(const EffectInfo& info, const EffectVariant& variant) {
   EffectSetting setting{info.name, variant.name, {}};
-  for (const auto& parameter : info.parameters) {
+  for (const auto& parameter : parameters_of(setting)) {
     const bool takes_zero = parameter.lower <= 0.0 && parameter.upper >= 0.0;
     if (parameter.scales_effect && !takes_zero) return std::nullopt;
     const double shape = parameter.sizes.empty() ? parameter.lower : parameter.sizes.front();
     setting.parameters.push_back(parameter.scales_effect ? 0.0 : shape);
   }
   return setting;
+}
+
+void check_described(const ParameterInfo& parameter) {
+  INFO(parameter.name);
+  CHECK_FALSE(parameter.unit.empty());
+  CHECK_FALSE(parameter.meaning.empty());
+  CHECK(parameter.lower < parameter.upper);
+  for (const double size : parameter.sizes) {
+    CHECK(size >= parameter.lower);
+    CHECK(size <= parameter.upper);
+  }
 }
 
 // Forward, backward, and a turn.
@@ -63,15 +74,8 @@ TEST_CASE("Every effect says what is seen, why, and in which units and bounds") 
     CHECK_FALSE(info.summary.empty());
     CHECK_FALSE(info.cause.empty());
     CHECK_FALSE(info.variants.empty());
-    for (const auto& parameter : info.parameters) {
-      INFO(parameter.name);
-      CHECK_FALSE(parameter.unit.empty());
-      CHECK_FALSE(parameter.meaning.empty());
-      CHECK(parameter.lower < parameter.upper);
-      for (const double size : parameter.sizes) {
-        CHECK(size >= parameter.lower);
-        CHECK(size <= parameter.upper);
-      }
+    for (const auto& variant : info.variants) {
+      for (const auto& parameter : parameters_of({info.name, variant.name, {}})) check_described(parameter);
     }
   }
 }
@@ -82,7 +86,7 @@ TEST_CASE("A model with every effect in it comes back from its file as it was sa
   for (const auto& info : effect_library()) {
     AddedEffect added;
     added.setting = {info.name, info.variants.back().name, {}};
-    for (const auto& parameter : info.parameters) {
+    for (const auto& parameter : parameters_of(added.setting)) {
       added.setting.parameters.push_back(parameter.lower + 0.3 * (parameter.upper - parameter.lower));
       added.intervals.push_back({parameter.lower, parameter.upper});
     }

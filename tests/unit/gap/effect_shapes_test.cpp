@@ -43,6 +43,23 @@ TEST_CASE("A drive with an asymmetric response speeds up with one lag and slows 
   CHECK_THAT(speed_after(simulation, 0.0, 10), WithinAbs(before_m_s * left_of_way(0.15, 10), 1e-12));
 }
 
+TEST_CASE("A motor that cannot brake rolls on until it is as slow as it should be") {
+  ModelSimulation simulation = only({"asymmetric_response", "speed_coasting", {1.0, 0.0, 0.5}});
+  CHECK(speed_after(simulation, 0.2, 1) == 0.2);
+  CHECK_THAT(speed_after(simulation, 0.15, 10), WithinAbs(0.2 * left_of_way(1.0, 10), 1e-12));
+  CHECK(speed_after(simulation, 0.15, 20) == 0.15);
+  CHECK(speed_after(simulation, 0.0, 1) == 0.0);  // less than half as fast: it brakes
+}
+
+TEST_CASE("A motor that brakes for much less than its speed rolls on from where that is not much less") {
+  ModelSimulation simulation = only({"asymmetric_response", "speed_coasting", {1.0, 0.1, 0.5}});
+  const double before_m_s = speed_after(simulation, -0.2, 300);
+  const double braked_m_s = speed_after(simulation, -0.05, 7);
+  CHECK_THAT(braked_m_s, WithinAbs(-0.05 + (before_m_s + 0.05) * left_of_way(0.1, 7), 1e-12));
+  CHECK(braked_m_s > -0.1);
+  CHECK_THAT(speed_after(simulation, -0.05, 20), WithinAbs(braked_m_s * left_of_way(1.0, 20), 1e-12));
+}
+
 TEST_CASE("A motor at its full voltage approaches its limit with its own lag") {
   ModelSimulation simulation = only({"saturation", "speed", {0.2, 0.1, 0.0}});
   CHECK_THAT(speed_after(simulation, 0.4, 10), WithinAbs(0.2 * (1.0 - left_of_way(0.1, 10)), 1e-12));
@@ -196,6 +213,34 @@ TEST_CASE("A caster that is turned back half-way swings no further than it had c
   const double half_rad = drive(-0.1, 51);  // 92 mm: the middle of the swing lies at ln(99) times 20 mm
   CHECK_THAT(half_rad, WithinAbs(0.05, 0.01));
   CHECK_THAT(drive(0.1, 500), WithinAbs(half_rad, 0.0015));
+}
+
+TEST_CASE("A stiff caster turns the robot on after a curve, until its fork has come round behind") {
+  const double trail_m = 0.02;
+  const double ahead_m = 0.12;
+  ModelSimulation simulation = only({"caster_kick", "swivel", {0.01, trail_m, ahead_m}});
+  const auto step = [&](WheelPair command_m_s) { return simulation.step(command_m_s).twist; };
+  const WheelPair curve_m_s{0.05, 0.15};
+  const double turn_rate_rad_s = 0.1 / 0.258;
+  CHECK(step(curve_m_s).w_rad_s < turn_rate_rad_s);
+  for (int k = 0; k < 200; ++k) step(curve_m_s);
+  CHECK_THAT(step(curve_m_s).w_rad_s, WithinAbs(turn_rate_rad_s, 1e-9));
+
+  // In the curve the fork lags behind where its pivot goes by as much as turns it as fast as the robot. Then
+  // half the angle shrinks as along a tractrix; forward and sideways push show where the fork points.
+  const double pivot_m_s = std::hypot(0.1, turn_rate_rad_s * ahead_m);
+  const double curve_rad =
+      std::atan2(turn_rate_rad_s * ahead_m, 0.1) - std::asin(turn_rate_rad_s * trail_m / pivot_m_s);
+  double half_tangent = std::tan(0.5 * curve_rad);
+  for (int k = 0; k < 10; ++k) {
+    const Twist twist = step({0.1, 0.1});
+    const double before_rad = 2.0 * std::atan(half_tangent);
+    half_tangent *= std::exp(-0.1 * period_s / trail_m);
+    const double fork_rad = 0.5 * (before_rad + 2.0 * std::atan(half_tangent));
+    CHECK(twist.w_rad_s > 0.0);
+    CHECK_THAT((0.1 - twist.v_m_s) / twist.w_rad_s * 4.0 * ahead_m / (0.258 * 0.258),
+               WithinRel(std::tan(fork_rad), 1e-3));
+  }
 }
 
 TEST_CASE("A motor that can be turned creeps downhill at rest, one that holds does not") {

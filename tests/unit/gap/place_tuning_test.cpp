@@ -84,7 +84,7 @@ TEST_CASE("A region that is turned round and round is given by a heading of half
   const GapProblem problem({driven(truth)}, {WheelPair{}}, for_each_in_turn);
   const TrialModel upright = with_region({-0.3, 0.6, 0.5, 1.6, 0.5, 1.58});
   const TrialModel tuned = with_region_tuned(problem, upright, for_each_in_turn);
-  const ParameterInfo& heading = tuned.effects.front().info->parameters[5];
+  const ParameterInfo& heading = tuned.effects.front().parameter_info(5);
   CHECK(tuned.effects.front().parameters[5] >= heading.lower);
   CHECK(tuned.effects.front().parameters[5] <= heading.upper);
 }

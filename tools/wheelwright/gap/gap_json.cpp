@@ -10,12 +10,12 @@ namespace {
 using nlohmann::ordered_json;
 
 ordered_json finding_to_json(const gap::Finding& found) {
-  const EffectInfo* info = find_effect(found.setting.name);
+  const auto infos = parameters_of(found.setting);
   ordered_json parameters = ordered_json::object();
-  for (std::size_t i = 0; info != nullptr && i < info->parameters.size(); ++i) {
-    ordered_json parameter = {{"value", found.setting.parameters[i]}, {"unit", info->parameters[i].unit}};
+  for (std::size_t i = 0; i < infos.size(); ++i) {
+    ordered_json parameter = {{"value", found.setting.parameters[i]}, {"unit", infos[i].unit}};
     if (i < found.intervals.size()) parameter["ci95"] = {found.intervals[i].lower, found.intervals[i].upper};
-    parameters[info->parameters[i].name] = parameter;
+    parameters[infos[i].name] = parameter;
   }
   ordered_json rivals = ordered_json::array();
   for (const auto& rival : found.rivals) {

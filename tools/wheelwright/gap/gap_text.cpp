@@ -18,14 +18,15 @@ void print_finding(std::ostream& out, const gap::Finding& found) {
   out << "  " << found.setting.name
       << (found.setting.variant.empty() ? "" : " (" + found.setting.variant + ")") << ": "
       << (info != nullptr ? info->summary : "") << "\n";
-  for (std::size_t i = 0; info != nullptr && i < info->parameters.size(); ++i) {
-    out << "    " << std::left << std::setw(15) << info->parameters[i].name
+  const auto parameters = parameters_of(found.setting);
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    out << "    " << std::left << std::setw(15) << parameters[i].name
         << short_number(found.setting.parameters[i]);
     if (i < found.intervals.size()) {
       out << "  [" << short_number(found.intervals[i].lower) << ", " << short_number(found.intervals[i].upper)
           << "]";
     }
-    out << (info->parameters[i].unit == "1" ? "" : " " + info->parameters[i].unit) << "\n";
+    out << (parameters[i].unit == "1" ? "" : " " + parameters[i].unit) << "\n";
   }
   out << "    on held-out runs " << fixed_number(found.heldout_gain_nats, 1)
       << " nats more likely than without; probability " << fixed_number(found.posterior, 3);

@@ -33,8 +33,9 @@ std::string finding(const gap::Finding& found) {
   text += html::element("p", info->summary + ".");
   text += "<p class=\"quiet\">" + html::escaped(info->cause) + "</p>\n";
   Rows rows;
-  for (std::size_t i = 0; i < info->parameters.size() && i < found.setting.parameters.size(); ++i) {
-    const ParameterInfo& parameter = info->parameters[i];
+  const auto parameters = parameters_of(found.setting);
+  for (std::size_t i = 0; i < parameters.size() && i < found.setting.parameters.size(); ++i) {
+    const ParameterInfo& parameter = parameters[i];
     const bool known = i < found.intervals.size();
     rows.push_back({parameter.name, short_number(found.setting.parameters[i]),
                     known ? "[" + short_number(found.intervals[i].lower) + ", " +
@@ -93,7 +94,7 @@ std::optional<double> value(const std::optional<AtHorizon>& figure) {
 std::string parameters_text(const gap::TrialEffect& effect) {
   std::string text;
   for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
-    const ParameterInfo& info = effect.info->parameters[i];
+    const ParameterInfo& info = effect.parameter_info(i);
     const std::string unit = unit_text(info.unit);
     text += (i > 0 ? ", " : "") + info.name + " " + short_number(effect.parameters[i]) +
             (unit.empty() ? "" : " " + unit);
