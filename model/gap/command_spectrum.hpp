@@ -1,8 +1,8 @@
 // The step in which commands act, where hardly a command is given twice: a sine, a ramp, a joystick.
 //
-// Rounding is a sawtooth over the command, and repeats with the step. Each step is tried by the first harmonic
-// of that, as the linear core passes it on: its size and phase are linear in what the model leaves, and the
-// phase tells where the steps rise.
+// Rounding is a sawtooth over the command, and repeats with the step. Each step is tried by the first
+// harmonic of that, as the linear core passes it on: its size and phase are linear in what the model leaves,
+// and the phase tells where the steps rise.
 #pragma once
 
 #include <optional>

@@ -216,6 +216,26 @@ bool GapLook::stands_out_of_its_own_noise(const Round& round) {
   return false;
 }
 
+// The same for a pair, beside the best that is not one: two effects that hide each other leave what looks the
+// most like noise.
+bool GapLook::pair_stands_out_of_its_own_noise(const Round& round) {
+  constexpr std::size_t few = 3;
+  const NoiseModel noise = train_.noise();
+  set_noise_left_by(round.pair->model);
+  Round again{train_.fit(round.without.model, steps_of_a_refit), 0.0, {}, {}};
+  again.pair = train_.fit(round.pair->model, steps_of_a_refit, part_of_last(round.pair->model, 2));
+  again.contenders.resize(std::min(few, round.contenders.size()));
+  for_each_(again.contenders.size(), [&](std::size_t i) {
+    const TrialModel& model = round.contenders[i].fit.model;
+    again.contenders[i].fit = train_.fit(model, steps_of_a_refit, part_of_last(model, 1));
+  });
+  contest_.judge(again);
+  if (contest_.pair_worth_adding(*again.pair, again)) return true;
+  train_.set_noise(noise);
+  heldout_.set_noise(noise);
+  return false;
+}
+
 // Beside an effect, the core may have got to where no slope had led it, and explain more without that effect,
 // too: what it gained there is not the effect's.
 GapFit GapLook::with_core_of(const GapFit& without, const TrialModel& contender) const {
@@ -241,7 +261,8 @@ Round GapLook::look(const GapFit& without, const std::vector<TrialModel>& more_m
   };
   for (std::size_t i = 0; i < tried.singles.size(); ++i) round.contenders[i].fit.model = tried.singles[i];
   fit_all(steps_of_a_fit, with_region_found);
-  const bool by_pair = round.pair && contest_.pair_worth_adding(*round.pair, round);
+  const bool by_pair = round.pair && (contest_.pair_worth_adding(*round.pair, round) ||
+                                      pair_stands_out_of_its_own_noise(round));
   const bool by_single =
       !round.contenders.empty() && round.contenders.front().score >= limits_.least_train_nats;
   if (by_pair || by_single) {

@@ -62,6 +62,7 @@ class GapLook {
   using RegionSearch = TrialModel (*)(const GapProblem&, TrialModel, const ForEach&);
   void place_regions(Round& round, int steps, RegionSearch placed) const;
   bool stands_out_of_its_own_noise(const Round& round);
+  bool pair_stands_out_of_its_own_noise(const Round& round);
   GapFit with_core_of(const GapFit& without, const TrialModel& contender) const;
   Part part_of_last(const TrialModel& model, std::size_t effects) const;
 

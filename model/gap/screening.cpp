@@ -2,11 +2,11 @@
 
 #include <Eigen/QR>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
 #include "model/gap/decoys.hpp"
+#include "model/gap/screening_pairs.hpp"
 #include "model/gap/screening_probes.hpp"
 
 namespace wheelwright::gap {
@@ -43,21 +43,6 @@ Stretch stretch_of(const TrialEffect& effect) {
   }
   return stretch;
 }
-
-bool vanishes_at_zero(const ParameterInfo& parameter) {
-  return parameter.lower <= 0.0 && parameter.upper >= 0.0;
-}
-
-// What changes of the residuals have in common with each other and with what is left, after the model's own
-// parameters have taken up what they can.
-struct Common {
-  Eigen::MatrixXd products;
-  Eigen::VectorXd with_left;
-
-  Common of(Eigen::Index first, Eigen::Index count) const {
-    return {products.block(first, first, count, count), with_left.segment(first, count)};
-  }
-};
 
 // Whatever is below this of a change, rounding alone may be.
 constexpr double least_share_left = 1e-10;
@@ -103,58 +88,6 @@ Screened judged(const Probe& probe, const Common& common) {
         std::clamp(stretch * result.start.parameters[i], parameter.lower, parameter.upper);
   }
   return result;
-}
-
-// `effect` with its size times `amount`; nothing where it cannot have that size.
-std::optional<TrialEffect> resized(TrialEffect effect, double amount) {
-  constexpr double least_amount = 0.1;
-  constexpr double most_amount = 30.0;
-  if (!(std::abs(amount) > least_amount) || !(std::abs(amount) < most_amount)) return std::nullopt;
-  for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
-    const ParameterInfo& parameter = effect.parameter_info(i);
-    if (!parameter.scales_effect || !vanishes_at_zero(parameter)) continue;
-    const double size = amount * effect.parameters[i];
-    if (size < parameter.lower || size > parameter.upper) return std::nullopt;
-    effect.parameters[i] = size;
-  }
-  return effect;
-}
-
-// What two effects could explain together, each by its place in `common`.
-std::optional<ScreenedPair> pair_of(const TrialEffect& one, const TrialEffect& other, const Common& common) {
-  constexpr double alike = 0.98;  // cosine
-  const double a = common.products(0, 0);
-  const double b = common.products(1, 1);
-  const double both = common.products(0, 1);
-  const double determinant = a * b - both * both;
-  if (!(determinant > (1.0 - alike * alike) * a * b)) return std::nullopt;
-  const double p = -common.with_left(0);
-  const double q = -common.with_left(1);
-  const double first = (p * b - q * both) / determinant;
-  const double second = (q * a - p * both) / determinant;
-  const auto start = resized(one, first);
-  const auto beside = resized(other, second);
-  if (!start || !beside) return std::nullopt;
-  return ScreenedPair{{*start, *beside}, 0.5 * (first * p + second * q)};
-}
-
-std::optional<ScreenedPair> best_pair(const std::vector<TrialEffect>& effects, const Common& common,
-                                      double best_single_nats) {
-  constexpr double times_the_best_single = 1.5;
-  constexpr double least_gain_nats = 40.0;
-  std::optional<ScreenedPair> best;
-  double least = std::max(least_gain_nats, times_the_best_single * best_single_nats);
-  for (std::size_t i = 0; i < effects.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (effects[i].info == effects[j].info) continue;
-      const std::array<Eigen::Index, 2> at{static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)};
-      const auto pair = pair_of(effects[i], effects[j], {common.products(at, at), common.with_left(at)});
-      if (!pair || pair->gain_nats <= least) continue;
-      best = pair;
-      least = pair->gain_nats;
-    }
-  }
-  return best;
 }
 
 Eigen::VectorXd vector_of(const std::vector<double>& values) {
@@ -302,14 +235,16 @@ Screening screen(const GapProblem& problem, const GapFit& fit, std::span<const E
         {{probes[p].info, probes[p].variant, probes[p].points[0]}, judgements[p].nats});
   }
   result.best = best_of_each_variant(judgements);
+  std::vector<Screened> named;
   std::vector<TrialEffect> effects;
-  double best_single_nats = 0.0;
   for (const auto& screened : result.best) {
     if (is_decoy(*screened.start.info)) continue;
+    named.push_back(screened);
     effects.push_back(screened.start);
-    best_single_nats = std::max(best_single_nats, screened.gain_nats);
   }
-  result.pair = best_pair(effects, responses.common(effects, for_each), best_single_nats);
+  const Common common = responses.common(effects, for_each);
+  result.pair = telling_pair(named, common);
+  if (!result.pair) result.pair = hidden_pair(named, common);
   return result;
 }
 

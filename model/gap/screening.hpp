@@ -32,7 +32,7 @@ struct ScreenedPair {
 
 struct Screening {
   std::vector<Screened> best;          // per effect and variant, best first
-  std::optional<ScreenedPair> pair;    // the best one, where it explains far more than any single effect
+  std::optional<ScreenedPair> pair;    // one that explains what no single effect does
   std::vector<Visibility> visibility;  // every size of every effect that was tried
 };
 

@@ -135,7 +135,8 @@ std::string gap_to_json(const gap::GapAnalysis& analysis, const std::optional<ga
   json["next_experiment"] = nullptr;
   if (next) json["next_experiment"] = experiment_to_json(*next, next_file);
   json["search"] = {{"rounds", rounds_to_json(analysis.search.rounds)},
-                    {"checks", rounds_to_json(analysis.search.checks)}};
+                    {"checks", rounds_to_json(analysis.search.checks)},
+                    {"references_late_s", analysis.search.final.model.reference_lag_s()}};
   return json.dump(2) + "\n";
 }
 

@@ -93,8 +93,17 @@ void print_gap(std::ostream& out, const gap::GapAnalysis& analysis) {
   out << "\nthe gap                                       before     after     floor\n";
   print_figures(out, "training", analysis.train);
   print_figures(out, "held out", analysis.test);
+  if (const std::string late = late_references_text(analysis); !late.empty()) out << "  " << late << "\n";
   if (!analysis.not_testable.empty()) out << "\nthese runs cannot show:\n";
   for (const auto& effect : analysis.not_testable) out << "  " << effect.effect << ": " << effect.why << "\n";
+}
+
+std::string late_references_text(const gap::GapAnalysis& analysis) {
+  constexpr double least_s = 0.002;
+  const double late_s = analysis.search.final.model.reference_lag_s();
+  if (std::abs(late_s) < least_s) return "";
+  return "Reference poses tell of the robot " + fixed_number(1000.0 * std::abs(late_s), 0) + " ms " +
+         (late_s > 0.0 ? "later" : "earlier") + " than the counts do, which the figures allow for.";
 }
 
 std::string experiment_text(const gap::NextExperiment& next) {

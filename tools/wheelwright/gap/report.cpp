@@ -15,9 +15,10 @@ namespace {
 
 constexpr std::size_t most_drawn_runs = 3;
 
-std::vector<gap::GatedLog> gated(std::span<const DriveLog> logs) {
-  std::vector<gap::GatedLog> result;
-  for (const auto& log : logs) result.push_back(gap::gate(log));
+// A log without its faults, with what the analysis found of its references.
+gap::GatedLog gated(const DriveLog& log, const gap::GapAnalysis& analysis) {
+  gap::GatedLog result = gap::gate(log);
+  result.log.references_late_s = analysis.search.final.model.reference_lag_s();
   return result;
 }
 
@@ -28,7 +29,7 @@ std::vector<DriveLog> heldout_runs(const gap::GapAnalysis& analysis, std::span<c
   for (const auto logs : {train, test}) {
     for (const DriveLog& log : logs) {
       const bool held_out = std::ranges::find(analysis.held_out, log.name) != analysis.held_out.end();
-      if (held_out && runs.size() < most_drawn_runs) runs.push_back(gap::gate(log).log);
+      if (held_out && runs.size() < most_drawn_runs) runs.push_back(gated(log, analysis).log);
     }
   }
   return runs;
@@ -65,8 +66,10 @@ std::string gap_report(const gap::GapAnalysis& analysis, std::span<const DriveLo
   body += findings_section(analysis);
   body += where_section(analysis);
   if (fitted && analysis.verdict == gap::Verdict::unnamed) {
-    auto all = gated(train);
-    for (auto& log : gated(test)) all.push_back(std::move(log));
+    std::vector<gap::GatedLog> all;
+    for (const auto logs : {train, test}) {
+      for (const DriveLog& log : logs) all.push_back(gated(log, analysis));
+    }
     body += residual_section(gap::residual_table(analysis.after, all));
   }
   body += gap_section(analysis);

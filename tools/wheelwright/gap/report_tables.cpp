@@ -5,6 +5,7 @@
 
 #include "model/effect_library.hpp"
 #include "model/gap/decoys.hpp"
+#include "tools/wheelwright/gap/gap_text.hpp"
 #include "tools/wheelwright/report/html.hpp"
 #include "tools/wheelwright/report/number_text.hpp"
 
@@ -170,6 +171,7 @@ std::string gap_section(const gap::GapAnalysis& analysis) {
       "reduce.";
   if (analysis.tail_held_out)
     text += " A single run: its last third was held out, and has no figures of its own.";
+  text += " " + late_references_text(analysis);
   return section("The gap, before and after", text + "</p>\n");
 }
 
