@@ -71,7 +71,7 @@ constexpr std::size_t first_coasting = 2;
 
 // What stops within a quarter of a second, no motor has let roll.
 std::vector<ParameterInfo> coasting_parameters() {
-  return {{"rolling_time", "s", "time constant of a wheel that rolls freely", 0.0, 6.0, {0.5, 1.5}, 0.25},
+  return {{"rolling_time", "s", "time constant of a wheel that rolls freely", 0.25, 6.0, {0.5, 1.5}, 0.0},
           {"quick_lag",
            "s",
            "time constant under power, as far as the linear core does not hold it",

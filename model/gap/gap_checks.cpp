@@ -139,9 +139,9 @@ void GapChecks::swap_while_better(GapSearch& result) {
 
 // Beside other effects, one that helps a little is often the shape of the others: such an effect stays only
 // where free runs come closer by it. One at a time, the least needed first, since two may stand for each
-// other. A delay that a core could hold is no more than a better linear model: where free runs come closer by
-// it, the core holds it from then on; one that no core could hold is no mere shape. One that does not stand
-// for itself goes whatever the free runs say.
+// other. A delay that a core could hold is no more than a better linear model: where it is clear, or free runs
+// come closer by it, the core holds it from then on; one that no core could hold is no mere shape. One that
+// does not stand for itself goes whatever the free runs say.
 bool GapChecks::drop_idle(GapSearch& result) {
   const auto& effects = result.final.model.effects;
   if (effects.size() < 2) return false;
@@ -157,13 +157,14 @@ bool GapChecks::drop_idle(GapSearch& result) {
     const bool linear = effects[place].info->linear;
     const double least_nats = linear ? limits_.clear_delay_nats : limits_.least_idle_nats;
     const bool of_a_core = linear && !beyond_a_core(effects[place]);
-    if (stands && !of_a_core && nats[place] >= least_nats) continue;
+    const bool is_clear = stands && nats[place] >= least_nats;
+    if (is_clear && !of_a_core) continue;
     TrialModel others = result.final.model;
     others.effects.erase(others.effects.begin() + static_cast<std::ptrdiff_t>(place));
     GapFit without = look_.with_core_afresh(train_.fit(others, steps_of_a_fit));
     const bool closer = stands && free_runs_.closer(without.model, result.final.model);
     if (closer && !of_a_core) continue;
-    if (closer) {
+    if (closer || is_clear) {
       const double delay_s = effects[place].parameters.front();
       without = train_.fit(others.with_later_core(delay_s), steps_of_a_refit);
     }

@@ -216,8 +216,12 @@ bool Contest::worth_adding(const Contender& contender, const std::vector<Round>&
     largest = std::max(largest, first.heldout_nats / first.inflation);
   }
   const double nats = contender.heldout_nats / contender.inflation;
+  // What a wrong shape of the strongest effect leaves, another may fit, but not so that noise alone is left.
+  constexpr double of_noise_alone = 2.0;
+  const double least_share =
+      contender.inflation < of_noise_alone ? limits_.least_share_before_noise : limits_.least_share;
   return good_enough(contender) &&
-         (largest == 0.0 || nats > std::max(limits_.least_further_nats, limits_.least_share * largest));
+         (largest == 0.0 || nats > std::max(limits_.least_further_nats, least_share * largest));
 }
 
 bool Contest::clearly_better(const GapFit& with, const GapFit& without) const {

@@ -44,10 +44,11 @@ struct SearchLimits {
   double least_core_nats = 3.0;      // held out, deflated, for a larger core
   double least_further_nats = 20.0;  // held out, deflated, for a further effect
   double least_share = 0.06;         // of what the strongest effect explains, for a further one
-  double least_idle_nats = 40.0;     // held out, deflated, for one that free runs do not show
-  double clear_delay_nats = 100.0;   // the same for a delay that no core could hold
-  std::size_t most_paths = 3;        // first effects from each of which a search goes on
-  double least_path_score = 0.4;     // of the best one's, for a path of its own
+  double least_share_before_noise = 0.015;  // the same for one that leaves nothing but noise
+  double least_idle_nats = 40.0;            // held out, deflated, for one that free runs do not show
+  double clear_delay_nats = 100.0;          // the same for a delay that no core could hold
+  std::size_t most_paths = 3;               // first effects from each of which a search goes on
+  double least_path_score = 0.4;            // of the best one's, for a path of its own
 };
 
 class Contest {

@@ -75,9 +75,9 @@ Round check(const std::vector<Said>& all) {
   return round;
 }
 
-// Names of what is left of two effects, with what was said for each in its place.
-std::vector<std::string> left_of(const Said& one, const Round& check_of_one, const Said& other,
-                                 const Round& check_of_other, bool free_runs_closer) {
+// What is left of two effects, with what was said for each in its place.
+TrialModel left_model(const Said& one, const Round& check_of_one, const Said& other,
+                      const Round& check_of_other, bool free_runs_closer) {
   GapProblem problem = some_drive();
   Contest contest(problem, problem, {});
   GapLook look(problem, problem, contest, {}, {}, for_each_in_turn);
@@ -88,9 +88,15 @@ std::vector<std::string> left_of(const Said& one, const Round& check_of_one, con
   result.final.model = with_effects({one.effect, other.effect});
   result.checks = {check_of_one, check_of_other};
   const bool dropped = checks.drop_idle(result);
+  CHECK(dropped == (result.final.model.effects.size() < 2));
+  return result.final.model;
+}
+
+std::vector<std::string> left_of(const Said& one, const Round& check_of_one, const Said& other,
+                                 const Round& check_of_other, bool free_runs_closer) {
+  const TrialModel left = left_model(one, check_of_one, other, check_of_other, free_runs_closer);
   std::vector<std::string> names;
-  for (const auto& effect : result.final.model.effects) names.push_back(effect.info->name);
-  CHECK(dropped == (names.size() < 2));
+  for (const auto& effect : left.effects) names.push_back(effect.info->name);
   return names;
 }
 
@@ -125,6 +131,16 @@ TEST_CASE("Beside others a delay that a core could hold is no effect, a longer o
   CHECK(left_beside_strong(core_like, check({core_like}), true) == strong_alone);
   const Said longer{named("transport_delay", {0.4}), 300.0};
   CHECK(left_beside_strong(longer, check({longer}), false).size() == 2);
+}
+
+TEST_CASE("A delay that is clear is left to a core that reaches as far back") {
+  const Said clear{named("transport_delay", {0.04}), 300.0};
+  const Said doubtful{clear.effect, 60.0};
+  const auto weights = [](const Said& delay) {
+    return left_model(strong, check({strong}), delay, check({delay}), false).shape.weights;
+  };
+  CHECK(weights(doubtful) == CoreShape{}.weights);
+  CHECK(weights(clear) > CoreShape{}.weights);
 }
 
 TEST_CASE("What a decoy beats beside others goes, whatever free runs say") {

@@ -89,6 +89,24 @@ TEST_CASE("What training leaves no doubt of needs less on held-out runs to be co
   CHECK_FALSE(good_enough(7.0, 40.0));
 }
 
+TEST_CASE("What leaves noise alone is worth adding though it is small beside the strongest") {
+  const GapProblem runs = driven(with_effects({}), 300);
+  const Contest contest(runs, runs, {});
+  const auto explaining = [](double nats, double inflation) {
+    Contender contender;
+    contender.effect = {find_effect("backlash"), 0, {0.01, 300.0}};
+    contender.train_nats = contender.heldout_nats = nats * inflation;
+    contender.inflation = inflation;
+    return contender;
+  };
+  Round first;
+  first.contenders = {explaining(10000.0, 1.0)};
+  CHECK(contest.worth_adding(explaining(700.0, 30.0), {first}));
+  CHECK_FALSE(contest.worth_adding(explaining(300.0, 30.0), {first}));
+  CHECK(contest.worth_adding(explaining(300.0, 1.5), {first}));
+  CHECK_FALSE(contest.worth_adding(explaining(100.0, 1.5), {first}));
+}
+
 TEST_CASE("What is out of its name's character is no contender for it") {
   const GapProblem problem = driven(with_effects({}), 200);  // commands up to 0.2 m/s
   const Contest contest(problem, problem, {});
