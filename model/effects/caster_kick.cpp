@@ -10,6 +10,10 @@ namespace {
 
 constexpr double moving_m_s = 0.005;
 
+// Variants, all of which come a second time at the wheels (model/at_the_wheels.hpp).
+constexpr std::size_t swivel = 2;
+constexpr std::size_t variants = 3;
+
 class CasterKick final : public EffectOf<CasterKick> {
  public:
   explicit CasterKick(const EffectArguments& arguments)
@@ -93,27 +97,29 @@ class StiffSwivel final : public EffectOf<StiffSwivel> {
   double fork_rad_ = 0.0;  // from behind the pivot, seen from the robot
 };
 
-// Variants of caster_kick, which come a second time at the wheels (model/at_the_wheels.hpp).
-constexpr std::size_t swivel = 2;
-constexpr std::size_t shapes = 3;
-
 std::vector<ParameterInfo> swivel_parameters() {
-  return {
-      {"push",
-       "m/s",
-       "speed that the fork's friction takes when it points backward",
-       0.0,
-       0.3,
-       {0.003, 0.015},
-       0.0003},
-      {"trail", "m", "of the fork: its wheel behind its pivot", 0.003, 0.2, {0.015, 0.04}, 0.0, false},
-      {"ahead", "m", "of the axle the pivot is; negative: behind it", -0.5, 0.5, {0.1, -0.1}, 0.0, false}};
+  return {{"push",
+           "m/s",
+           "speed that the fork's friction takes when it points backward",
+           0.0,
+           0.3,
+           {0.003, 0.015},
+           0.0003},
+          {"trail", "m", "of the fork: its wheel behind its pivot", 0.003, 0.2, {0.015, 0.04}, 0.0, false},
+          {"arm",
+           "m",
+           "from the axle to the fork's pivot; behind the axle is hardly another",
+           0.0,
+           0.5,
+           {0.1},
+           0.0,
+           false}};
 }
 
 // What turns the robot by as much as that is no caster's swing.
 bool only_kicks(const EffectArguments& caster, double) {
   constexpr double largest_kick_rad = 0.5;
-  return caster.variant % shapes == swivel || std::abs(caster.parameters[0]) < largest_kick_rad;
+  return caster.variant % variants == swivel || std::abs(caster.parameters[0]) < largest_kick_rad;
 }
 
 }  // namespace

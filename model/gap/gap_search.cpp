@@ -49,6 +49,7 @@ class Search {
   std::vector<TrialModel> richer_cores(const TrialModel& present) const;
   std::optional<GapFit> better_core(const Round& round) const;
   bool helps_what_is_off(const Contender& best, const Round& round) const;
+  const Contender* first_accepted(const Round& round, const std::vector<Round>& so_far) const;
   bool accepted(const Contender* best, const Round& round, const std::vector<Round>& so_far) const;
   bool pair_accepted(const Round& round, std::size_t rounds_so_far) const;
   std::vector<const Contender*> first_effects(const Round& first) const;
@@ -133,6 +134,18 @@ bool Search::accepted(const Contender* best, const Round& round, const std::vect
   return contest_.stands_beside(train_.fit(with_both, steps_of_a_fit), round.contenders.front());
 }
 
+// Mostly the best one; where correlation leaves that in doubt, the next may be clear.
+const Contender* Search::first_accepted(const Round& round, const std::vector<Round>& so_far) const {
+  constexpr int few = 3;
+  int looked_at = 0;
+  for (const Contender& contender : round.contenders) {
+    if (is_decoy(*contender.effect.info)) continue;
+    if (contender.score <= 0.0 || ++looked_at > few) return nullptr;
+    if (accepted(&contender, round, so_far)) return &contender;
+  }
+  return nullptr;
+}
+
 // Paths that took up the same effects one after the other in another order meet, and go on alike.
 bool Search::was_here_before(const GapFit& present) const {
   constexpr double same = 5e-4;  // of the squares
@@ -158,14 +171,14 @@ Path Search::grown(Path path) {
               0.1 + 0.15 * static_cast<double>(path.rounds.size()));
     Round round = look_.look(path.model);
     while (const auto larger = better_core(round)) round = look_.look(look_.settle(larger->model, 1));
-    const Contender* best = best_named(round);
-    const bool single = accepted(best, round, path.rounds);
-    const bool pair = !single && pair_accepted(round, path.rounds.size());
-    path.model = single ? look_.with_core_afresh(best->fit)
-                 : pair ? look_.with_core_afresh(*round.pair)
-                        : round.without;
+    const Contender* next = first_accepted(round, path.rounds);
+    const bool pair = next == nullptr && pair_accepted(round, path.rounds.size());
+    path.model = next != nullptr ? look_.with_core_afresh(next->fit)
+                 : pair          ? look_.with_core_afresh(*round.pair)
+                                 : round.without;
+    const bool ends = next == nullptr && !pair;
     path.rounds.push_back(std::move(round));
-    if (!single && !pair) return path;
+    if (ends) return path;
   }
 }
 
