@@ -139,9 +139,9 @@ void GapChecks::swap_while_better(GapSearch& result) {
 
 // Beside other effects, one that helps a little is often the shape of the others: such an effect stays only
 // where free runs come closer by it. One at a time, the least needed first, since two may stand for each
-// other. A delay that a core could hold is no more than a better linear model: where it is clear, or free runs
-// come closer by it, the core holds it from then on; one that no core could hold is no mere shape. One that
-// does not stand for itself goes whatever the free runs say.
+// other. A delay that a core could hold is no more than a better linear model: where it is clear, or free
+// runs come closer by it, the core holds it from then on; one that no core could hold is no mere shape. One
+// that does not stand for itself goes whatever the free runs say.
 bool GapChecks::drop_idle(GapSearch& result) {
   const auto& effects = result.final.model.effects;
   if (effects.size() < 2) return false;
