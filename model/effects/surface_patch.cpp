@@ -18,7 +18,8 @@ class SurfacePatch final : public EffectOf<SurfacePatch> {
         sine_(std::sin(arguments.parameters[5])),
         seen_by_encoder_(arguments.variant % 2 == 1),
         under_each_(arguments.variant / 2 % 2 == 1),
-        round_(arguments.variant >= 4) {}
+        round_(arguments.variant >= 4),
+        lag_s_(seen_by_encoder_ ? arguments.parameters[6] : 0.0) {}
 
   void wheel(WheelPair& speed_m_s, const Surroundings& around) override {
     if (seen_by_encoder_) slow_down(speed_m_s, around);
@@ -26,6 +27,7 @@ class SurfacePatch final : public EffectOf<SurfacePatch> {
   void floor(WheelPair& speed_m_s, const Surroundings& around) override {
     if (!seen_by_encoder_) slow_down(speed_m_s, around);
   }
+  void reset() override { began_ = false; }
 
  private:
   static constexpr double edge_m = 0.02;  // the robot does not change floors within one millimetre
@@ -34,12 +36,18 @@ class SurfacePatch final : public EffectOf<SurfacePatch> {
     return std::fmin(1.0, std::fmax(0.0, 0.5 + inside_m / edge_m));
   }
   // The region takes effect where the robot's middle is, or under each wheel by itself.
-  void slow_down(WheelPair& speed_m_s, const Surroundings& around) const {
+  void slow_down(WheelPair& speed_m_s, const Surroundings& around) {
     const double half = under_each_ ? 0.5 * around.wheel_base_m : 0.0;
     const double aside_x = -half * std::sin(around.pose.theta_rad);
     const double aside_y = half * std::cos(around.pose.theta_rad);
-    speed_m_s.left *= gain_at(around.pose.x_m + aside_x, around.pose.y_m + aside_y);
-    speed_m_s.right *= gain_at(around.pose.x_m - aside_x, around.pose.y_m - aside_y);
+    const WheelPair there{gain_at(around.pose.x_m + aside_x, around.pose.y_m + aside_y),
+                          gain_at(around.pose.x_m - aside_x, around.pose.y_m - aside_y)};
+    const double fresh = began_ && lag_s_ > 0.0 ? -std::expm1(-around.period_s / lag_s_) : 1.0;
+    gain_.left += fresh * (there.left - gain_.left);
+    gain_.right += fresh * (there.right - gain_.right);
+    began_ = true;
+    speed_m_s.left *= gain_.left;
+    speed_m_s.right *= gain_.right;
   }
   double gain_at(double at_x_m, double at_y_m) const {
     const double dx = at_x_m - x_m_;
@@ -68,7 +76,27 @@ class SurfacePatch final : public EffectOf<SurfacePatch> {
   bool seen_by_encoder_;
   bool under_each_;
   bool round_;
+  double lag_s_;
+  bool began_ = false;
+  WheelPair gain_;
 };
+
+std::vector<ParameterInfo> region() {
+  return {{"change", "1", "relative change of motion inside", -0.9, 0.9, {-0.1}, 0.01},
+          {"x", "m", "middle of the region, in the frame of the reference", -100.0, 100.0, {}, 0.0, false},
+          {"y", "m", "middle of the region", -100.0, 100.0, {}, 0.0, false},
+          {"length", "m", "of the region, a rectangle or an ellipse", 0.1, 40.0, {0.5, 1.0}, 0.0, false},
+          {"width", "m", "of the region", 0.1, 40.0, {0.5, 1.0}, 0.0, false},
+          {"heading", "rad", "of its length", -1.6, 1.6, {0.1}, 0.0, false}};
+}
+
+// Wheels that turn need a while to slow down and to speed up again.
+std::vector<ParameterInfo> region_for_motors() {
+  std::vector<ParameterInfo> parameters = region();
+  parameters.push_back(
+      {"lag", "s", "time constant in which the wheels take on the change", 0.0, 1.0, {0.1}, 0.0, false});
+  return parameters;
+}
 
 }  // namespace
 
@@ -77,22 +105,18 @@ EffectInfo surface_patch() {
       "surface_patch",
       "motion differs inside a region of the floor",
       "A rug, a wet or worn place. Come back to it: time and battery have changed, the place has not. "
-      "'floor': the wheels slip there, 'wheel': they turn more slowly and the encoders see it; '_each': "
-      "under each wheel by itself, so that the robot turns at the edge; '_round': an ellipse.",
+      "'floor': the wheels slip there, 'wheel': they turn more slowly and the encoders see it, "
+      "after a lag; '_each': under each wheel by itself, so that the robot turns at the edge; '_round': an "
+      "ellipse.",
       {{"floor", EffectStage::floor},
-       {"wheel", EffectStage::wheel},
+       {"wheel", EffectStage::wheel, region_for_motors()},
        {"floor_each", EffectStage::floor},
-       {"wheel_each", EffectStage::wheel},
+       {"wheel_each", EffectStage::wheel, region_for_motors()},
        {"floor_round", EffectStage::floor},
-       {"wheel_round", EffectStage::wheel},
+       {"wheel_round", EffectStage::wheel, region_for_motors()},
        {"floor_each_round", EffectStage::floor},
-       {"wheel_each_round", EffectStage::wheel}},
-      {{"change", "1", "relative change of motion inside", -0.9, 0.9, {-0.1}, 0.01},
-       {"x", "m", "middle of the region, in the frame of the reference", -100.0, 100.0, {}, 0.0, false},
-       {"y", "m", "middle of the region", -100.0, 100.0, {}, 0.0, false},
-       {"length", "m", "of the region, a rectangle or an ellipse", 0.1, 40.0, {0.5, 1.0}, 0.0, false},
-       {"width", "m", "of the region", 0.1, 40.0, {0.5, 1.0}, 0.0, false},
-       {"heading", "rad", "of its length", -1.6, 1.6, {0.1}, 0.0, false}},
+       {"wheel_each_round", EffectStage::wheel, region_for_motors()}},
+      region(),
       {.reference = true, .place = true},
       [](const EffectArguments& arguments) { return std::make_unique<SurfacePatch>(arguments); }};
   info.by_pose = true;

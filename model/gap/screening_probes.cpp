@@ -29,12 +29,14 @@ std::vector<Pose> visited_places(const GapProblem& problem, const TrialModel& mo
   return places;
 }
 
-// Without counts nothing tells whether the wheels or the floor lose the motion: one of the two is enough.
+// Without counts nothing tells whether the wheels or the floor lose the motion: one of the two is enough. Nor
+// which of two wheels is not as large as it should be.
 // What a region does under each wheel by itself, and of what shape it is, is tried when its place is known
 // (place_tuning.hpp).
 bool told_apart(const EffectInfo& info, std::size_t variant, bool counts) {
   const std::string& name = info.variants[variant].name;
-  return (counts || !name.ends_with("at_wheels")) && !name.ends_with("_each") && !name.ends_with("_round");
+  const bool needs_counts = name.ends_with("at_wheels") || name.ends_with("_wheel");
+  return (counts || !needs_counts) && !name.ends_with("_each") && !name.ends_with("_round");
 }
 
 using Points = std::vector<std::vector<double>>;

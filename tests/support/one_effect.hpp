@@ -1,0 +1,19 @@
+// A robot that does at once what it is told, but for one effect.
+#pragma once
+
+#include <vector>
+
+#include "model/model_simulation.hpp"
+
+namespace wheelwright::test {
+
+constexpr double one_effect_period_s = 0.018;
+constexpr double one_effect_wheel_base_m = 0.258;
+
+inline ModelSimulation only(const EffectSetting& effect) {
+  const LinearModel core{
+      ModelType::arma, one_effect_period_s, one_effect_wheel_base_m, {{1.0}, {0.0}, {}}, {{0.0}, {1.0}, {}}};
+  return {core, std::vector{effect}};
+}
+
+}  // namespace wheelwright::test
