@@ -90,38 +90,52 @@ std::vector<ParameterInfo> coasting_parameters() {
            false}};
 }
 
+// With one lag both ways, or a wheel that is always braked.
+std::vector<double> same_both_ways(const EffectArguments& arguments) {
+  std::vector<double> parameters(arguments.parameters.begin(), arguments.parameters.end());
+  if (arguments.variant >= first_coasting) {
+    parameters[2] = 1.0;
+  } else {
+    parameters[0] = 0.0;
+  }
+  return parameters;
+}
+
 }  // namespace
 
 EffectInfo asymmetric_response() {
-  return {"asymmetric_response",
-          "speeding up and slowing down have different dynamics",
-          "Drivers that coast instead of braking, PID loops that cannot brake: one of the two takes longer. "
-          "'command': the drive itself, 'speed': the wheel behind it; '_coasting': slowing down, the wheel "
-          "rolls freely until it is no faster than it should be.",
-          {{"command", EffectStage::command},
-           {"speed", EffectStage::wheel},
-           {"command_coasting", EffectStage::command, coasting_parameters()},
-           {"speed_coasting", EffectStage::wheel, coasting_parameters()}},
-          {{"extra_lag",
-            "s",
-            "time constant added when slowing down; negative: when speeding up",
-            -0.6,
-            0.6,
-            {-0.2, -0.1, -0.05, -0.025, 0.025, 0.05, 0.1, 0.2},
-            0.003},
-           {"quick_lag",
-            "s",
-            "time constant of the quicker of the two, as far as the linear core does not hold it",
-            0.0,
-            0.6,
-            {0.0},
-            0.0,
-            false}},
-          {.variety = true},
-          [](const EffectArguments& arguments) -> std::unique_ptr<Effect> {
-            if (arguments.variant >= first_coasting) return std::make_unique<Following<Coasting>>(arguments);
-            return std::make_unique<Following<SlowOneWay>>(arguments);
-          }};
+  EffectInfo info{
+      "asymmetric_response",
+      "speeding up and slowing down have different dynamics",
+      "Drivers that coast instead of braking, PID loops that cannot brake: one of the two takes longer. "
+      "'command': the drive itself, 'speed': the wheel behind it; '_coasting': slowing down, the wheel "
+      "rolls freely until it is no faster than it should be.",
+      {{"command", EffectStage::command},
+       {"speed", EffectStage::wheel},
+       {"command_coasting", EffectStage::command, coasting_parameters()},
+       {"speed_coasting", EffectStage::wheel, coasting_parameters()}},
+      {{"extra_lag",
+        "s",
+        "time constant added when slowing down; negative: when speeding up",
+        -0.6,
+        0.6,
+        {-0.2, -0.1, -0.05, -0.025, 0.025, 0.05, 0.1, 0.2},
+        0.003},
+       {"quick_lag",
+        "s",
+        "time constant of the quicker of the two, as far as the linear core does not hold it",
+        0.0,
+        0.6,
+        {0.0},
+        0.0,
+        false}},
+      {.variety = true},
+      [](const EffectArguments& arguments) -> std::unique_ptr<Effect> {
+        if (arguments.variant >= first_coasting) return std::make_unique<Following<Coasting>>(arguments);
+        return std::make_unique<Following<SlowOneWay>>(arguments);
+      }};
+  info.linear_part = same_both_ways;
+  return info;
 }
 
 }  // namespace wheelwright::effects

@@ -122,6 +122,8 @@ struct EffectInfo {
   bool by_pose = false;          // hangs on where the robot stands and heads
   // Whether it is what its name says, in runs with such commands, and not mostly another's; empty: always.
   std::function<bool(const EffectArguments&, double largest_command_m_s)> in_character{};
+  // Parameters with which nothing but a linear lag is left of it; what this explains as well, its core lacks.
+  std::function<std::vector<double>(const EffectArguments&)> linear_part{};
 
   const std::vector<ParameterInfo>& parameters_of(std::size_t variant) const {
     const std::vector<ParameterInfo>& own = variants[variant].parameters;

@@ -120,11 +120,22 @@ void Contest::judge(Round& round) const {
     contender = judged(round.without, heldout_without, std::move(contender));
   }
   // A fit that runs away on runs that it has not seen is no fit.
-  std::erase_if(round.contenders, [](const Contender& one) {
-    return !std::isfinite(one.train_nats) || !std::isfinite(one.heldout_nats);
+  std::erase_if(round.contenders, [this](const Contender& one) {
+    return !std::isfinite(one.train_nats) || !std::isfinite(one.heldout_nats) || acts_linearly(one);
   });
   rank(round.contenders);
   leave_out_aliases(round.contenders);
+}
+
+// Where all that it is more than a lag plays next to no part in these runs, the core lacks a lag.
+bool Contest::acts_linearly(const Contender& contender) const {
+  const TrialEffect& effect = contender.effect;
+  if (!effect.info->linear_part) return false;
+  TrialModel linear = contender.fit.model;
+  linear.effects[linear.effects.size() - 1 - contender.behind].parameters =
+      effect.info->linear_part({effect.parameters, effect.variant});
+  const double lost_nats = 0.5 * (squares_of(train_.residuals(linear)) - contender.fit.squares);
+  return lost_nats < limits_.least_further_nats;
 }
 
 double Contest::inflation_between(const Contender& worse, const Contender& better) const {

@@ -88,6 +88,7 @@ class Contest {
  private:
   Contender judged(const GapFit& without, const std::vector<double>& heldout_without,
                    Contender contender) const;
+  bool acts_linearly(const Contender& contender) const;
   double inflation_between(const Contender& worse, const Contender& better) const;
   void rank(std::vector<Contender>& contenders) const;
   static void leave_out_aliases(std::vector<Contender>& contenders);

@@ -72,6 +72,33 @@ TEST_CASE("What all runs say a little stands before what the training alone says
   CHECK_FALSE(contest.good_enough(round.contenders.back()));
 }
 
+TEST_CASE("A lag that is the same both ways is no asymmetric response, however much it explains") {
+  const auto response = [](std::size_t variant, std::vector<double> parameters) {
+    TrialModel model = with_effects({});
+    model.effects.push_back({find_effect("asymmetric_response"), variant, std::move(parameters)});
+    return model;
+  };
+  const auto stands = [&](const TrialModel& robot) {
+    const GapProblem problem = driven(robot, 3000);
+    const auto fit = [&](const TrialModel& model) -> GapFit {
+      const auto residuals = problem.residuals(model);
+      return {model, squares_of(residuals), residuals, {}};
+    };
+    Round round;
+    round.without = fit(with_effects({}));
+    round.contenders.emplace_back();
+    round.contenders.back().fit = fit(robot);
+    const Contest contest(problem, problem, {});
+    contest.judge(round);
+    return !round.contenders.empty() && contest.good_enough(round.contenders.front());
+  };
+  constexpr std::size_t command = 0, command_coasting = 2;
+  CHECK(stands(response(command, {0.1, 0.0})));
+  CHECK_FALSE(stands(response(command, {0.0031, 0.1})));
+  CHECK(stands(response(command_coasting, {2.0, 0.05, 0.0})));
+  CHECK_FALSE(stands(response(command_coasting, {0.25, 0.1, 0.95})));  // slows down too gently to roll
+}
+
 TEST_CASE("What training leaves no doubt of needs less on held-out runs to be confirmed") {
   const GapProblem problem = driven(with_effects({}), 200);
   const Contest contest(problem, problem, {});
