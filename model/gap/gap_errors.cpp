@@ -87,23 +87,26 @@ Increment increment(const Pose& from, const Pose& to) {
   return {c * dx + s * dy, -s * dx + c * dy, to.theta_rad - from.theta_rad};
 }
 
+// Calls `step(k, share)` for each period between two grid times, with the share of it that lies between them.
+template <typename Step>
+void for_each_period(const GridTime& from, const GridTime& to, Step step) {
+  for (std::size_t k = from.period; k <= to.period; ++k) {
+    const double begin = k == from.period ? from.share : 0.0;
+    const double end = k == to.period ? to.share : 1.0;
+    if (end > begin) step(k, end - begin);
+  }
+}
+
 // The same for the sum of odometry steps between two grid times.
 Increment increment(const std::vector<OdometryStep>& steps, const GridTime& from, const GridTime& to) {
   Pose pose;
-  const auto add = [&](std::size_t k, double share) {
-    if (k >= steps.size() || share <= 0.0) return;
+  for_each_period(from, to, [&](std::size_t k, double share) {
+    if (k >= steps.size()) return;
     const double half = 0.5 * share * steps[k].turn_rad;
     const auto [c, s] = direction(pose.theta_rad + half);
     pose = {pose.x_m + share * steps[k].forward_m * c, pose.y_m + share * steps[k].forward_m * s,
             pose.theta_rad + 2.0 * half};
-  };
-  if (from.period == to.period) {
-    add(from.period, to.share - from.share);
-  } else {
-    add(from.period, 1.0 - from.share);
-    for (std::size_t k = from.period + 1; k < to.period; ++k) add(k, 1.0);
-    add(to.period, to.share);
-  }
+  });
   return increment({}, pose);
 }
 
@@ -157,16 +160,17 @@ void motion_errors(const GapRun& run, const ModelSimulation& simulation, const P
 
 // Odometry, with what the model adds to it, from one reference to the next.
 StretchError stretch_error(const GapRun& run, const ModelSimulation& simulation, const Path& path,
-                           const Reference& from, const Reference& to) {
+                           double lag_s, const Reference& from, const Reference& to) {
   Pose pose = simulation.axle_of(from.pose);
-  for (std::size_t k = from.at.period; k < to.at.period && k < path.body.size(); ++k) {
+  for_each_period(earlier(run, from.at, lag_s), earlier(run, to.at, lag_s), [&](std::size_t k, double share) {
+    if (k >= path.body.size()) return;
     OdometryStep step = path.body[k];
     if (run.has_counts) {
       step.forward_m += run.odometry[k].forward_m - path.odometry[k].forward_m;
       step.turn_rad += run.odometry[k].turn_rad - path.odometry[k].turn_rad;
     }
-    pose = move_along_arc(pose, {step.forward_m, step.turn_rad}, 1.0);
-  }
+    pose = move_along_arc(pose, {step.forward_m, step.turn_rad}, share);
+  });
   const Pose measured = relative_to(from.pose, to.pose);
   const Pose predicted = relative_to(from.pose, simulation.observed(pose));
   return {measured.x_m - predicted.x_m, measured.y_m - predicted.y_m,
@@ -208,8 +212,8 @@ RunErrors free_run_errors(const TrialModel& model, const GapRun& run, Part part)
   if (part == Part::wheels) return errors;
   if (run.sparse) {
     for (std::size_t i = 1; i < run.references.size(); ++i) {
-      errors.stretches.push_back(
-          stretch_error(run, simulation, path, run.references[i - 1], run.references[i]));
+      errors.stretches.push_back(stretch_error(run, simulation, path, model.reference_lag_s(),
+                                               run.references[i - 1], run.references[i]));
     }
   } else if (!run[Channel::forward].empty()) {
     motion_errors(run, simulation, path, model.reference_lag_s(), errors);

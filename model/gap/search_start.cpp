@@ -11,8 +11,11 @@ namespace {
 CoreShape shape_for(const GapProblem& train) {
   CoreShape shape;
   shape.shared = !train.has_counts();
-  shape.reference_lag = std::ranges::all_of(
-      train.runs(), [](const GapRun& run) { return run.has_counts && !run[Channel::forward].empty(); });
+  // First and last references alone, at rest, tell of any moment.
+  constexpr std::size_t while_it_drives = 10;
+  shape.reference_lag = std::ranges::all_of(train.runs(), [](const GapRun& run) {
+    return run.has_counts && run.references.size() > while_it_drives;
+  });
   // A core that reaches back 90 ms holds what delay is usual of a serial line and a motor; more of it is an
   // effect.
   const double period_s = train.runs().front().period_s;

@@ -16,14 +16,27 @@ void let_references_lag(DriveLog& log, std::size_t rows) {
   }
 }
 
-GapAnalysis analysed_with_late_references(const std::string& hidden, std::size_t rows = 1) {
+void keep_one_reference_in(DriveLog& log, std::size_t rows) {
+  for (std::size_t k = 0; k < log.samples.size(); ++k) {
+    if (k % rows == 0) continue;
+    log.samples[k].reference_x_m.reset();
+    log.samples[k].reference_y_m.reset();
+    log.samples[k].reference_theta_rad.reset();
+  }
+}
+
+GapAnalysis analysed_with_late_references(const std::string& hidden, std::size_t rows = 1,
+                                          std::size_t one_in = 1) {
   test::GapCaseSpec spec;
   spec.name = hidden;
   spec.channels = test::Channels::ticks_ref;
   spec.runs = 3;
   spec.seconds = 30.0;
   auto logs = test::make_gap_case(spec).runs;
-  for (auto& log : logs) let_references_lag(log, rows);
+  for (auto& log : logs) {
+    let_references_lag(log, rows);
+    keep_one_reference_in(log, one_in);
+  }
   auto analysis = analyse_gap(std::span(logs).first(2), std::span(logs).last(1), {}, for_each_in_turn,
                               [](const std::string&, double) {});
   REQUIRE(analysis);
@@ -52,4 +65,10 @@ TEST_CASE("References that come a period late do not hide what the floor does") 
   const auto analysis = analysed_with_late_references("distance_scale");
   REQUIRE(analysis.verdict == Verdict::named);
   CHECK(analysis.found.front().setting.name == "distance_scale");
+}
+
+TEST_CASE("Late references more than a second apart are no play between encoder and floor either") {
+  const auto analysis = analysed_with_late_references("clean", 2, 60);
+  CHECK(analysis.verdict == Verdict::nothing_missing);
+  CHECK_THAT(analysis.search.final.model.reference_lag_s(), WithinAbs(0.036, 0.005));
 }
