@@ -206,7 +206,8 @@ void Analysis::conclude() {
         return effect.info->linear && !beyond_a_core(effect);
       });
   if ((nothing_closes || of_a_core) && leave_out_linear_effects()) return conclude();
-  if (nothing_closes || (any && (leaves_most_of_it(result_) || is_less_than_a_decoy_adds(result_)))) {
+  if (nothing_closes || (any && (leaves_most_of_it(result_) || is_less_than_a_decoy_adds(result_) ||
+                                 drives_runs_apart(result_)))) {
     std::erase_if(result_.found, [](const Finding& found) { return found.setting.name != dropout_name; });
     result_.search.final = result_.search.baseline;
     size_up();
@@ -289,7 +290,7 @@ void Analysis::doubt_the_noise() {
   const GapFit& left = result_.search.final;
   const NoiseModel noise = with_slow_noise(*train_problem_, left.model, two_seconds_apart_s);
   gap::doubt_the_noise(result_, {random_moments(*train_problem_, left.model, left.residuals),
-                                 wandering_m_per_sqrt_s(*train_problem_, noise)});
+                                 wandering_by(*train_problem_, noise)});
 }
 
 void Analysis::note_runs() {

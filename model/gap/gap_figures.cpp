@@ -42,6 +42,13 @@ double excess(const GapFigures& figures, std::size_t which) {
   return *after / (*floor * allowance_for(figures, which));
 }
 
+double growth(const GapFigures& figures, std::size_t which) {
+  const auto before = values_of(figures.before).at(which);
+  const auto after = values_of(figures.after).at(which);
+  if (!before || !after || *after <= negligible.at(which)) return 0.0;
+  return *after / *before;
+}
+
 double closed(const GapFigures& figures, std::size_t which) {
   const auto before = values_of(figures.before).at(which);
   const auto after = values_of(figures.after).at(which);
@@ -67,6 +74,14 @@ bool some_figure_above_noise(const GapFigures& figures) {
   const Values floor = values_of(figures.floor);
   for (std::size_t i = 0; i < figure_count; ++i) {
     if (before.at(i) && floor.at(i) && *before.at(i) > *floor.at(i)) return true;
+  }
+  return false;
+}
+
+bool some_figure_rises(const GapFigures& train, const GapFigures& test) {
+  constexpr double by_half = 1.5;
+  for (std::size_t i = first_integrated; i < figure_count; ++i) {
+    if (std::min(growth(train, i), growth(test, i)) > by_half) return true;
   }
   return false;
 }

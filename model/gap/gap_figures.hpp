@@ -35,6 +35,9 @@ Excess largest_excess(const GapFigures& train, const GapFigures& test);
 // Whether any figure lies above what noise alone would leave of it, before the analysis.
 bool some_figure_above_noise(const GapFigures& figures);
 
+// Whether any of distance, position and heading became half as large again, in both sets of runs.
+bool some_figure_rises(const GapFigures& train, const GapFigures& test);
+
 // Whether any figure fell by `least_fall` of itself. Figures that lay below `above_floor` floors do not
 // count.
 bool some_figure_falls(const GapFigures& figures, double least_fall, double above_floor);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/gap/gap_analysis.hpp"
+#include "model/gap/gap_size.hpp"
 #include "model/gap/random_moments.hpp"
 #include "model/gap/regular_swing.hpp"
 
@@ -37,6 +38,10 @@ bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out);
 // free runs stay nowhere near the measured ones.
 bool leaves_most_of_it(const GapAnalysis& analysis);
 
+// Whether free runs are further off with what was found than without it: it may follow what the noise that
+// was assumed has left of something else.
+bool drives_runs_apart(const GapAnalysis& analysis);
+
 // Whether a decoy beside all that was found explains more than any of it does in its own place: then the
 // names are shapes of something that the library does not hold.
 bool is_less_than_a_decoy_adds(const GapAnalysis& analysis);
@@ -59,7 +64,7 @@ void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Left
 // moments, or where it has the robot wander further within a second than robots do: then it is unnamed.
 struct SupposedNoise {
   std::optional<RandomMoments> moments;
-  double wandering_m_per_sqrt_s = 0.0;  // of wheels or body, over seconds
+  Wandering wandering;  // over seconds
 };
 void doubt_the_noise(GapAnalysis& analysis, const SupposedNoise& noise);
 

@@ -81,6 +81,15 @@ TEST_CASE("What explains little is no answer where free runs stay far off, what 
   CHECK_FALSE(leaves_most_of_it(analysis_with({finding("floor_slope", 30.0)}, position(8.0, 1.2))));
 }
 
+TEST_CASE("What drives free runs apart in training and held-out runs is no answer, however likely it is") {
+  const auto likely = finding("gain_curve", 4000.0);
+  CHECK(drives_runs_apart(analysis_with({likely}, position(2.0, 3.5))));
+  CHECK_FALSE(drives_runs_apart(analysis_with({likely}, position(2.0, 2.5))));
+  GapAnalysis held_out_only = analysis_with({likely}, position(2.0, 1.0));
+  held_out_only.test = position(2.0, 3.5);
+  CHECK_FALSE(drives_runs_apart(held_out_only));
+}
+
 TEST_CASE("A single effect without a rival stands unless free runs stay nowhere near the measured ones") {
   const auto alone = finding("floor_slope", 30.0, 1.0, 0.1);
   const auto rivalled = finding("floor_slope", 30.0, 1.0, 0.9);
@@ -152,7 +161,7 @@ TEST_CASE("A wheel that was held more than once is something for which the libra
 TEST_CASE("What was called noise is none where it comes at moments, and the moments are said") {
   GapAnalysis analysis = analysis_with({}, position(1.0, 1.0));
   analysis.verdict = Verdict::nothing_missing;
-  doubt_the_noise(analysis, {RandomMoments{{{"run2", 12.34}, {"run1", 4.5}}, 0.7, 0.012}, 0.001});
+  doubt_the_noise(analysis, {RandomMoments{{{"run2", 12.34}, {"run1", 4.5}}, 0.7, 0.012}, {}});
   CHECK(analysis.verdict == Verdict::unnamed);
   CHECK_THAT(analysis.summary, ContainsSubstring("in 1.2 % of the time lies 70 %") &&
                                    ContainsSubstring("run2 at 12.3 s, run1 at 4.5 s"));
@@ -163,17 +172,21 @@ TEST_CASE("What was called noise is none where it comes at moments, and the mome
 TEST_CASE("What was called noise is none where a robot wanders further than robots do") {
   GapAnalysis analysis = analysis_with({}, position(1.0, 1.0));
   analysis.verdict = Verdict::nothing_missing;
-  doubt_the_noise(analysis, {{}, 0.004});
+  doubt_the_noise(analysis, {{}, {0.004, 0.009}});
   CHECK(analysis.verdict == Verdict::nothing_missing);
-  doubt_the_noise(analysis, {{}, 0.04});
+  doubt_the_noise(analysis, {{}, {0.04, 0.0}});
   CHECK(analysis.verdict == Verdict::unnamed);
   CHECK_THAT(analysis.summary, ContainsSubstring("40 mm within a second"));
+  analysis.verdict = Verdict::nothing_missing;
+  doubt_the_noise(analysis, {{}, {0.004, 0.06}});
+  CHECK(analysis.verdict == Verdict::unnamed);
+  CHECK_THAT(analysis.summary, ContainsSubstring("60 mrad within a second"));
 }
 
 TEST_CASE("Where something was said already, the noise is not doubted") {
   GapAnalysis analysis = analysis_with({}, position(1.0, 1.0));
   analysis.verdict = Verdict::not_testable;
-  doubt_the_noise(analysis, {{}, 0.04});
+  doubt_the_noise(analysis, {{}, {0.04, 0.0}});
   CHECK(analysis.verdict == Verdict::not_testable);
 }
 
