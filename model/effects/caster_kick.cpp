@@ -12,7 +12,8 @@ constexpr double moving_m_s = 0.005;
 
 // Variants, all of which come a second time at the wheels (model/at_the_wheels.hpp).
 constexpr std::size_t swivel = 2;
-constexpr std::size_t variants = 3;
+constexpr std::size_t swing = 3;
+constexpr std::size_t variants = 4;
 
 class CasterKick final : public EffectOf<CasterKick> {
  public:
@@ -55,46 +56,86 @@ class CasterKick final : public EffectOf<CasterKick> {
   double swung_ = 1.0;      // share of it
 };
 
-// A fork that is stiff in its pivot pushes for as long as it turns, at flips and in every turn. Its wheel is
-// dragged after the pivot (a tractrix: the tangent of half the angle between the fork and where its pivot
-// goes shrinks to 1/e within one trail), and what turns it against friction is a force on the robot's nose.
-class StiffSwivel final : public EffectOf<StiffSwivel> {
+// A fork whose wheel is dragged after its pivot (a tractrix: the tangent of half the angle between the fork
+// and where its pivot goes shrinks to 1/e within one trail).
+class Fork {
  public:
-  explicit StiffSwivel(const EffectArguments& arguments)
-      : push_m_s_(arguments.parameters[0]),
-        trail_m_(arguments.parameters[1]),
-        ahead_m_(arguments.parameters[2]) {}
+  Fork(double trail_m, double ahead_m, double lean_rad = 0.0)
+      : trail_m_(trail_m), ahead_m_(ahead_m), lean_rad_(lean_rad), angle_rad_(lean_rad) {}
 
-  void body(Twist& twist, const Surroundings& around) override {
-    const double turned_rad = dragged_rad(twist, around.period_s);
-    const double middle_rad = fork_rad_ + 0.5 * turned_rad;
-    fork_rad_ += turned_rad - twist.w_rad_s * around.period_s;
-    const double swivel_rad_s = turned_rad / around.period_s - twist.w_rad_s;
-    const double push_m_s = push_m_s_ * std::tanh(swivel_rad_s / sliding_rad_s);
-    // Wheels that give way by that much to a force along the robot turn it by this much for one across.
-    const double arm_1_m = 4.0 * ahead_m_ / (around.wheel_base_m * around.wheel_base_m);
-    twist.v_m_s += push_m_s * std::sin(middle_rad);
-    twist.w_rad_s -= push_m_s * std::cos(middle_rad) * arm_1_m;
+  struct Step {
+    double middle_rad;    // the fork in the middle of the period, from behind the pivot, seen from the robot
+    double swivel_rad_s;  // seen from the robot
+  };
+  Step drag(const Twist& twist, double period_s) {
+    const double turned_rad = dragged_rad(twist, period_s);
+    const Step step{angle_rad_ + 0.5 * turned_rad, turned_rad / period_s - twist.w_rad_s};
+    angle_rad_ += turned_rad - twist.w_rad_s * period_s;
+    return step;
   }
-  void reset() override { fork_rad_ = 0.0; }
+  void reset() { angle_rad_ = lean_rad_; }
 
  private:
-  static constexpr double sliding_rad_s = 0.7;  // where friction of the pivot has its full size
-
   // Seen from the floor, in the middle of the period's turn.
   double dragged_rad(const Twist& twist, double period_s) const {
     const double sideways_m_s = twist.w_rad_s * ahead_m_;
     const double heading_rad = std::atan2(sideways_m_s, twist.v_m_s);
+    const double behind_rad = heading_rad + lean_rad_ * std::cos(heading_rad);
     const double off_rad =
-        std::remainder(fork_rad_ - 0.5 * twist.w_rad_s * period_s - heading_rad, 2.0 * std::numbers::pi);
+        std::remainder(angle_rad_ - 0.5 * twist.w_rad_s * period_s - behind_rad, 2.0 * std::numbers::pi);
     const double shrunk = std::exp(-std::hypot(twist.v_m_s, sideways_m_s) * period_s / trail_m_);
     return 2.0 * std::atan(std::tan(0.5 * off_rad) * shrunk) - off_rad;
   }
 
-  double push_m_s_;
   double trail_m_;
   double ahead_m_;
-  double fork_rad_ = 0.0;  // from behind the pivot, seen from the robot
+  double lean_rad_;  // by which it stands aside on a straight way, forward or backward to the same side
+  double angle_rad_;
+};
+
+// A fork that is stiff in its pivot pushes for as long as it turns, at flips and in every turn: what turns it
+// against friction is a force on the robot's nose.
+class StiffSwivel final : public EffectOf<StiffSwivel> {
+ public:
+  explicit StiffSwivel(const EffectArguments& arguments)
+      : push_m_s_(arguments.parameters[0]),
+        ahead_m_(arguments.parameters[2]),
+        fork_(arguments.parameters[1], arguments.parameters[2]) {}
+
+  void body(Twist& twist, const Surroundings& around) override {
+    const Fork::Step fork = fork_.drag(twist, around.period_s);
+    const double push_m_s = push_m_s_ * std::tanh(fork.swivel_rad_s / sliding_rad_s);
+    // Wheels that give way by that much to a force along the robot turn it by this much for one across.
+    const double arm_1_m = 4.0 * ahead_m_ / (around.wheel_base_m * around.wheel_base_m);
+    twist.v_m_s += push_m_s * std::sin(fork.middle_rad);
+    twist.w_rad_s -= push_m_s * std::cos(fork.middle_rad) * arm_1_m;
+  }
+  void reset() override { fork_.reset(); }
+
+ private:
+  static constexpr double sliding_rad_s = 0.7;  // where friction of the pivot has its full size
+
+  double push_m_s_;
+  double ahead_m_;
+  Fork fork_;
+};
+
+// A wheel that scrubs while its fork swings round turns the robot in proportion; to which side it goes at a
+// flip is a matter of the turn before, and of how it leans.
+class ScrubbingSwing final : public EffectOf<ScrubbingSwing> {
+ public:
+  explicit ScrubbingSwing(const EffectArguments& arguments)
+      : angle_rad_(arguments.parameters[0]),
+        fork_(arguments.parameters[1], arguments.parameters[2], arguments.parameters[3]) {}
+
+  void body(Twist& twist, const Surroundings& around) override {
+    twist.w_rad_s += angle_rad_ / std::numbers::pi * fork_.drag(twist, around.period_s).swivel_rad_s;
+  }
+  void reset() override { fork_.reset(); }
+
+ private:
+  double angle_rad_;
+  Fork fork_;
 };
 
 std::vector<ParameterInfo> swivel_parameters() {
@@ -116,6 +157,20 @@ std::vector<ParameterInfo> swivel_parameters() {
            false}};
 }
 
+std::vector<ParameterInfo> swing_parameters() {
+  return {{"angle", "rad", "turn that a whole swing makes", -1.0, 1.0, {-0.05, 0.05}, 0.002},
+          {"trail", "m", "of the fork: its wheel behind its pivot", 0.003, 0.2, {0.015, 0.03}, 0.0, false},
+          {"arm", "m", "from the axle to the fork's pivot", 0.0, 0.5, {0.1}, 0.0, false},
+          {"lean",
+           "rad",
+           "by which the fork stands aside on a straight way",
+           -0.5,
+           0.5,
+           {-0.15, 0.0, 0.15},
+           0.0,
+           false}};
+}
+
 // What turns the robot by as much as that is no caster's swing.
 bool only_kicks(const EffectArguments& caster, double) {
   constexpr double largest_kick_rad = 0.5;
@@ -130,10 +185,11 @@ EffectInfo caster_kick() {
       "a short yaw disturbance after the direction of travel flips",
       "A caster swings round and pushes the robot aside while it does. 'same': to the same side at every "
       "flip, 'alternating': to one side when it begins to go forward, to the other when backward; 'swivel': "
-      "by the friction of its pivot, in turns as well.",
+      "by the friction of its pivot, in turns as well; 'swing': as it scrubs, to the side to which it stood.",
       {{"same", EffectStage::body},
        {"alternating", EffectStage::body},
-       {"swivel", EffectStage::body, swivel_parameters()}},
+       {"swivel", EffectStage::body, swivel_parameters()},
+       {"swing", EffectStage::body, swing_parameters()}},
       {{"angle", "rad", "turn that one kick makes in all", -1.0, 1.0, {-0.05, -0.02, 0.02, 0.05}, 0.002},
        {"distance",
         "m",
@@ -154,6 +210,7 @@ EffectInfo caster_kick() {
       {.reference = true, .reversal = true},
       [](const EffectArguments& arguments) -> std::unique_ptr<Effect> {
         if (arguments.variant == swivel) return std::make_unique<StiffSwivel>(arguments);
+        if (arguments.variant == swing) return std::make_unique<ScrubbingSwing>(arguments);
         return std::make_unique<CasterKick>(arguments);
       },
       true};

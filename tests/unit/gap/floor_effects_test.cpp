@@ -135,6 +135,29 @@ TEST_CASE("A caster that is turned back half-way swings no further than it had c
   CHECK_THAT(drive(0.1, 500), WithinAbs(half_rad, 0.0015));
 }
 
+TEST_CASE("A scrubbing caster turns the robot to the side to which the turn before had put it") {
+  const auto turned_by_flip_after = [](double turn_rate_rad_s, double lean_rad) {
+    ModelSimulation simulation = only({"caster_kick", "swing", {0.1, 0.02, 0.1, lean_rad}});
+    const auto drive = [&](WheelPair command_m_s, int periods) {
+      double sum_rad = 0.0;
+      for (int k = 0; k < periods; ++k) sum_rad += period_s * simulation.step(command_m_s).twist.w_rad_s;
+      return sum_rad;
+    };
+    const double half_m_s = 0.5 * test::one_effect_wheel_base_m * turn_rate_rad_s;
+    drive({0.1 - half_m_s, 0.1 + half_m_s}, 200);
+    return drive({-0.1, -0.1}, 200);
+  };
+  // In a left curve the fork stands to the right of straight behind, by the angle of its pivot's way less
+  // what turns it: to the front it has a half turn less that left.
+  const double pivot_m_s = std::hypot(0.1, 0.05);
+  const double aside_rad = std::atan2(0.05, 0.1) - std::asin(0.5 * 0.02 / pivot_m_s);
+  const double swing_rad = 0.1 * (std::numbers::pi - aside_rad) / std::numbers::pi;
+  CHECK_THAT(turned_by_flip_after(0.5, 0.0), WithinAbs(-turned_by_flip_after(-0.5, 0.0), 1e-9));
+  CHECK_THAT(std::abs(turned_by_flip_after(0.5, 0.0)), WithinAbs(swing_rad, 0.002));
+  CHECK_THAT(turned_by_flip_after(0.0, 0.1), WithinAbs(-turned_by_flip_after(0.0, -0.1), 1e-9));
+  CHECK(std::abs(turned_by_flip_after(0.0, 0.1)) > 0.09);
+}
+
 TEST_CASE("A stiff caster turns the robot on after a curve, until its fork has come round behind") {
   const double trail_m = 0.02;
   const double ahead_m = 0.12;
