@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "model/gap/commanded_stillness.hpp"
 #include "model/gap/thinned_counts.hpp"
 
 namespace wheelwright::gap {
@@ -59,12 +60,6 @@ std::string held(bool left, double duration_s) {
          " s: its counts and the reference agree on that";
 }
 
-// Rows in which the counts of one wheel stand still: those behind `first`, to `end`.
-struct Freeze {
-  std::size_t first = 0;
-  std::size_t end = 0;
-};
-
 std::vector<Freeze> freezes_of(const GateState& gate, bool left) {
   const auto& samples = gate.result.log.samples;
   const auto stands = [&](std::size_t k) {
@@ -75,7 +70,7 @@ std::vector<Freeze> freezes_of(const GateState& gate, bool left) {
     if (!stands(i)) continue;
     std::size_t end = i;
     while (end + 1 < samples.size() && stands(end + 1)) ++end;
-    const Freeze freeze{i - 1, end};
+    const Freeze freeze{i - 1, end, left};
     i = end;
     if (samples[freeze.end].t_s - samples[freeze.first].t_s < shortest_freeze_s || freeze.first < 3 ||
         freeze.end + 4 >= samples.size())
@@ -92,8 +87,9 @@ struct SpeedsAround {
   double after_m_s = 0.0;
 };
 
-SpeedsAround speeds_around(const GateState& gate, const Freeze& freeze, bool left) {
+SpeedsAround speeds_around(const GateState& gate, const Freeze& freeze) {
   const auto& samples = gate.result.log.samples;
+  const bool left = freeze.left;
   const auto speed = [&](std::size_t from, std::size_t to) {
     return (gate.travel(to, left) - gate.travel(from, left)) / (samples[to].t_s - samples[from].t_s);
   };
@@ -103,39 +99,44 @@ SpeedsAround speeds_around(const GateState& gate, const Freeze& freeze, bool lef
     if (!as_fast || std::abs(speed_m_s) < surely_turning_m_s) return 0.0;
     return std::copysign(std::min(std::abs(speed_m_s), std::abs(beside_the_freeze_m_s) / 0.6), speed_m_s);
   };
-  const auto [first, end] = freeze;
+  const std::size_t first = freeze.first;
+  const std::size_t end = freeze.end;
   // What comes with the first reading behind the freeze may be all that was held back.
   return {sure(speed(first - 3, first), speed(first - 1, first)),
           sure(speed(end + 1, end + 4), speed(end + 1, end + 2))};
 }
 
-void leave_out_frozen(GateState& gate, const Freeze& freeze, bool left) {
+void leave_out_frozen(GateState& gate, const Freeze& freeze) {
   const auto& samples = gate.result.log.samples;
   const double duration = samples[freeze.end].t_s - samples[freeze.first].t_s;
   for (std::size_t k = freeze.first + 1; k <= freeze.end; ++k) gate.result.flags.counts[k] = 1;
   gate.result.dropouts.push_back({samples[freeze.first].t_s, duration});
-  gate.fault(freeze.first + 1, std::string(left ? "ticks_left" : "ticks_right") + " stand still for " +
+  gate.fault(freeze.first + 1, std::string(freeze.left ? "ticks_left" : "ticks_right") + " stand still for " +
                                    in_digits(duration, 3) +
                                    " s while the wheel turns; the rows were left out");
 }
 
-// Counts of one wheel that stand still between two moments at which the wheel surely turned.
-void find_frozen_counts(GateState& gate, bool left) {
-  const auto& samples = gate.result.log.samples;
-  const double tick = left ? gate.result.log.metres_per_tick->left : gate.result.log.metres_per_tick->right;
-  for (const Freeze& freeze : freezes_of(gate, left)) {
-    const auto [first, end] = freeze;
-    const double duration = samples[end].t_s - samples[first].t_s;
-    const auto [before, after] = speeds_around(gate, freeze, left);
-    const double least = std::min(std::abs(before), std::abs(after));
-    if (before * after <= 0.0 || least * duration < expected_counts_in_freeze * tick) continue;
-    if (told_to_stand(gate.result.log, first, end, left, before)) continue;
-    if (moved_as_counted(gate, first, end, 0.5 * least * duration)) {
-      gate.event(first + 1, held(left, duration));
-      continue;
+double tick_m(const GateState& gate, bool left) {
+  return left ? gate.result.log.metres_per_tick->left : gate.result.log.metres_per_tick->right;
+}
+
+double duration_s(const GateState& gate, const Freeze& freeze) {
+  return gate.result.log.samples[freeze.end].t_s - gate.result.log.samples[freeze.first].t_s;
+}
+
+// Counts of either wheel that stand still between two moments at which the wheel surely turned.
+std::vector<Freeze> frozen_counts(const GateState& gate) {
+  std::vector<Freeze> frozen;
+  for (const bool left : {true, false}) {
+    for (const Freeze& freeze : freezes_of(gate, left)) {
+      const auto [before, after] = speeds_around(gate, freeze);
+      const double least_m = std::min(std::abs(before), std::abs(after)) * duration_s(gate, freeze);
+      if (before * after <= 0.0 || least_m < expected_counts_in_freeze * tick_m(gate, left)) continue;
+      if (told_to_stand(gate.result.log, freeze.first, freeze.end, left, before)) continue;
+      frozen.push_back(freeze);
     }
-    leave_out_frozen(gate, freeze, left);
   }
+  return frozen;
 }
 
 // Where counts were lost more than once, they are lost at turns and stops, too: from such a speed no wheel
@@ -143,48 +144,73 @@ void find_frozen_counts(GateState& gate, bool left) {
 void find_frozen_at_turns(GateState& gate, bool left) {
   constexpr double too_fast_to_stop_m_s = 0.1;
   constexpr double surely_on_its_way_s = 0.1;
-  const double tick = left ? gate.result.log.metres_per_tick->left : gate.result.log.metres_per_tick->right;
   for (const Freeze& freeze : freezes_of(gate, left)) {
-    const auto [first, end] = freeze;
-    if (gate.result.flags.counts[end] != 0) continue;
-    const auto [before, after] = speeds_around(gate, freeze, left);
+    if (gate.result.flags.counts[freeze.end] != 0) continue;
+    const auto [before, after] = speeds_around(gate, freeze);
     const double fastest = std::max(std::abs(before), std::abs(after));
-    const double duration = gate.result.log.samples[end].t_s - gate.result.log.samples[first].t_s;
-    if (fastest < too_fast_to_stop_m_s || fastest * duration < expected_counts_in_freeze * tick) continue;
+    const double duration = duration_s(gate, freeze);
+    if (fastest < too_fast_to_stop_m_s ||
+        fastest * duration < expected_counts_in_freeze * tick_m(gate, left)) {
+      continue;
+    }
     const double least_lost_m = fastest * std::min(duration, surely_on_its_way_s);
-    if (!moved_as_counted(gate, first, end, 0.5 * least_lost_m)) leave_out_frozen(gate, freeze, left);
+    if (!moved_as_counted(gate, freeze.first, freeze.end, 0.5 * least_lost_m)) leave_out_frozen(gate, freeze);
   }
+}
+
+// Where a reference saw that the wheel stood, that is said.
+void find_frozen_counts(GateState& gate) {
+  const std::vector<Freeze> frozen = frozen_counts(gate);
+  if (stand_by_command(gate.result.log, frozen)) return;
+  std::size_t lost = 0;
+  for (const Freeze& freeze : frozen) {
+    const auto [before, after] = speeds_around(gate, freeze);
+    const double least_m = std::min(std::abs(before), std::abs(after)) * duration_s(gate, freeze);
+    if (moved_as_counted(gate, freeze.first, freeze.end, 0.5 * least_m)) {
+      gate.event(freeze.first + 1, held(freeze.left, duration_s(gate, freeze)));
+      continue;
+    }
+    leave_out_frozen(gate, freeze);
+    ++lost;
+  }
+  if (lost < more_than_chance) return;
+  for (const bool left : {true, false}) find_frozen_at_turns(gate, left);
+}
+
+void leave_out_thinned(GateState& gate, const ThinnedCounts& stretch, bool left, double duration_s) {
+  for (std::size_t k = stretch.first_row; k <= stretch.last_row; ++k) gate.result.flags.counts[k] = 1;
+  gate.result.dropouts.push_back({gate.result.log.samples[stretch.first_row - 1].t_s, duration_s});
+  gate.fault(stretch.first_row, std::string(left ? "ticks_left" : "ticks_right") + " miss " +
+                                    in_digits(std::round(100.0 * stretch.lost), 3) +
+                                    " % of their edges for " + in_digits(duration_s, 3) +
+                                    " s; the rows were left out");
 }
 
 // A part of the edges, for a while.
 void find_missed_edges(GateState& gate) {
-  const auto& samples = gate.result.log.samples;
-  const auto duration_s = [&](const ThinnedCounts& stretch) {
-    return samples[stretch.last_row].t_s - samples[stretch.first_row - 1].t_s;
-  };
-  std::vector<std::pair<ThinnedCounts, bool>> thinned;
+  std::vector<Freeze> stretches;
+  std::vector<ThinnedCounts> thinned;
   for (const bool left : {true, false}) {
     for (const auto& stretch : find_thinned_counts(gate.result.log, gate.result.flags.counts, left)) {
-      const std::size_t before = stretch.first_row - 1;
-      const double counted_m = std::abs(gate.travel(stretch.last_row, left) - gate.travel(before, left));
-      const double lost_m = counted_m * stretch.lost / (1.0 - stretch.lost);
-      if (moved_as_counted(gate, before, stretch.last_row, 0.5 * lost_m)) {
-        gate.event(stretch.first_row, held(left, duration_s(stretch)));
-        continue;
-      }
-      thinned.emplace_back(stretch, left);
+      stretches.push_back({stretch.first_row - 1, stretch.last_row, left});
+      thinned.push_back(stretch);
     }
   }
-  if (thinned.size() < more_than_chance) return;
-  for (const auto& [stretch, left] : thinned) {
-    const double start_s = samples[stretch.first_row - 1].t_s;
-    const double duration = duration_s(stretch);
-    for (std::size_t k = stretch.first_row; k <= stretch.last_row; ++k) gate.result.flags.counts[k] = 1;
-    gate.result.dropouts.push_back({start_s, duration});
-    gate.fault(stretch.first_row, std::string(left ? "ticks_left" : "ticks_right") + " miss " +
-                                      in_digits(std::round(100.0 * stretch.lost), 3) +
-                                      " % of their edges for " + in_digits(duration, 3) +
-                                      " s; the rows were left out");
+  if (stand_by_command(gate.result.log, stretches)) return;
+  std::vector<std::size_t> lost;
+  for (std::size_t i = 0; i < thinned.size(); ++i) {
+    const auto [first, end, left] = stretches[i];
+    const double counted_m = std::abs(gate.travel(end, left) - gate.travel(first, left));
+    const double lost_m = counted_m * thinned[i].lost / (1.0 - thinned[i].lost);
+    if (moved_as_counted(gate, first, end, 0.5 * lost_m)) {
+      gate.event(thinned[i].first_row, held(left, duration_s(gate, stretches[i])));
+    } else {
+      lost.push_back(i);
+    }
+  }
+  if (lost.size() < more_than_chance) return;
+  for (const std::size_t i : lost) {
+    leave_out_thinned(gate, thinned[i], stretches[i].left, duration_s(gate, stretches[i]));
   }
 }
 
@@ -231,11 +257,7 @@ void find_dropouts(GateState& gate) {
     gate.fault(i, "no counts for " + in_digits(duration, 3) + " s; the rows were left out");
     i = end;
   }
-  const std::size_t without_counts = gate.result.dropouts.size();
-  for (const bool left : {true, false}) find_frozen_counts(gate, left);
-  if (gate.result.dropouts.size() >= without_counts + more_than_chance) {
-    for (const bool left : {true, false}) find_frozen_at_turns(gate, left);
-  }
+  find_frozen_counts(gate);
   find_missed_edges(gate);
 }
 
