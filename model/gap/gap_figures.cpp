@@ -45,7 +45,8 @@ double excess(const GapFigures& figures, std::size_t which) {
 double growth(const GapFigures& figures, std::size_t which) {
   const auto before = values_of(figures.before).at(which);
   const auto after = values_of(figures.after).at(which);
-  if (!before || !after || *after <= negligible.at(which)) return 0.0;
+  constexpr double of_consequence = 5.0;  // in negligible errors
+  if (!before || !after || *after <= of_consequence * negligible.at(which)) return 0.0;
   return *after / *before;
 }
 

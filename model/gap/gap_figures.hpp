@@ -35,7 +35,8 @@ Excess largest_excess(const GapFigures& train, const GapFigures& test);
 // Whether any figure lies above what noise alone would leave of it, before the analysis.
 bool some_figure_above_noise(const GapFigures& figures);
 
-// Whether any of distance, position and heading became half as large again, in both sets of runs.
+// Whether any of distance, position and heading became half as large again, in both sets of runs. Up to 15 mm
+// of travel, 30 mm of position and 50 mrad of heading do not count.
 bool some_figure_rises(const GapFigures& train, const GapFigures& test);
 
 // Whether any figure fell by `least_fall` of itself. Figures that lay below `above_floor` floors do not
