@@ -215,6 +215,7 @@ EffectInfo caster_kick() {
       },
       true};
   info.in_character = only_kicks;
+  info.sudden = true;
   return info;
 }
 

@@ -67,6 +67,7 @@ EffectInfo stiction() {
       {.variety = true},
       [](const EffectArguments& arguments) { return std::make_unique<Stiction>(arguments); }};
   info.in_character = sticks;
+  info.sudden = true;
   return info;
 }
 

@@ -28,6 +28,7 @@ Finding finding(const GapSearch& search, std::size_t index) {
     entry->second = std::max(entry->second, contender.score);
     if (name == found.setting.name && found.heldout_gain_nats == 0.0) {
       found.heldout_gain_nats = contender.heldout_nats / contender.inflation;
+      found.inflation = contender.inflation;
       found.p_value = std::clamp(std::exp(-found.heldout_gain_nats), smallest_p, 1.0);
     }
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 namespace wheelwright::gap {
@@ -50,6 +51,13 @@ double growth(const GapFigures& figures, std::size_t which) {
   return *after / *before;
 }
 
+std::optional<double> share_gone(const GapFigures& figures, std::size_t which) {
+  const auto before = values_of(figures.before).at(which);
+  const auto after = values_of(figures.after).at(which);
+  if (!before || !after || !(*before > 0.0)) return std::nullopt;
+  return 1.0 - std::pow(*after / *before, 2);
+}
+
 double closed(const GapFigures& figures, std::size_t which) {
   const auto before = values_of(figures.before).at(which);
   const auto after = values_of(figures.after).at(which);
@@ -77,6 +85,16 @@ bool some_figure_above_noise(const GapFigures& figures) {
     if (before.at(i) && floor.at(i) && *before.at(i) > *floor.at(i)) return true;
   }
   return false;
+}
+
+double largest_share_gone(const GapFigures& train, const GapFigures& test) {
+  std::optional<double> largest;
+  for (std::size_t i = first_integrated; i < figure_count; ++i) {
+    const auto in_train = share_gone(train, i);
+    const auto in_test = share_gone(test, i);
+    if (in_train && in_test) largest = std::max(largest.value_or(-1e9), std::min(*in_train, *in_test));
+  }
+  return largest.value_or(1.0);
 }
 
 bool some_figure_rises(const GapFigures& train, const GapFigures& test) {

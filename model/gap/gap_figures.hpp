@@ -35,6 +35,10 @@ Excess largest_excess(const GapFigures& train, const GapFigures& test);
 // Whether any figure lies above what noise alone would leave of it, before the analysis.
 bool some_figure_above_noise(const GapFigures& figures);
 
+// Of the mean square of distance, position or heading before, how much is gone after: the most of the three,
+// each by the set of runs in which less is. One where there is no such figure.
+double largest_share_gone(const GapFigures& train, const GapFigures& test);
+
 // Whether any of distance, position and heading became half as large again, in both sets of runs. Up to 15 mm
 // of travel, 30 mm of position and 50 mrad of heading do not count.
 bool some_figure_rises(const GapFigures& train, const GapFigures& test);

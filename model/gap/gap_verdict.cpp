@@ -5,6 +5,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "model/effect_library.hpp"
 #include "model/gap/decoys.hpp"
 
 namespace wheelwright::gap {
@@ -263,6 +264,18 @@ bool leaves_most_of_it(const GapAnalysis& analysis) {
   };
   if (of_runs == 0 || std::ranges::any_of(analysis.found, stands)) return false;
   return left.times >= nowhere_near || (left.times >= far_above_noise && left.closed < 0.5);
+}
+
+bool is_the_smaller_part(const GapAnalysis& analysis) {
+  constexpr double half = 0.5;
+  constexpr double hangs_together = 15.0;  // inflation
+  const auto smooth = [&](const Finding& found) {
+    const EffectInfo* info = find_effect(found.setting.name);
+    return info != nullptr && !info->sudden && of_free_runs(found) && found.inflation > hangs_together;
+  };
+  const GapFigures& test = analysis.tail_held_out ? analysis.train : analysis.test;
+  return !analysis.found.empty() && std::ranges::all_of(analysis.found, smooth) &&
+         largest_share_gone(analysis.train, test) < half;
 }
 
 bool drives_runs_apart(const GapAnalysis& analysis) {

@@ -38,6 +38,10 @@ bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out);
 // free runs stay nowhere near the measured ones.
 bool leaves_most_of_it(const GapAnalysis& analysis);
 
+// Whether what is left, which hangs together, is more than what was found explains. Where a moment or a place
+// decides, it may be: little is wrong, and much of the run with it.
+bool is_the_smaller_part(const GapAnalysis& analysis);
+
 // Whether free runs are further off with what was found than without it: it may follow what the noise that
 // was assumed has left of something else.
 bool drives_runs_apart(const GapAnalysis& analysis);

@@ -90,6 +90,20 @@ TEST_CASE("What drives free runs apart in training and held-out runs is no answe
   CHECK_FALSE(drives_runs_apart(held_out_only));
 }
 
+TEST_CASE("A smooth effect is no answer where more than it explains is left and hangs together") {
+  const auto deflated_by = [](const std::string& effect, double inflation) {
+    Finding found = finding(effect, 400.0);
+    found.inflation = inflation;
+    return found;
+  };
+  CHECK(is_the_smaller_part(analysis_with({deflated_by("gain_curve", 27.0)}, position(2.0, 1.6))));
+  CHECK_FALSE(is_the_smaller_part(analysis_with({deflated_by("gain_curve", 27.0)}, position(2.0, 1.3))));
+  CHECK_FALSE(is_the_smaller_part(analysis_with({deflated_by("gain_curve", 2.0)}, position(2.0, 1.6))));
+  CHECK_FALSE(is_the_smaller_part(analysis_with({deflated_by("stiction", 27.0)}, position(2.0, 1.6))));
+  CHECK_FALSE(is_the_smaller_part(
+      analysis_with({deflated_by("gain_curve", 27.0), deflated_by("yaw_bias", 2.0)}, position(2.0, 1.6))));
+}
+
 TEST_CASE("A single effect without a rival stands unless free runs stay nowhere near the measured ones") {
   const auto alone = finding("floor_slope", 30.0, 1.0, 0.1);
   const auto rivalled = finding("floor_slope", 30.0, 1.0, 0.9);
