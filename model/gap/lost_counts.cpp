@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "model/gap/commanded_stillness.hpp"
 #include "model/gap/thinned_counts.hpp"
@@ -106,22 +105,21 @@ SpeedsAround speeds_around(const GateState& gate, const Freeze& freeze) {
           sure(speed(end + 1, end + 4), speed(end + 1, end + 2))};
 }
 
-void leave_out_frozen(GateState& gate, const Freeze& freeze) {
-  const auto& samples = gate.result.log.samples;
-  const double duration = samples[freeze.end].t_s - samples[freeze.first].t_s;
-  for (std::size_t k = freeze.first + 1; k <= freeze.end; ++k) gate.result.flags.counts[k] = 1;
-  gate.result.dropouts.push_back({samples[freeze.first].t_s, duration});
-  gate.fault(freeze.first + 1, std::string(freeze.left ? "ticks_left" : "ticks_right") + " stand still for " +
-                                   in_digits(duration, 3) +
-                                   " s while the wheel turns; the rows were left out");
-}
-
 double tick_m(const GateState& gate, bool left) {
   return left ? gate.result.log.metres_per_tick->left : gate.result.log.metres_per_tick->right;
 }
 
 double duration_s(const GateState& gate, const Freeze& freeze) {
   return gate.result.log.samples[freeze.end].t_s - gate.result.log.samples[freeze.first].t_s;
+}
+
+void leave_out_frozen(GateState& gate, const Freeze& freeze) {
+  const double duration = duration_s(gate, freeze);
+  for (std::size_t k = freeze.first + 1; k <= freeze.end; ++k) gate.result.flags.counts[k] = 1;
+  gate.result.dropouts.push_back({gate.result.log.samples[freeze.first].t_s, duration});
+  gate.fault(freeze.first + 1, std::string(freeze.left ? "ticks_left" : "ticks_right") + " stand still for " +
+                                   in_digits(duration, 3) +
+                                   " s while the wheel turns; the rows were left out");
 }
 
 // Counts of either wheel that stand still between two moments at which the wheel surely turned.
