@@ -1,12 +1,10 @@
 #include "model/gap/gap_analysis.hpp"
 
 #include <algorithm>
-#include <cmath>
 
-#include "model/effect_library.hpp"
-#include "model/gap/decoys.hpp"
 #include "model/gap/found_model.hpp"
 #include "model/gap/gap_size.hpp"
+#include "model/gap/gap_standing.hpp"
 #include "model/gap/gap_verdict.hpp"
 #include "model/gap/search_start.hpp"
 
@@ -24,7 +22,6 @@ class Analysis {
   tl::expected<GapAnalysis, GapRefusal> run(std::span<const DriveLog> train, std::span<const DriveLog> test);
 
  private:
-  bool nothing_to_see();
   void search();
   void note_late_references(double late_s);
   void conclude();
@@ -53,37 +50,6 @@ class Analysis {
   bool linear_left_out_ = false;
   GapAnalysis result_;
 };
-
-bool Analysis::nothing_to_see() {
-  const bool faulty = std::ranges::any_of(result_.data_faults, &DataFault::explains);
-  if (faulty) {
-    result_.verdict = Verdict::bad_data;
-    result_.summary = "The data contradict themselves: " +
-                      std::ranges::find_if(result_.data_faults, &DataFault::explains)->what + ".";
-    return true;
-  }
-  double largest = 0.0;
-  for (const auto& run : gathered_.train.runs) {
-    for (const auto& u : run.commands_m_s) largest = std::max({largest, std::abs(u.left), std::abs(u.right)});
-  }
-  const bool seen = std::ranges::any_of(gathered_.train.runs, [](const GapRun& run) {
-    return run.has_counts || (run.references.size() > 50 && !run.sparse);
-  });
-  if (largest > 0.005 && seen) return false;
-  result_.verdict = Verdict::not_testable;
-  result_.summary =
-      largest > 0.005
-          ? "The logs hold no encoder counts, and reference poses too rarely to show how the wheels answer; "
-            "record counts, or a pose at least once a second."
-          : "The robot was never told to move in these runs.";
-  for (const EffectInfo* info : testability_.candidates) {
-    if (is_decoy(*info)) continue;
-    result_.not_testable.push_back({info->name, largest > 0.005
-                                                    ? "no encoder counts and too few reference poses"
-                                                    : "the robot was never told to move"});
-  }
-  return true;
-}
 
 void Analysis::search() {
   train_problem_.emplace(gathered_.train.runs, gathered_.train.metres_per_tick, for_each_);
@@ -309,7 +275,7 @@ tl::expected<GapAnalysis, GapRefusal> Analysis::run(std::span<const DriveLog> tr
   result_.data_faults = gathered_.faults;
   result_.tail_held_out = gathered_.tail_held_out;
   note_runs();
-  if (nothing_to_see()) return result_;
+  if (data_decide(result_, gathered_.train, testability_)) return result_;
   search();
   conclude();
   hold_out_others();

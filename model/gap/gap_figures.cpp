@@ -105,16 +105,21 @@ bool some_figure_rises(const GapFigures& train, const GapFigures& test) {
   return false;
 }
 
-bool some_figure_falls(const GapFigures& figures, double least_fall, double above_floor) {
+bool some_figure_falls(const GapFigures& figures, double least_share, double above_floor) {
   const Values before = values_of(figures.before);
   const Values after = values_of(figures.after);
   const Values floor = values_of(figures.floor);
   for (std::size_t i = 0; i < figure_count; ++i) {
     if (!before.at(i) || !after.at(i)) continue;
     if (floor.at(i) && *before.at(i) < above_floor * *floor.at(i)) continue;
-    if (*after.at(i) < (1.0 - least_fall) * *before.at(i)) return true;
+    if (*after.at(i) < (1.0 - least_share) * *before.at(i)) return true;
   }
   return false;
+}
+
+bool shows(const GapFigures& figures) {
+  constexpr double above_noise = 1.15;
+  return some_figure_falls(figures, least_fall, above_noise);
 }
 
 }  // namespace wheelwright::gap

@@ -43,8 +43,14 @@ double largest_share_gone(const GapFigures& train, const GapFigures& test);
 // of travel, 30 mm of position and 50 mrad of heading do not count.
 bool some_figure_rises(const GapFigures& train, const GapFigures& test);
 
-// Whether any figure fell by `least_fall` of itself. Figures that lay below `above_floor` floors do not
+constexpr double least_fall = 0.03;  // of a figure, that a person would see
+
+// Whether any figure fell by `least_share` of itself. Figures that lay below `above_floor` floors do not
 // count.
-bool some_figure_falls(const GapFigures& figures, double least_fall, double above_floor);
+bool some_figure_falls(const GapFigures& figures, double least_share, double above_floor);
+
+// Whether a gap that was to be seen above the noise became smaller: what a linear effect has to do to be more
+// than a better linear model.
+bool shows(const GapFigures& figures);
 
 }  // namespace wheelwright::gap

@@ -5,24 +5,15 @@
 #include <iomanip>
 #include <sstream>
 
-#include "model/effect_library.hpp"
 #include "model/gap/decoys.hpp"
+#include "model/gap/gap_standing.hpp"
 
 namespace wheelwright::gap {
 namespace {
 
-constexpr double sure = 0.9;  // posterior from which on a name stands
-constexpr double nowhere_near = 6.0;
-constexpr double beyond_doubt_nats = 100.0;  // held out, where no figure lies above the noise
-constexpr double least_fall = 0.03;          // of a figure
 // Robots of which nothing is missing wander by 7 mm and 9 mrad at most, real Creates by 14 mm under a model
 // that lacks something.
 constexpr Wandering largest_noise{0.015, 0.025};
-
-// Counts that stood still are found by the data gate, not by free runs.
-bool of_free_runs(const Finding& found) {
-  return found.setting.name != dropout_name;
-}
 
 std::string in_words(const Excess& excess) {
   const auto tenths = std::lround(10.0 * excess.times);
@@ -175,10 +166,6 @@ bool wheels_began_apart(const GapSearch& search) {
 
 }  // namespace
 
-Excess what_is_left(const GapAnalysis& analysis) {
-  return largest_excess(analysis.train, analysis.tail_held_out ? analysis.train : analysis.test);
-}
-
 std::string_view verdict_name(Verdict verdict) {
   switch (verdict) {
     case Verdict::named:
@@ -212,74 +199,35 @@ std::vector<GainChange> changed_gains(const GapSearch& search, const GapProblem&
   return changes;
 }
 
-bool shows(const GapFigures& figures) {
-  constexpr double above_noise = 1.15;
-  return some_figure_falls(figures, least_fall, above_noise);
-}
-
-bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out) {
-  constexpr double not_by_chance_nats = 25.0;
-  const GapFigures& figures = analysis.tail_held_out ? analysis.train : analysis.test;
-  const auto& effects = analysis.search.final.model.effects;
-  const bool linear = linear_left_out || std::ranges::all_of(effects, [](const TrialEffect& effect) {
-                        return effect.info->linear;
-                      });
-  if (linear) return shows(figures);
-  const auto speaks_for_it = [&](double nats) {
-    return std::ranges::any_of(analysis.found, [nats](const Finding& found) {
-      return found.heldout_gain_nats > nats && found.posterior > sure;
-    });
-  };
-  // Where no figure lies above the noise, or one becomes worse, a small regularity of the robot is not a gap,
-  // and a figure may fall by chance.
-  const GapFigures turned_round{figures.after, figures.before, figures.floor};
-  const bool some_rises = some_figure_falls(turned_round, 0.1, 0.0);
-  const bool little_is_enough = some_figure_above_noise(figures) && !some_rises;
-  if (speaks_for_it(little_is_enough ? 30.0 : beyond_doubt_nats)) return true;
-  return some_figure_falls(figures, least_fall, speaks_for_it(not_by_chance_nats) ? 0.0 : 1.0);
-}
-
-bool is_less_than_a_decoy_adds(const GapAnalysis& analysis) {
-  const auto& left = analysis.search.rounds.back();
-  const auto& effects = analysis.search.final.model.effects;
-  const auto same = [](const TrialEffect& one, const TrialEffect& other) { return one.info == other.info; };
-  const bool beside_all = std::ranges::equal(left.without.model.effects, effects, same);
-  if (!beside_all || left.contenders.empty() || !is_decoy(*left.contenders.front().effect.info)) return false;
-  return std::ranges::all_of(analysis.search.checks, [&](const Round& check) {
-    return std::ranges::none_of(check.contenders, [&](const Contender& contender) {
-      return !is_decoy(*contender.effect.info) && contender.score >= left.contenders.front().score;
-    });
+bool data_decide(GapAnalysis& analysis, const RunSet& train, const Testability& testability) {
+  const bool faulty = std::ranges::any_of(analysis.data_faults, &DataFault::explains);
+  if (faulty) {
+    analysis.verdict = Verdict::bad_data;
+    analysis.summary = "The data contradict themselves: " +
+                       std::ranges::find_if(analysis.data_faults, &DataFault::explains)->what + ".";
+    return true;
+  }
+  double largest = 0.0;
+  for (const auto& run : train.runs) {
+    for (const auto& u : run.commands_m_s) largest = std::max({largest, std::abs(u.left), std::abs(u.right)});
+  }
+  const bool seen = std::ranges::any_of(train.runs, [](const GapRun& run) {
+    return run.has_counts || (run.references.size() > 50 && !run.sparse);
   });
-}
-
-bool leaves_most_of_it(const GapAnalysis& analysis) {
-  constexpr double explains_a_lot_nats = 100.0;
-  constexpr double no_rival = 0.5;
-  const Excess left = what_is_left(analysis);
-  const auto of_runs = std::ranges::count_if(analysis.found, of_free_runs);
-  const auto stands = [&](const Finding& found) {
-    if (!of_free_runs(found)) return false;
-    const bool alone = of_runs == 1 && found.rival_share < no_rival && left.times < nowhere_near;
-    return found.heldout_gain_nats >= explains_a_lot_nats || alone;
-  };
-  if (of_runs == 0 || std::ranges::any_of(analysis.found, stands)) return false;
-  return left.times >= nowhere_near || (left.times >= far_above_noise && left.closed < 0.5);
-}
-
-bool is_the_smaller_part(const GapAnalysis& analysis) {
-  constexpr double half = 0.5;
-  constexpr double hangs_together = 15.0;  // inflation
-  const auto smooth = [&](const Finding& found) {
-    const EffectInfo* info = find_effect(found.setting.name);
-    return info != nullptr && !info->sudden && of_free_runs(found) && found.inflation > hangs_together;
-  };
-  const GapFigures& test = analysis.tail_held_out ? analysis.train : analysis.test;
-  return !analysis.found.empty() && std::ranges::all_of(analysis.found, smooth) &&
-         largest_share_gone(analysis.train, test) < half;
-}
-
-bool drives_runs_apart(const GapAnalysis& analysis) {
-  return some_figure_rises(analysis.train, analysis.tail_held_out ? analysis.train : analysis.test);
+  if (largest > 0.005 && seen) return false;
+  analysis.verdict = Verdict::not_testable;
+  analysis.summary =
+      largest > 0.005
+          ? "The logs hold no encoder counts, and reference poses too rarely to show how the wheels answer; "
+            "record counts, or a pose at least once a second."
+          : "The robot was never told to move in these runs.";
+  for (const EffectInfo* info : testability.candidates) {
+    if (is_decoy(*info)) continue;
+    analysis.not_testable.push_back({info->name, largest > 0.005
+                                                     ? "no encoder counts and too few reference poses"
+                                                     : "the robot was never told to move"});
+  }
+  return true;
 }
 
 void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Leftovers& leftovers) {

@@ -13,6 +13,10 @@
 
 namespace wheelwright::gap {
 
+// Whether the data alone are the answer, before any search: they contradict themselves, or show no motion.
+// Then verdict, summary and what is not testable are set.
+bool data_decide(GapAnalysis& analysis, const RunSet& train, const Testability& testability);
+
 // Of a run that was held out: what it travelled for each metre that the model predicts.
 struct GainChange {
   std::string run;
@@ -23,35 +27,6 @@ struct GainChange {
 // whose cause no run shows. Empty where the model explains them about as well as those that it was fitted to.
 std::vector<GainChange> changed_gains(const GapSearch& search, const GapProblem& train,
                                       const GapProblem& heldout);
-
-// Whether a linear effect is more than a better linear model: a gap that was to be seen above the noise
-// becomes smaller by it.
-bool shows(const GapFigures& figures);
-
-// Whether what was found shows where a person looks: some figure of the held-out free runs falls by it; or it
-// is beyond doubt. Linear effects alone have to show, and so has what stands in for one that was left out
-// (`linear_left_out`).
-bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out);
-
-// Whatever helps a little is not what is missing, where free runs stay far off all the same. What explains a
-// lot may stand although more is missing, and so may a single effect to which no other comes near, unless
-// free runs stay nowhere near the measured ones.
-bool leaves_most_of_it(const GapAnalysis& analysis);
-
-// Whether what is left, which hangs together, is more than what was found explains. Where a moment or a place
-// decides, it may be: little is wrong, and much of the run with it.
-bool is_the_smaller_part(const GapAnalysis& analysis);
-
-// Whether free runs are further off with what was found than without it: it may follow what the noise that
-// was assumed has left of something else.
-bool drives_runs_apart(const GapAnalysis& analysis);
-
-// Whether a decoy beside all that was found explains more than any of it does in its own place: then the
-// names are shapes of something that the library does not hold.
-bool is_less_than_a_decoy_adds(const GapAnalysis& analysis);
-
-// What the model found leaves, in floors of the figures as they stand.
-Excess what_is_left(const GapAnalysis& analysis);
 
 // What may be missing where nothing was found.
 struct Leftovers {

@@ -1,0 +1,89 @@
+#include "model/gap/gap_standing.hpp"
+
+#include <algorithm>
+
+#include "model/effect_library.hpp"
+#include "model/gap/decoys.hpp"
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr double nowhere_near = 6.0;  // floors
+
+// Counts that stood still are found by the data gate, not by free runs.
+bool of_free_runs(const Finding& found) {
+  return found.setting.name != dropout_name;
+}
+
+}  // namespace
+
+Excess what_is_left(const GapAnalysis& analysis) {
+  return largest_excess(analysis.train, analysis.tail_held_out ? analysis.train : analysis.test);
+}
+
+bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out) {
+  constexpr double not_by_chance_nats = 25.0;
+  const GapFigures& figures = analysis.tail_held_out ? analysis.train : analysis.test;
+  const auto& effects = analysis.search.final.model.effects;
+  const bool linear = linear_left_out || std::ranges::all_of(effects, [](const TrialEffect& effect) {
+                        return effect.info->linear;
+                      });
+  if (linear) return shows(figures);
+  const auto speaks_for_it = [&](double nats) {
+    return std::ranges::any_of(analysis.found, [nats](const Finding& found) {
+      return found.heldout_gain_nats > nats && found.posterior > sure;
+    });
+  };
+  // Where no figure lies above the noise, or one becomes worse, a small regularity of the robot is not a gap,
+  // and a figure may fall by chance.
+  const GapFigures turned_round{figures.after, figures.before, figures.floor};
+  const bool some_rises = some_figure_falls(turned_round, 0.1, 0.0);
+  const bool little_is_enough = some_figure_above_noise(figures) && !some_rises;
+  if (speaks_for_it(little_is_enough ? 30.0 : beyond_doubt_nats)) return true;
+  return some_figure_falls(figures, least_fall, speaks_for_it(not_by_chance_nats) ? 0.0 : 1.0);
+}
+
+bool is_less_than_a_decoy_adds(const GapAnalysis& analysis) {
+  const auto& left = analysis.search.rounds.back();
+  const auto& effects = analysis.search.final.model.effects;
+  const auto same = [](const TrialEffect& one, const TrialEffect& other) { return one.info == other.info; };
+  const bool beside_all = std::ranges::equal(left.without.model.effects, effects, same);
+  if (!beside_all || left.contenders.empty() || !is_decoy(*left.contenders.front().effect.info)) return false;
+  return std::ranges::all_of(analysis.search.checks, [&](const Round& check) {
+    return std::ranges::none_of(check.contenders, [&](const Contender& contender) {
+      return !is_decoy(*contender.effect.info) && contender.score >= left.contenders.front().score;
+    });
+  });
+}
+
+bool leaves_most_of_it(const GapAnalysis& analysis) {
+  constexpr double explains_a_lot_nats = 100.0;
+  constexpr double no_rival = 0.5;
+  const Excess left = what_is_left(analysis);
+  const auto of_runs = std::ranges::count_if(analysis.found, of_free_runs);
+  const auto stands = [&](const Finding& found) {
+    if (!of_free_runs(found)) return false;
+    const bool alone = of_runs == 1 && found.rival_share < no_rival && left.times < nowhere_near;
+    return found.heldout_gain_nats >= explains_a_lot_nats || alone;
+  };
+  if (of_runs == 0 || std::ranges::any_of(analysis.found, stands)) return false;
+  return left.times >= nowhere_near || (left.times >= far_above_noise && left.closed < 0.5);
+}
+
+bool is_the_smaller_part(const GapAnalysis& analysis) {
+  constexpr double half = 0.5;
+  constexpr double hangs_together = 15.0;  // inflation
+  const auto smooth = [&](const Finding& found) {
+    const EffectInfo* info = find_effect(found.setting.name);
+    return info != nullptr && !info->sudden && of_free_runs(found) && found.inflation > hangs_together;
+  };
+  const GapFigures& test = analysis.tail_held_out ? analysis.train : analysis.test;
+  return !analysis.found.empty() && std::ranges::all_of(analysis.found, smooth) &&
+         largest_share_gone(analysis.train, test) < half;
+}
+
+bool drives_runs_apart(const GapAnalysis& analysis) {
+  return some_figure_rises(analysis.train, analysis.tail_held_out ? analysis.train : analysis.test);
+}
+
+}  // namespace wheelwright::gap

@@ -1,0 +1,36 @@
+// Whether the names that a search came to stand: what free runs, decoys and what is left say of them.
+#pragma once
+
+#include "model/gap/gap_analysis.hpp"
+
+namespace wheelwright::gap {
+
+constexpr double sure = 0.9;                 // posterior from which on a name stands
+constexpr double beyond_doubt_nats = 100.0;  // held out, where no figure lies above the noise
+
+// What the model found leaves, in floors of the figures as they stand.
+Excess what_is_left(const GapAnalysis& analysis);
+
+// Whether what was found shows where a person looks: some figure of the held-out free runs falls by it; or it
+// is beyond doubt. Linear effects alone have to show, and so has what stands in for one that was left out
+// (`linear_left_out`).
+bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out);
+
+// Whatever helps a little is not what is missing, where free runs stay far off all the same. What explains a
+// lot may stand although more is missing, and so may a single effect to which no other comes near, unless
+// free runs stay nowhere near the measured ones.
+bool leaves_most_of_it(const GapAnalysis& analysis);
+
+// Whether what is left, which hangs together, is more than what was found explains. Where a moment or a place
+// decides, it may be: little is wrong, and much of the run with it.
+bool is_the_smaller_part(const GapAnalysis& analysis);
+
+// Whether free runs are further off with what was found than without it: it may follow what the noise that
+// was assumed has left of something else.
+bool drives_runs_apart(const GapAnalysis& analysis);
+
+// Whether a decoy beside all that was found explains more than any of it does in its own place: then the
+// names are shapes of something that the library does not hold.
+bool is_less_than_a_decoy_adds(const GapAnalysis& analysis);
+
+}  // namespace wheelwright::gap
