@@ -18,6 +18,10 @@ Pose start_pose(const DriveLog& log) {
   return {0.0, 0.0, log.samples.empty() ? 0.0 : log.samples.front().reference_theta_rad.value_or(0.0)};
 }
 
+Pose reference_of(const DriveSample& sample) {
+  return {*sample.reference_x_m, *sample.reference_y_m, *sample.reference_theta_rad};
+}
+
 // The newest voltage that was measured by row `row`.
 double battery_at(const DriveLog& log, std::size_t row, double last_v) {
   return log.samples[row].battery_v.value_or(last_v);
@@ -43,7 +47,7 @@ void tell_late(std::vector<PredictedMotion>& motion, double late_s) {
 }  // namespace
 
 std::vector<PredictedMotion> free_run(const LinearModel& core, std::span<const EffectSetting> effects,
-                                      const DriveLog& log) {
+                                      const DriveLog& log, std::span<const std::size_t> told_rows) {
   std::vector<PredictedMotion> motion;
   if (log.samples.empty()) return motion;
   motion.reserve(log.samples.size());
@@ -54,26 +58,38 @@ std::vector<PredictedMotion> free_run(const LinearModel& core, std::span<const E
   simulation.reset(simulation.axle_of(start_pose(log)), log.rolled_before_m);
   double battery_v = battery_at(log, 0, std::numeric_limits<double>::quiet_NaN());
 
-  motion.push_back({t0, {}, {}, {}, simulation.observed_pose()});
+  motion.push_back({t0, {}, {}, {}, simulation.observed_pose(), 0.0});
+  double told_s = t0;
+  auto told = told_rows.begin();
+  if (told != told_rows.end() && *told == 0) ++told;
+  Pose axle = simulation.pose();
   std::size_t row = 1;
   for (std::size_t cell = 0; row < log.samples.size(); ++cell) {
     const double from = t0 + period * static_cast<double>(cell);
     const double to = t0 + period * static_cast<double>(cell + 1);
-    const Pose start = simulation.pose();
     const WheelPair before = simulation.distance_m();
     const auto& now = simulation.step(timeline.mean_m_s(from, to), battery_v);
     // Times are printed with microseconds, so a row on the grid may lie that much behind it.
     const double end_of_cell = to + 1e-4 * period;
     for (; row < log.samples.size() && log.samples[row].t_s <= end_of_cell; ++row) {
       const double t = log.samples[row].t_s;
+      if (told != told_rows.end() && *told == row) {
+        const double ago_s = to - t + log.references_late_s;
+        simulation.set_pose(
+            move_along_arc(simulation.axle_of(reference_of(log.samples[row])), now.twist, ago_s));
+        told_s = t;
+        ++told;
+      }
       motion.push_back({t,
                         now.floor_m_s,
                         now.twist,
                         {before.left - log.rolled_before_m.left + now.wheel_m_s.left * (t - from),
                          before.right - log.rolled_before_m.right + now.wheel_m_s.right * (t - from)},
-                        simulation.observed(move_along_arc(start, now.twist, t - from))});
+                        simulation.observed(move_along_arc(axle, now.twist, t - from)),
+                        t - told_s});
       battery_v = battery_at(log, row, battery_v);
     }
+    axle = move_along_arc(axle, now.twist, period);
   }
   tell_late(motion, log.references_late_s);
   return motion;

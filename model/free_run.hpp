@@ -1,6 +1,7 @@
 // The model on its own: commands of a log in, predicted motion out, at the log's own times.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -13,11 +14,14 @@ namespace wheelwright {
 // Predicted motion at one row of a log.
 struct PredictedMotion {
   double t_s = 0.0;
-  WheelPair speed_m_s;   // of the wheels on the floor, mean over the period that ends at this row
-  Twist twist;           // of the body
-  WheelPair distance_m;  // since the first row, as the encoders count it
-  Pose pose;             // as a reference measures it; starts at the log's first one, else at zero
+  WheelPair speed_m_s;      // of the wheels on the floor, mean over the period that ends at this row
+  Twist twist;              // of the body
+  WheelPair distance_m;     // since the first row, as the encoders count it
+  Pose pose;                // as a reference measures it; starts at the log's first one, else at zero
+  double free_for_s = 0.0;  // since the run began, or was told where the robot is
 };
+
+using Prediction = std::span<const PredictedMotion>;  // one entry per row of a log
 
 // Free run from rest over the whole log; one entry per row. The log may have any period and gaps: the last
 // command holds through a gap, as it does on the robot.
@@ -25,7 +29,9 @@ std::vector<PredictedMotion> free_run(const RobotModel& model, const DriveLog& l
 
 // The same for a model without effects, and for a core with effects.
 std::vector<PredictedMotion> free_run(const LinearModel& model, const DriveLog& log);
+// `told_rows`, in order, hold references: there effects that act by place or heading are told where the robot
+// is. The path that the run returns stays its own.
 std::vector<PredictedMotion> free_run(const LinearModel& core, std::span<const EffectSetting> effects,
-                                      const DriveLog& log);
+                                      const DriveLog& log, std::span<const std::size_t> told_rows = {});
 
 }  // namespace wheelwright

@@ -7,8 +7,6 @@
 namespace wheelwright {
 namespace {
 
-constexpr double longest_horizon_s = 10.0;
-constexpr double between_starts_s = 1.0;
 constexpr double horizon_tolerance = 0.05;  // of the horizon, where references do not fall on its end
 
 template <typename Predicate>
@@ -33,8 +31,7 @@ WheelPair travelled_m(const DriveLog& log, std::size_t from, std::size_t to) {
 }
 
 // Predicted minus measured travel of the wheels from one row to another.
-WheelPair travel_error_m(std::span<const PredictedMotion> predicted, const DriveLog& measured,
-                         std::size_t from, std::size_t to) {
+WheelPair travel_error_m(Prediction predicted, const DriveLog& measured, std::size_t from, std::size_t to) {
   const WheelPair travelled = travelled_m(measured, from, to);
   const WheelPair& a = predicted[from].distance_m;
   const WheelPair& b = predicted[to].distance_m;
@@ -61,7 +58,7 @@ Windows windows_between(const DriveLog& log, const std::vector<std::size_t>& row
   std::size_t end = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (time(i) < next_start) continue;
-    while (next_start <= time(i)) next_start += between_starts_s;
+    while (next_start <= time(i)) next_start += between_windows_s;
     const double wanted = time(i) + result.horizon_s;
     while (end + 1 < rows.size() && std::abs(time(end + 1) - wanted) <= std::abs(time(end) - wanted)) ++end;
     if (std::abs(time(end) - wanted) > horizon_tolerance * result.horizon_s) continue;
@@ -69,6 +66,10 @@ Windows windows_between(const DriveLog& log, const std::vector<std::size_t>& row
   }
   if (result.windows.empty()) return {span, {{rows.front(), rows.back()}}};
   return result;
+}
+
+Prediction told_last_at(std::size_t row, std::span<const Prediction> runs) {
+  return *std::ranges::min_element(runs, {}, [row](Prediction run) { return run[row].free_for_s; });
 }
 
 Pose reference_pose(const DriveSample& sample) {
@@ -93,13 +94,17 @@ std::optional<AtHorizon> ScoreSums::SumAtHorizon::rms() const {
   return AtHorizon{horizons_s / static_cast<double>(errors.count), *value};
 }
 
-void ScoreSums::add(std::span<const PredictedMotion> predicted, const DriveLog& measured) {
-  add_wheels(predicted, measured);
-  add_poses(predicted, measured);
-  add_headings(predicted, measured);
+void ScoreSums::add(Prediction predicted, const DriveLog& measured) {
+  add({&predicted, 1}, measured);
 }
 
-void ScoreSums::add_wheels(std::span<const PredictedMotion> predicted, const DriveLog& measured) {
+void ScoreSums::add(std::span<const Prediction> runs, const DriveLog& measured) {
+  add_wheels(runs.front(), measured);
+  add_poses(runs, measured);
+  add_headings(runs, measured);
+}
+
+void ScoreSums::add_wheels(Prediction predicted, const DriveLog& measured) {
   const auto rows = rows_with_ticks(measured);
   std::size_t begin = 0;
   for (std::size_t i = 1; i < rows.size(); ++i) {
@@ -117,7 +122,7 @@ void ScoreSums::add_wheels(std::span<const PredictedMotion> predicted, const Dri
   }
 }
 
-void ScoreSums::add_poses(std::span<const PredictedMotion> predicted, const DriveLog& measured) {
+void ScoreSums::add_poses(std::span<const Prediction> runs, const DriveLog& measured) {
   const auto rows = rows_where(measured, [](const DriveSample& sample) {
     return sample.reference_x_m && sample.reference_y_m && sample.reference_theta_rad;
   });
@@ -125,19 +130,21 @@ void ScoreSums::add_poses(std::span<const PredictedMotion> predicted, const Driv
   for (const auto& [from, to] : found.windows) {
     const Pose moved =
         relative_to(reference_pose(measured.samples[from]), reference_pose(measured.samples[to]));
+    const Prediction predicted = told_last_at(from, runs);
     const Pose expected = relative_to(predicted[from].pose, predicted[to].pose);
     position_m_.errors.add(distance_between_m(expected, moved));
     position_m_.horizons_s += found.horizon_s;
   }
 }
 
-void ScoreSums::add_headings(std::span<const PredictedMotion> predicted, const DriveLog& measured) {
+void ScoreSums::add_headings(std::span<const Prediction> runs, const DriveLog& measured) {
   const auto rows =
       rows_where(measured, [](const DriveSample& sample) { return sample.reference_theta_rad.has_value(); });
   const Windows found = windows_between(measured, rows);
   for (const auto& [from, to] : found.windows) {
     const double turned =
         *measured.samples[to].reference_theta_rad - *measured.samples[from].reference_theta_rad;
+    const Prediction predicted = told_last_at(from, runs);
     const double expected = predicted[to].pose.theta_rad - predicted[from].pose.theta_rad;
     heading_rad_.errors.add(wrap_angle(expected - turned));
     heading_rad_.horizons_s += found.horizon_s;
@@ -148,14 +155,13 @@ Score ScoreSums::score() const {
   return {wheel_speed_m_s_.rms(), distance_m_.rms(), position_m_.rms(), heading_rad_.rms()};
 }
 
-Score score_run(std::span<const PredictedMotion> predicted, const DriveLog& measured) {
+Score score_run(Prediction predicted, const DriveLog& measured) {
   ScoreSums sums;
   sums.add(predicted, measured);
   return sums.score();
 }
 
-std::optional<WheelPair> end_distance_error_m(std::span<const PredictedMotion> predicted,
-                                              const DriveLog& measured) {
+std::optional<WheelPair> end_distance_error_m(Prediction predicted, const DriveLog& measured) {
   const auto rows = rows_with_ticks(measured);
   if (rows.size() < 2) return std::nullopt;
   return travel_error_m(predicted, measured, rows.front(), rows.back());

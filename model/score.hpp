@@ -20,6 +20,9 @@ struct AtHorizon {
   double value = 0.0;
 };
 
+constexpr double longest_horizon_s = 10.0;
+constexpr double between_windows_s = 1.0;  // of their starts
+
 struct Score {
   // Mean speed of each wheel between two readings of the encoders.
   std::optional<double> wheel_speed_rms_m_s;
@@ -35,14 +38,17 @@ struct Score {
   }
 };
 
-// Sums squared errors of any number of runs. A run's horizon is 10 s, or its span from first to last
-// reference where that is shorter; windows start about every second. References that are too sparse for that
-// (only the first and the last row, say) give one window from the first to the last. Runs of different
-// horizons give the mean horizon of their windows.
+// Sums squared errors of any number of runs. A run's horizon is `longest_horizon_s`, or its span from first
+// to last reference where that is shorter; windows start about every second. References that are too sparse
+// for that (only the first and the last row, say) give one window from the first to the last. Runs of
+// different horizons give the mean horizon of their windows.
 class ScoreSums {
  public:
   // `predicted` holds one entry per row of `measured`, as free_run returns it.
-  void add(std::span<const PredictedMotion> predicted, const DriveLog& measured);
+  void add(Prediction predicted, const DriveLog& measured);
+  // By several runs of one model (open_loop_runs): each window by the one that was told last where the robot
+  // is, the wheels by the first.
+  void add(std::span<const Prediction> runs, const DriveLog& measured);
   Score score() const;
 
  private:
@@ -58,9 +64,9 @@ class ScoreSums {
     double horizons_s = 0.0;
   };
 
-  void add_wheels(std::span<const PredictedMotion> predicted, const DriveLog& measured);
-  void add_poses(std::span<const PredictedMotion> predicted, const DriveLog& measured);
-  void add_headings(std::span<const PredictedMotion> predicted, const DriveLog& measured);
+  void add_wheels(Prediction predicted, const DriveLog& measured);
+  void add_poses(std::span<const Prediction> runs, const DriveLog& measured);
+  void add_headings(std::span<const Prediction> runs, const DriveLog& measured);
 
   Sum wheel_speed_m_s_;
   Sum distance_m_;
@@ -69,10 +75,9 @@ class ScoreSums {
 };
 
 // The score of one run.
-Score score_run(std::span<const PredictedMotion> predicted, const DriveLog& measured);
+Score score_run(Prediction predicted, const DriveLog& measured);
 
 // Predicted minus measured travel of each wheel from the first to the last reading of the encoders.
-std::optional<WheelPair> end_distance_error_m(std::span<const PredictedMotion> predicted,
-                                              const DriveLog& measured);
+std::optional<WheelPair> end_distance_error_m(Prediction predicted, const DriveLog& measured);
 
 }  // namespace wheelwright

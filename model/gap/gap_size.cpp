@@ -9,6 +9,7 @@
 #include "model/free_run.hpp"
 #include "model/gap/lost_counts.hpp"
 #include "model/identification/known_stretches.hpp"
+#include "model/open_loop_runs.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -86,7 +87,7 @@ DriveLog with_noise(const std::vector<PredictedMotion>& motion, const DriveLog& 
 
 Score gap_size(const RobotModel& model, std::span<const DriveLog> logs) {
   ScoreSums sums;
-  for (const auto& log : logs) add_known_stretches(free_run(model, log), log, log.period_s, sums);
+  for (const auto& log : logs) add_open_loop(model, log, sums);
   return sums.score();
 }
 

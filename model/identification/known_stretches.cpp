@@ -1,5 +1,7 @@
 #include "model/identification/known_stretches.hpp"
 
+#include <vector>
+
 #include "model/identification/run_periods.hpp"
 
 namespace wheelwright {
@@ -19,16 +21,22 @@ std::vector<LogHole> find_holes(const DriveLog& log) {
   return holes;
 }
 
-void add_known_stretches(std::span<const PredictedMotion> predicted, const DriveLog& log,
-                         double model_period_s, ScoreSums& sums) {
+void add_known_stretches(Prediction predicted, const DriveLog& log, double model_period_s, ScoreSums& sums) {
+  add_known_stretches({&predicted, 1}, log, model_period_s, sums);
+}
+
+void add_known_stretches(std::span<const Prediction> runs, const DriveLog& log, double model_period_s,
+                         ScoreSums& sums) {
   const auto holes = find_holes(log);
-  if (holes.empty()) return sums.add(predicted, log);
+  if (holes.empty()) return sums.add(runs, log);
   DriveLog stretch = log;
   stretch.extra_columns.clear();
   const auto add = [&](std::size_t from, std::size_t to) {
     stretch.samples.assign(log.samples.begin() + static_cast<std::ptrdiff_t>(from),
                            log.samples.begin() + static_cast<std::ptrdiff_t>(to));
-    sums.add(predicted.subspan(from, to - from), stretch);
+    std::vector<Prediction> parts;
+    for (const Prediction& run : runs) parts.push_back(run.subspan(from, to - from));
+    sums.add(parts, stretch);
   };
   std::size_t from = 0;
   for (const auto& hole : holes) {

@@ -9,6 +9,7 @@
 #include "config/load/model_file.hpp"
 #include "config/load/text_format.hpp"
 #include "model/identification/known_stretches.hpp"
+#include "model/open_loop_runs.hpp"
 #include "tools/wheelwright/commands.hpp"
 #include "tools/wheelwright/log_checks.hpp"
 
@@ -84,13 +85,13 @@ std::string run_name(const DriveLog& log, bool only_run_of_file) {
 
 // Adds the run to `all` as well.
 ScoredRun scored_run(const RobotModel& model, const DriveLog& log, bool only_run_of_file, ScoreSums& all) {
-  const auto motion = free_run(model, log);
   ScoreSums sums;
-  add_known_stretches(motion, log, model.core.period_s, sums);
-  add_known_stretches(motion, log, model.core.period_s, all);
+  add_open_loop(model, log, sums);
+  add_open_loop(model, log, all);
   ScoredRun run{run_name(log, only_run_of_file), log.samples.size(), sums.score(), std::nullopt};
   // Through a hole no model can say how far the wheels went.
-  if (find_holes(log).empty()) run.end_error_m = end_distance_error_m(motion, log);
+  if (find_holes(log).empty())
+    run.end_error_m = end_distance_error_m(open_loop_runs(model, log).front(), log);
   return run;
 }
 

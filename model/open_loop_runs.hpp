@@ -1,0 +1,23 @@
+// What a model foretells over the horizon of a score.
+//
+// A free run that has gone astray meets no edge of a rug and no slope where the robot does: of where effects
+// act by place or heading it tells less and less. Ten runs are each told where the robot is every ten
+// seconds, a second after one another, so that for each window of a score one begins it at the measured pose.
+#pragma once
+
+#include <vector>
+
+#include "model/drive_log.hpp"
+#include "model/free_run.hpp"
+#include "model/robot_model.hpp"
+#include "model/score.hpp"
+
+namespace wheelwright {
+
+// A single free run where no effect of the model acts by place or heading.
+std::vector<std::vector<PredictedMotion>> open_loop_runs(const RobotModel& model, const DriveLog& log);
+
+// Adds how far they are from the log, between its holes.
+void add_open_loop(const RobotModel& model, const DriveLog& log, ScoreSums& sums);
+
+}  // namespace wheelwright
