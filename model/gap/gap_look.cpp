@@ -9,6 +9,7 @@
 #include "model/gap/decoys.hpp"
 #include "model/gap/place_tuning.hpp"
 #include "model/gap/step_tuning.hpp"
+#include "model/gap/threshold_tuning.hpp"
 #include "model/gap/wheel_angles.hpp"
 
 namespace wheelwright::gap {
@@ -42,7 +43,8 @@ void GapLook::set_noise_left_by(const TrialModel& model) {
 
 // What no slope leads to.
 TrialModel GapLook::tuned(const TrialModel& model) const {
-  return with_region_tuned(train_, with_steps_tuned(train_, model, for_each_), for_each_);
+  const TrialModel stepping = with_thresholds_tuned(train_, with_steps_tuned(train_, model, for_each_));
+  return with_region_tuned(train_, stepping, for_each_);
 }
 
 GapFit GapLook::settle(TrialModel model, int passes) {
@@ -254,7 +256,11 @@ Round GapLook::look(const GapFit& without, const std::vector<TrialModel>& more_m
     const std::size_t singles = round.contenders.size();
     for_each_(singles + (round.pair ? 1 : 0), [&](std::size_t i) {
       GapFit& fit = i < singles ? round.contenders[i].fit : *round.pair;
-      fit = train_.fit(fit.model, steps, part_of_last(fit.model, i < singles ? 1 : 2));
+      const Part part = part_of_last(fit.model, i < singles ? 1 : 2);
+      fit = train_.fit(fit.model, steps, part);
+      if (has_threshold(*fit.model.effects.back().info)) {
+        fit = train_.fit(with_thresholds_tuned(train_, fit.model), steps, part);
+      }
     });
     contest_.judge(round);
     place_regions(round, steps, placed);
