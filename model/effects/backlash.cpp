@@ -12,6 +12,7 @@ class Backlash final : public EffectOf<Backlash> {
   explicit Backlash(const EffectArguments& arguments)
       : gap_(arguments.parameters[0]),
         damping_per_s_(arguments.parameters[1]),
+        start_m_(arguments.parameters[2] * gap_),
         behind_encoder_(arguments.variant == 1) {
     Backlash::reset();
   }
@@ -22,8 +23,7 @@ class Backlash final : public EffectOf<Backlash> {
   void floor(WheelPair& speed_m_s, const Surroundings& around) override {
     if (behind_encoder_) pass(speed_m_s, around.period_s);
   }
-  // A run begins with the teeth in contact for forward motion.
-  void reset() override { left_ = right_ = {gap_, 0.0}; }
+  void reset() override { left_ = right_ = {start_m_, 0.0}; }
 
  private:
   struct Wheel {
@@ -47,6 +47,7 @@ class Backlash final : public EffectOf<Backlash> {
 
   double gap_;
   double damping_per_s_;
+  double start_m_;
   bool behind_encoder_;
   Wheel left_;
   Wheel right_;
@@ -75,6 +76,14 @@ EffectInfo backlash() {
             0.0,
             300.0,
             {0.5, 6.0, 25.0, 300.0},
+            0.0,
+            false},
+           {"start",
+            "1",
+            "where in the gap runs begin: 1, the teeth in contact for forward motion, 0, for backward motion",
+            0.0,
+            1.0,
+            {0.5},
             0.0,
             false}},
           {.reversal = true},

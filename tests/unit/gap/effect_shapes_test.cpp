@@ -121,16 +121,20 @@ TEST_CASE("Play is lost on reversal; where little brakes the wheel, on starting 
   };
   const double there_m = 50 * period_s * 0.1;
   // At the largest rate a wheel of 0.1 m/s rolls on by 8 um: as good as at once.
-  ModelSimulation stands_at_once = only({"backlash", "wheel", {0.004, 300.0}});
+  ModelSimulation stands_at_once = only({"backlash", "wheel", {0.004, 300.0, 1.0}});
   CHECK_THAT(way_m(stands_at_once, 0.1, 50), WithinAbs(there_m, 1e-5));
   CHECK_THAT(way_m(stands_at_once, 0.0, 50), WithinAbs(0.0, 1e-5));
   CHECK_THAT(way_m(stands_at_once, 0.1, 50), WithinAbs(there_m, 1e-5));
   CHECK_THAT(way_m(stands_at_once, -0.1, 50), WithinAbs(-there_m + 0.004, 1e-5));
   // A speed that falls to 1/e in 0.1 s carries 0.1 m/s through 10 mm: more than the gap.
-  ModelSimulation runs_on = only({"backlash", "wheel", {0.004, 10.0}});
+  ModelSimulation runs_on = only({"backlash", "wheel", {0.004, 10.0, 1.0}});
   CHECK_THAT(way_m(runs_on, 0.1, 50), WithinAbs(there_m, 1e-9));
   CHECK_THAT(way_m(runs_on, 0.0, 50), WithinAbs(0.004, 1e-9));
   CHECK_THAT(way_m(runs_on, 0.1, 50), WithinAbs(there_m - 0.004, 1e-9));
+  // In the middle of the gap, half of it is lost either way.
+  ModelSimulation from_the_middle = only({"backlash", "wheel", {0.004, 300.0, 0.5}});
+  CHECK_THAT(way_m(from_the_middle, 0.1, 50), WithinAbs(there_m - 0.002, 1e-5));
+  CHECK_THAT(way_m(from_the_middle, -0.1, 50), WithinAbs(-there_m + 0.004, 1e-5));
 }
 
 TEST_CASE("A drive that warms by use changes its gain while it works and gets it back at rest") {

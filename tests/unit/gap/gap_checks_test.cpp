@@ -169,7 +169,7 @@ TEST_CASE("Of two that are not needed the lesser one goes first") {
 
 TEST_CASE("An effect and its rivals are judged where it stands: friction in front of the play") {
   const TrialEffect friction = named("coulomb_friction", {0.03, 0.02});
-  const TrialModel robot = with_effects({friction, named("backlash", {0.01, 100.0})});
+  const TrialModel robot = with_effects({friction, named("backlash", {0.01, 100.0, 1.0})});
   GapProblem train = counted_drive(robot);
   GapProblem heldout = counted_drive(robot);
   Contest contest(train, heldout, {});

@@ -121,7 +121,7 @@ TEST_CASE("What leaves noise alone is worth adding though it is small beside the
   const Contest contest(runs, runs, {});
   const auto explaining = [](double nats, double inflation) {
     Contender contender;
-    contender.effect = {find_effect("backlash"), 0, {0.01, 300.0}};
+    contender.effect = {find_effect("backlash"), 0, {0.01, 300.0, 1.0}};
     contender.train_nats = contender.heldout_nats = nats * inflation;
     contender.inflation = inflation;
     return contender;
