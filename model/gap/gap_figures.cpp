@@ -105,6 +105,15 @@ bool some_figure_rises(const GapFigures& train, const GapFigures& test) {
   return false;
 }
 
+double too_smooth_for_noise(const GapFigures& train, const GapFigures& test) {
+  const auto times = [](const GapFigures& figures) {
+    const auto& scatter = figures.after.wheel_speed_rms_m_s;
+    const auto& floor = figures.floor.wheel_speed_rms_m_s;
+    return scatter && floor && *scatter > 0.0 ? *floor / *scatter : 0.0;
+  };
+  return std::min(times(train), times(test));
+}
+
 bool some_figure_falls(const GapFigures& figures, double least_share, double above_floor) {
   const Values before = values_of(figures.before);
   const Values after = values_of(figures.after);

@@ -43,6 +43,10 @@ double largest_share_gone(const GapFigures& train, const GapFigures& test);
 // of travel, 30 mm of position and 50 mrad of heading do not count.
 bool some_figure_rises(const GapFigures& train, const GapFigures& test);
 
+// Noise by which the wheels' ways wander apart has their speeds scatter from reading to reading. By how many
+// times the speeds' floor lies above what they do scatter, in both sets of runs; zero without counts.
+double too_smooth_for_noise(const GapFigures& train, const GapFigures& test);
+
 constexpr double least_fall = 0.03;  // of a figure, that a person would see
 
 // Whether any figure fell by `least_share` of itself. Figures that lay below `above_floor` floors do not

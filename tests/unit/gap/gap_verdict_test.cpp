@@ -83,6 +83,25 @@ TEST_CASE("What was called noise is none where a robot wanders further than robo
   CHECK_THAT(analysis.summary, ContainsSubstring("60 mrad within a second"));
 }
 
+TEST_CASE("What was called noise is none where wheels stray far and their speeds do not scatter") {
+  const auto scatter = [](double value) {
+    Score score;
+    score.wheel_speed_rms_m_s = value;
+    return score;
+  };
+  for (const auto& [floor, verdict] :
+       {std::pair(0.018, Verdict::nothing_missing), std::pair(0.043, Verdict::unnamed)}) {
+    GapAnalysis analysis = analysis_with({}, {scatter(0.01), scatter(0.01), scatter(floor)});
+    analysis.verdict = Verdict::nothing_missing;
+    doubt_the_noise(analysis, {{}, {0.004, 0.009}});
+    CHECK(analysis.verdict == verdict);
+    analysis.test.floor.wheel_speed_rms_m_s = 0.01;
+    analysis.verdict = Verdict::nothing_missing;
+    doubt_the_noise(analysis, {{}, {0.004, 0.009}});
+    CHECK(analysis.verdict == Verdict::nothing_missing);
+  }
+}
+
 TEST_CASE("Where something was said already, the noise is not doubted") {
   GapAnalysis analysis = analysis_with({}, position(1.0, 1.0));
   analysis.verdict = Verdict::not_testable;
