@@ -30,7 +30,7 @@ class TransportDelay final : public EffectOf<TransportDelay> {
 
  private:
   double delay_s_;
-  std::array<WheelPair, 256> past_{};
+  std::array<WheelPair, 512> past_{};
   std::size_t at_ = 0;
 };
 
@@ -47,8 +47,8 @@ EffectInfo transport_delay() {
         "s",
         "time that passes before a command acts, beyond the core's",
         0.0,
-        1.0,
-        {0.01, 0.02, 0.036, 0.054, 0.08, 0.11, 0.15, 0.2, 0.3, 0.42, 0.57, 0.75},
+        3.0,
+        {0.01, 0.02, 0.036, 0.054, 0.08, 0.11, 0.15, 0.2, 0.3, 0.42, 0.57, 0.75, 1.0, 1.35, 1.8, 2.4},
         0.015}},
       {},
       [](const EffectArguments& arguments) { return std::make_unique<TransportDelay>(arguments); },

@@ -14,8 +14,8 @@ namespace {
 // Robots of which nothing is missing wander by 7 mm and 9 mrad at most, real Creates by 14 mm under a model
 // that lacks something.
 constexpr Wandering largest_noise{0.015, 0.025};
-// Of 150 logs of which nothing is missing, 1.8 at most.
-constexpr double too_smooth = 2.5;
+// Of 150 logs of which nothing is missing, 1.8 and 2.1 at most.
+constexpr Smoothness too_smooth{2.5, 3.0};
 
 std::string in_words(const Excess& excess) {
   const auto tenths = std::lround(10.0 * excess.times);
@@ -111,11 +111,23 @@ Judgement of_wandering(const Wandering& by) {
               " within a second."};
 }
 
-Judgement of_smoothness(double times) {
+// None where what is left scatters as noise does.
+std::optional<Judgement> of_smoothness(const Smoothness& of) {
+  const bool wheels = of.of_wheels >= too_smooth.of_wheels;
+  if (!wheels && of.of_position < too_smooth.of_position) return std::nullopt;
   std::ostringstream summary;
-  summary << "Something is missing that no effect of the library explains: the wheels stray from the model "
-          << std::setprecision(2) << times << " times too smoothly for noise.";
-  return {Verdict::unnamed, summary.str()};
+  summary << "Something sways that no effect of the library does: what is left of "
+          << (wheels ? "the wheels' way" : "the robot's position") << " is " << std::setprecision(2)
+          << (wheels ? of.of_wheels : of.of_position) << " times too smooth for noise.";
+  return Judgement{Verdict::unnamed, summary.str()};
+}
+
+std::optional<Judgement> of_doubtful_noise(const GapAnalysis& analysis, const SupposedNoise& noise) {
+  if (noise.moments) return of_moments(*noise.moments);
+  const bool too_large = noise.wandering.m_per_sqrt_s > largest_noise.m_per_sqrt_s ||
+                         noise.wandering.rad_per_sqrt_s > largest_noise.rad_per_sqrt_s;
+  if (too_large) return of_wandering(noise.wandering);
+  return of_smoothness(smoothness(analysis.train, analysis.tail_held_out ? analysis.train : analysis.test));
 }
 
 Judgement of_nothing_found(const GapAnalysis& analysis, const SearchLimits& limits,
@@ -258,17 +270,11 @@ void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Left
 
 void doubt_the_noise(GapAnalysis& analysis, const SupposedNoise& noise) {
   if (analysis.verdict != Verdict::nothing_missing) return;
-  const bool too_large = noise.wandering.m_per_sqrt_s > largest_noise.m_per_sqrt_s ||
-                         noise.wandering.rad_per_sqrt_s > largest_noise.rad_per_sqrt_s;
-  const double smoothness =
-      too_smooth_for_noise(analysis.train, analysis.tail_held_out ? analysis.train : analysis.test);
-  if (!noise.moments && !too_large && smoothness < too_smooth) return;
-  Judgement judgement = noise.moments ? of_moments(*noise.moments)
-                        : too_large   ? of_wandering(noise.wandering)
-                                      : of_smoothness(smoothness);
-  analysis.verdict = judgement.verdict;
-  analysis.summary = std::move(judgement.summary);
-  analysis.where = std::move(judgement.where);
+  const auto judgement = of_doubtful_noise(analysis, noise);
+  if (!judgement) return;
+  analysis.verdict = judgement->verdict;
+  analysis.summary = judgement->summary;
+  analysis.where = judgement->where;
 }
 
 }  // namespace wheelwright::gap

@@ -40,8 +40,8 @@ struct Leftovers {
 void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Leftovers& leftovers);
 
 // Where nothing seems to be missing, what explains nothing was taken for noise. It is none where it comes at
-// moments, where it has the robot wander further within a second than robots do, or where it has the wheels
-// wander and does not have their speeds scatter: then it is unnamed.
+// moments, where it has the robot wander further within a second than robots do, or where it is
+// too smooth: then it is unnamed.
 struct SupposedNoise {
   std::optional<RandomMoments> moments;
   Wandering wandering;  // over seconds

@@ -102,6 +102,27 @@ TEST_CASE("What was called noise is none where wheels stray far and their speeds
   }
 }
 
+TEST_CASE("What was called noise is none where references sway and the robot is not carried along") {
+  const auto floors = [](double times) {
+    GapFigures figures = position(1.0, 1.0);
+    figures.floor.position_rms_m->value *= times;
+    return figures;
+  };
+  for (const auto& [times, verdict] :
+       {std::pair(2.1, Verdict::nothing_missing), std::pair(3.6, Verdict::unnamed)}) {
+    GapAnalysis analysis = analysis_with({}, floors(times));
+    analysis.verdict = Verdict::nothing_missing;
+    doubt_the_noise(analysis, {{}, {0.004, 0.009}});
+    CHECK(analysis.verdict == verdict);
+  }
+  GapAnalysis at_the_ends = analysis_with({}, floors(3.6));
+  for (GapFigures* figures : {&at_the_ends.train, &at_the_ends.test})
+    figures->after.position_rms_m->horizon_s = 60.0;
+  at_the_ends.verdict = Verdict::nothing_missing;
+  doubt_the_noise(at_the_ends, {{}, {0.004, 0.009}});
+  CHECK(at_the_ends.verdict == Verdict::nothing_missing);
+}
+
 TEST_CASE("Where something was said already, the noise is not doubted") {
   GapAnalysis analysis = analysis_with({}, position(1.0, 1.0));
   analysis.verdict = Verdict::not_testable;
