@@ -34,6 +34,7 @@ class Analysis {
   void put_slow_noise_into_floors();
   bool closes_the_gap() const;
   bool leave_out_linear_effects();
+  Wandering wandering_left() const;
   std::vector<std::size_t> runs_off_by_more_than_noise() const;
   void hold_out_others();
   void doubt_the_noise();
@@ -172,8 +173,9 @@ void Analysis::conclude() {
         return effect.info->linear && !beyond_a_core(effect);
       });
   if ((nothing_closes || of_a_core) && leave_out_linear_effects()) return conclude();
-  if (nothing_closes || (any && (leaves_most_of_it(result_) || is_less_than_a_decoy_adds(result_) ||
-                                 is_the_smaller_part(result_) || drives_runs_apart(result_)))) {
+  if (nothing_closes ||
+      (any && (leaves_most_of_it(result_) || is_less_than_a_decoy_adds(result_) ||
+               is_the_smaller_part(result_, wandering_left()) || drives_runs_apart(result_)))) {
     std::erase_if(result_.found, [](const Finding& found) { return found.setting.name != dropout_name; });
     result_.search.final = result_.search.baseline;
     size_up();
@@ -251,12 +253,17 @@ void Analysis::hold_out_others() {
   }
 }
 
+// By what the model found leaves, were it noise.
+Wandering Analysis::wandering_left() const {
+  return wandering_by(*train_problem_,
+                      with_slow_noise(*train_problem_, result_.search.final.model, two_seconds_apart_s));
+}
+
 void Analysis::doubt_the_noise() {
   if (result_.verdict != Verdict::nothing_missing) return;
   const GapFit& left = result_.search.final;
-  const NoiseModel noise = with_slow_noise(*train_problem_, left.model, two_seconds_apart_s);
-  gap::doubt_the_noise(result_, {random_moments(*train_problem_, left.model, left.residuals),
-                                 wandering_by(*train_problem_, noise)});
+  gap::doubt_the_noise(result_,
+                       {random_moments(*train_problem_, left.model, left.residuals), wandering_left()});
 }
 
 void Analysis::note_runs() {

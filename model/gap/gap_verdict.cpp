@@ -11,9 +11,6 @@
 namespace wheelwright::gap {
 namespace {
 
-// Robots of which nothing is missing wander by 7 mm and 9 mrad at most, real Creates by 14 mm under a model
-// that lacks something.
-constexpr Wandering largest_noise{0.015, 0.025};
 // Of 150 logs of which nothing is missing, 1.8 and 2.1 at most.
 constexpr Smoothness too_smooth{2.5, 3.0};
 
@@ -124,9 +121,7 @@ std::optional<Judgement> of_smoothness(const Smoothness& of) {
 
 std::optional<Judgement> of_doubtful_noise(const GapAnalysis& analysis, const SupposedNoise& noise) {
   if (noise.moments) return of_moments(*noise.moments);
-  const bool too_large = noise.wandering.m_per_sqrt_s > largest_noise.m_per_sqrt_s ||
-                         noise.wandering.rad_per_sqrt_s > largest_noise.rad_per_sqrt_s;
-  if (too_large) return of_wandering(noise.wandering);
+  if (beyond_noise(noise.wandering)) return of_wandering(noise.wandering);
   return of_smoothness(smoothness(analysis.train, analysis.tail_held_out ? analysis.train : analysis.test));
 }
 
