@@ -26,8 +26,7 @@ std::vector<double> command_sizes_m_s(const GapProblem& problem, double largest_
     }
   }
   std::ranges::sort(sizes);
-  const auto repeated = std::ranges::unique(sizes);
-  sizes.erase(repeated.begin(), repeated.end());
+  sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
   return sizes;
 }
 
@@ -92,7 +91,7 @@ TrialModel with_thresholds_tuned(const GapProblem& train, TrialModel model) {
     if (model.effects[i].info->name == dead_zone) {
       tuning.choose(i, 0, between_commands(train, value(0)));
     } else if (model.effects[i].info->name == stiction) {
-      for (const double most : {2.0, 1.08}) {
+      for (const double most : {1.3, 1.04}) {
         tuning.choose(i, breakaway, around(value(breakaway), most, 12));
         tuning.choose(i, sticking_speed, around(value(sticking_speed), most * most, 4));
       }
