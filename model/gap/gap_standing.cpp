@@ -15,11 +15,14 @@ bool of_free_runs(const Finding& found) {
   return found.setting.name != dropout_name;
 }
 
-// A smooth effect after which what is left does.
-bool leaves_what_hangs_together(const Finding& found) {
+// A smooth effect after which what is left hangs together, or a sudden one that explains little beside it.
+bool leaves_what_hangs_together(const Finding& found, double largest_nats) {
   constexpr double inflation_of_noise = 15.0;
+  constexpr double little = 0.2;
   const EffectInfo* info = find_effect(found.setting.name);
-  return info != nullptr && !info->sudden && of_free_runs(found) && found.inflation > inflation_of_noise;
+  if (info == nullptr || !of_free_runs(found)) return false;
+  return info->sudden ? found.heldout_gain_nats < little * largest_nats
+                      : found.inflation > inflation_of_noise;
 }
 
 }  // namespace
@@ -85,8 +88,13 @@ bool beyond_noise(const Wandering& by, double times) {
 bool is_the_smaller_part(const GapAnalysis& analysis, const Wandering& left) {
   constexpr double half = 0.5;
   constexpr double clearly = 1.15;  // real Creates wander by 26 mrad after what was named
+  double largest_nats = 0.0;
+  for (const Finding& found : analysis.found) largest_nats = std::max(largest_nats, found.heldout_gain_nats);
+  const auto hangs_together = [&](const Finding& found) {
+    return leaves_what_hangs_together(found, largest_nats);
+  };
   const GapFigures& test = analysis.tail_held_out ? analysis.train : analysis.test;
-  return !analysis.found.empty() && std::ranges::all_of(analysis.found, leaves_what_hangs_together) &&
+  return !analysis.found.empty() && std::ranges::all_of(analysis.found, hangs_together) &&
          (beyond_noise(left, clearly) || largest_share_gone(analysis.train, test) < half);
 }
 

@@ -62,6 +62,12 @@ TEST_CASE("A smooth effect is no answer where more than it explains is left and 
   CHECK_FALSE(is_the_smaller_part(
       analysis_with({deflated_by("gain_curve", 27.0), deflated_by("yaw_bias", 2.0)}, position(2.0, 1.6)),
       calm));
+  Finding little = deflated_by("caster_kick", 27.0);
+  CHECK_FALSE(is_the_smaller_part(
+      analysis_with({deflated_by("gain_curve", 27.0), little}, position(2.0, 1.6)), calm));
+  little.heldout_gain_nats = 30.0;
+  CHECK(is_the_smaller_part(analysis_with({deflated_by("gain_curve", 27.0), little}, position(2.0, 1.6)),
+                            calm));
   const Wandering far{0.02, 0.009};
   CHECK(is_the_smaller_part(analysis_with({deflated_by("gain_curve", 27.0)}, position(2.0, 1.3)), far));
   CHECK_FALSE(is_the_smaller_part(analysis_with({deflated_by("gain_curve", 2.0)}, position(2.0, 1.3)), far));
