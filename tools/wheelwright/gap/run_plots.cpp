@@ -1,6 +1,7 @@
 #include "tools/wheelwright/gap/run_plots.hpp"
 
 #include "model/free_run.hpp"
+#include "model/open_loop_runs.hpp"
 #include "tools/wheelwright/report/wheel_plots.hpp"
 
 namespace wheelwright::tools {
@@ -10,7 +11,7 @@ std::vector<Plot> run_plots(const RobotModel& before, const std::optional<RobotM
   std::vector<Plot> plots;
   for (const auto& run : runs) {
     const auto without = free_run(before, run);
-    const auto with = after ? free_run(*after, run) : std::vector<PredictedMotion>{};
+    const auto with = after ? open_loop_runs(*after, run).front() : std::vector<PredictedMotion>{};
     std::vector<DrawnRun> drawn{{after ? "before" : "model", after ? Ink::other : Ink::accent, &without}};
     if (after) drawn.push_back({"after", Ink::accent, &with});
     if (run.has_ticks()) plots.push_back(travel_error_plot(run, drawn));
