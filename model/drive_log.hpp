@@ -28,6 +28,12 @@ struct DriveSample {
   std::optional<double> gyro_z_rad_s;  // raw
   std::optional<double> battery_v;
   bool counts_anew = false;  // of the travel since the counts before, these do not tell all
+
+  // Where x, y and heading were measured.
+  std::optional<Pose> reference_pose() const {
+    if (!reference_x_m || !reference_y_m || !reference_theta_rad) return std::nullopt;
+    return Pose{*reference_x_m, *reference_y_m, *reference_theta_rad};
+  }
 };
 
 // A column that the format does not name.

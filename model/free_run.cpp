@@ -18,10 +18,6 @@ Pose start_pose(const DriveLog& log) {
   return {0.0, 0.0, log.samples.empty() ? 0.0 : log.samples.front().reference_theta_rad.value_or(0.0)};
 }
 
-Pose reference_of(const DriveSample& sample) {
-  return {*sample.reference_x_m, *sample.reference_y_m, *sample.reference_theta_rad};
-}
-
 // The newest voltage that was measured by row `row`.
 double battery_at(const DriveLog& log, std::size_t row, double last_v) {
   return log.samples[row].battery_v.value_or(last_v);
@@ -76,7 +72,7 @@ std::vector<PredictedMotion> free_run(const LinearModel& core, std::span<const E
       if (told != told_rows.end() && *told == row) {
         const double ago_s = to - t + log.references_late_s;
         simulation.set_pose(
-            move_along_arc(simulation.axle_of(reference_of(log.samples[row])), now.twist, ago_s));
+            move_along_arc(simulation.axle_of(log.samples[row].reference_pose().value()), now.twist, ago_s));
         told_s = t;
         ++told;
       }

@@ -21,7 +21,7 @@ std::vector<std::size_t> told_rows(const DriveLog& log, double after_first_s) {
   bool any = false;
   for (std::size_t row = 0; row < log.samples.size(); ++row) {
     const DriveSample& sample = log.samples[row];
-    if (!sample.reference_x_m || !sample.reference_y_m || !sample.reference_theta_rad) continue;
+    if (!sample.reference_pose()) continue;
     if (!any) next_s = sample.t_s + after_first_s;
     any = true;
     if (sample.t_s < next_s) continue;

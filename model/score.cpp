@@ -72,10 +72,6 @@ Prediction told_last_at(std::size_t row, std::span<const Prediction> runs) {
   return *std::ranges::min_element(runs, {}, [row](Prediction run) { return run[row].free_for_s; });
 }
 
-Pose reference_pose(const DriveSample& sample) {
-  return {*sample.reference_x_m, *sample.reference_y_m, *sample.reference_theta_rad};
-}
-
 }  // namespace
 
 void ScoreSums::Sum::add(double error) {
@@ -123,13 +119,12 @@ void ScoreSums::add_wheels(Prediction predicted, const DriveLog& measured) {
 }
 
 void ScoreSums::add_poses(std::span<const Prediction> runs, const DriveLog& measured) {
-  const auto rows = rows_where(measured, [](const DriveSample& sample) {
-    return sample.reference_x_m && sample.reference_y_m && sample.reference_theta_rad;
-  });
+  const auto rows =
+      rows_where(measured, [](const DriveSample& sample) { return sample.reference_pose().has_value(); });
   const Windows found = windows_between(measured, rows);
   for (const auto& [from, to] : found.windows) {
-    const Pose moved =
-        relative_to(reference_pose(measured.samples[from]), reference_pose(measured.samples[to]));
+    const Pose moved = relative_to(measured.samples[from].reference_pose().value(),
+                                   measured.samples[to].reference_pose().value());
     const Prediction predicted = told_last_at(from, runs);
     const Pose expected = relative_to(predicted[from].pose, predicted[to].pose);
     position_m_.errors.add(distance_between_m(expected, moved));

@@ -40,10 +40,7 @@ bool moved_as_counted(const GateState& gate, std::size_t first, std::size_t end,
   const DriveLog& log = gate.result.log;
   const DriveSample& from = log.samples[first];
   const DriveSample& to = log.samples[end];
-  const auto pose_known = [](const DriveSample& sample) {
-    return sample.reference_x_m && sample.reference_y_m && sample.reference_theta_rad;
-  };
-  if (!pose_known(from) || !pose_known(to)) return false;
+  if (!from.reference_pose() || !to.reference_pose()) return false;
   const double left_m = gate.travel(end, true) - gate.travel(first, true);
   const double right_m = gate.travel(end, false) - gate.travel(first, false);
   const double turned =

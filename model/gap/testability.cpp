@@ -50,7 +50,7 @@ Contents contents_of(std::span<const DriveLog> logs) {
         if (level > 0) contents.levels_s[level] += duration;
       }
       if (sample.reference_theta_rad) ++references;
-      if (sample.reference_x_m && sample.reference_y_m && sample.reference_theta_rad) contents.place = true;
+      if (sample.reference_pose()) contents.place = true;
       if (sample.battery_v) {
         contents.lowest_v = std::min(contents.lowest_v, *sample.battery_v);
         contents.highest_v = std::max(contents.highest_v, *sample.battery_v);

@@ -114,9 +114,8 @@ Plot path_plot(const DriveLog& log, std::span<const DrawnRun> runs) {
 }
 
 bool has_path(const DriveLog& log) {
-  return std::ranges::count_if(log.samples, [](const DriveSample& sample) {
-           return sample.reference_x_m && sample.reference_y_m && sample.reference_theta_rad;
-         }) >= 2;
+  return std::ranges::count_if(
+             log.samples, [](const DriveSample& sample) { return sample.reference_pose().has_value(); }) >= 2;
 }
 
 }  // namespace wheelwright::tools
