@@ -25,18 +25,46 @@ double damping_floor(const Eigen::MatrixXd& information, Eigen::Index i) {
   return information(i, i) > 0.0 ? information(i, i) : 1.0;
 }
 
-// Of all columns with each other; those of another part are empty and not worth multiplying.
-Eigen::MatrixXd products_of(const Eigen::MatrixXd& columns) {
+// Of all columns with each other, and with what is left.
+struct Products {
+  Eigen::MatrixXd of_columns;
+  Eigen::VectorXd with_residuals;
+};
+
+// Those of another part are empty and not worth multiplying.
+std::vector<Eigen::Index> filled_columns(const Eigen::MatrixXd& columns) {
   std::vector<Eigen::Index> filled;
   for (Eigen::Index i = 0; i < columns.cols(); ++i) {
     if (!columns.col(i).isZero(0.0)) filled.push_back(i);
   }
-  const Eigen::MatrixXd some = columns(Eigen::all, filled);
-  Eigen::MatrixXd products = Eigen::MatrixXd::Zero(columns.cols(), columns.cols());
-  Eigen::MatrixXd lower = Eigen::MatrixXd::Zero(some.cols(), some.cols());
-  lower.selfadjointView<Eigen::Lower>().rankUpdate(some.transpose());
-  products(filled, filled) = Eigen::MatrixXd(lower.selfadjointView<Eigen::Lower>());
-  return products;
+  return filled;
+}
+
+// In slices of rows, whose sums do not depend on how many of them are worked on at once.
+Products products_of(const Eigen::MatrixXd& columns, const std::vector<double>& residuals,
+                     const ForEach& for_each) {
+  constexpr Eigen::Index slice_rows = 4096;
+  const Eigen::Map<const Eigen::VectorXd> residual(residuals.data(), columns.rows());
+  const std::vector<Eigen::Index> filled = filled_columns(columns);
+  std::vector<Products> slices(static_cast<std::size_t>((columns.rows() + slice_rows - 1) / slice_rows));
+  for_each(slices.size(), [&](std::size_t i) {
+    const Eigen::Index first = static_cast<Eigen::Index>(i) * slice_rows;
+    const auto rows = Eigen::seqN(first, std::min(slice_rows, columns.rows() - first));
+    const Eigen::MatrixXd some = columns(rows, filled);
+    Eigen::MatrixXd lower = Eigen::MatrixXd::Zero(some.cols(), some.cols());
+    lower.selfadjointView<Eigen::Lower>().rankUpdate(some.transpose());
+    slices[i] = {lower, some.transpose() * residual(rows)};
+  });
+  const auto count = static_cast<Eigen::Index>(filled.size());
+  Products sum{Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count)};
+  for (const auto& slice : slices) {
+    sum.of_columns += slice.of_columns;
+    sum.with_residuals += slice.with_residuals;
+  }
+  Products all{Eigen::MatrixXd::Zero(columns.cols(), columns.cols()), Eigen::VectorXd::Zero(columns.cols())};
+  all.of_columns(filled, filled) = Eigen::MatrixXd(sum.of_columns.selfadjointView<Eigen::Lower>());
+  all.with_residuals(filled) = sum.with_residuals;
+  return all;
 }
 
 TrialModel moved(const TrialModel& model, const Eigen::VectorXd& step) {
@@ -125,18 +153,16 @@ GapFit GapProblem::fit(const TrialModel& start, int most_steps, Part part) const
   best.squares = squares_of(best.residuals);
   double damping = 1e-3;
   for (int step = 0; step < most_steps; ++step) {
-    const Eigen::MatrixXd columns = jacobian(best.model, best.residuals, part);
-    best.information = products_of(columns);
-    const Eigen::Map<const Eigen::VectorXd> residual(best.residuals.data(),
-                                                     static_cast<Eigen::Index>(best.residuals.size()));
-    const Eigen::VectorXd gradient = columns.transpose() * residual;
+    const Products products =
+        products_of(jacobian(best.model, best.residuals, part), best.residuals, for_each_);
+    best.information = products.of_columns;
     const double before = best.squares;
     for (int attempt = 0; attempt < 6; ++attempt) {
       Eigen::MatrixXd damped = best.information;
       for (Eigen::Index i = 0; i < damped.rows(); ++i) {
         damped(i, i) += damping * damping_floor(best.information, i);
       }
-      const TrialModel candidate = moved(best.model, -damped.ldlt().solve(gradient));
+      const TrialModel candidate = moved(best.model, -damped.ldlt().solve(products.with_residuals));
       if (candidate.stable()) {
         std::vector<double> there = residuals(candidate, part);
         const double squares = squares_of(there);

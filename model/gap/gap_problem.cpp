@@ -97,7 +97,7 @@ NoiseModel GapProblem::noise_left_by(const TrialModel& model, double least_apart
   std::vector<RunErrors> errors(runs_.size());
   for_each_(runs_.size(), [&](std::size_t r) { errors[r] = free_run_errors(model, runs_[r]); });
   NoiseModel noise = noise_;
-  for (std::size_t c = 0; c < channel_count; ++c) {
+  for_each_(channel_count, [&](std::size_t c) {
     std::vector<ErrorSeries> series;
     for (const auto& block : blocks_) {
       if (block.channel != c) continue;
@@ -108,7 +108,7 @@ NoiseModel GapProblem::noise_left_by(const TrialModel& model, double least_apart
     samples.reserve(series.size());
     for (const auto& one : series) samples.push_back({one.times_s, one.restarts, one.errors});
     if (!samples.empty()) noise.channel[c] = noise_of(samples, smallest_reading(c));
-  }
+  });
   // Both wheels are of one make: what one shows of noise holds for the other.
   if (!stretches_.empty()) {
     double squares = 0.0;
