@@ -180,13 +180,13 @@ void Analysis::conclude() {
     result_.search.final = result_.search.baseline;
     size_up();
   }
-  Leftovers leftovers{
-      what_is_left(result_), changed_gains(result_.search, *train_problem_, *test_problem_), {}};
+  Leftovers leftovers{what_is_left(result_), {}, {}};
   if (result_.found.empty()) {
     const GapFit& left = result_.search.final;
     leftovers.swing = regular_swing(*train_problem_, left.model, left.residuals);
   }
   put_slow_noise_into_floors();
+  leftovers.gain_changes = changed_gains(result_, *train_problem_, *test_problem_);
   reach_verdict(result_, options_.limits, leftovers);
   describe_where();
   const auto dropout = [](const Finding& found) { return found.setting.name == dropout_name; };

@@ -221,13 +221,12 @@ RunErrors free_run_errors(const TrialModel& model, const GapRun& run, Part part)
   return errors;
 }
 
-double travel_gain(const TrialModel& model, const GapRun& run) {
+WheelPair travel_gain(const TrialModel& model, const GapRun& run) {
   constexpr double window_s = 1.0;
   const RunErrors errors = free_run_errors(model, run);
-  double power = 0.0;
-  double product = 0.0;
-  for (const Channel channel : run.has_counts ? std::array{Channel::left, Channel::right}
-                                              : std::array{Channel::forward, Channel::forward}) {
+  const auto gain_of = [&](Channel channel) {
+    double power = 0.0;
+    double product = 0.0;
     const Series& series = run[channel];
     const auto& error = errors.series[static_cast<std::size_t>(channel)];
     std::size_t from = 0;
@@ -241,8 +240,11 @@ double travel_gain(const TrialModel& model, const GapRun& run) {
       product += predicted * measured;
       from = i;
     }
-  }
-  return power > 0.0 ? product / power : 1.0;
+    return power > 0.0 ? product / power : 1.0;
+  };
+  if (run.has_counts) return {gain_of(Channel::left), gain_of(Channel::right)};
+  const double forward = gain_of(Channel::forward);
+  return {forward, forward};
 }
 
 std::vector<ModelState> model_states(const TrialModel& model, const GapRun& run) {

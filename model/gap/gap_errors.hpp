@@ -33,9 +33,9 @@ enum class Part { all, wheels, motion };
 // Free run of the model over the run's commands. Channels of the other part stay empty.
 RunErrors free_run_errors(const TrialModel& model, const GapRun& run, Part part = Part::all);
 
-// Travel that was measured for each metre that the model predicts, of both wheels (without counts: of the
-// body), over windows of a second. 1 where the model's gain is right.
-double travel_gain(const TrialModel& model, const GapRun& run);
+// Travel that was measured for each metre that the model predicts, of each wheel (without counts: of the
+// body, twice), over windows of a second. 1 where the model's gain is right.
+WheelPair travel_gain(const TrialModel& model, const GapRun& run);
 
 // What a model's free run shows period by period, for tables and plots.
 struct ModelState {

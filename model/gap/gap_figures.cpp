@@ -78,6 +78,18 @@ Excess largest_excess(const GapFigures& train, const GapFigures& test) {
   return largest;
 }
 
+std::optional<Excess> held_out_alone(const GapFigures& train, const GapFigures& test) {
+  constexpr double far_above_floor = 3.0;  // 1.9 at most of travel, 2.5 of position, in 290 clean logs
+  constexpr double above_training = 2.0;
+  std::optional<Excess> largest;
+  for (std::size_t i = first_integrated; i < figure_count; ++i) {
+    const double times = excess(test, i);
+    if (times < std::max(far_above_floor, above_training * excess(train, i))) continue;
+    if (!largest || times > largest->times) largest = {names.at(i), times, closed(test, i)};
+  }
+  return largest;
+}
+
 bool some_figure_above_noise(const GapFigures& figures) {
   const Values before = values_of(figures.before);
   const Values floor = values_of(figures.floor);

@@ -2,6 +2,7 @@
 // and whether noise explains what is left.
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "model/score.hpp"
@@ -31,6 +32,10 @@ struct Excess {
 // the two. A figure of less than 3 mm of travel, 6 mm of position or 10 mrad of heading does not count; from
 // first to last pose alone, one and a half floors count as one.
 Excess largest_excess(const GapFigures& train, const GapFigures& test);
+
+// The figure that lies furthest above its floor in the held-out runs and twice as far as in training,
+// and that by far more than chance does; none where both are alike.
+std::optional<Excess> held_out_alone(const GapFigures& train, const GapFigures& test);
 
 // Whether any figure lies above what noise alone would leave of it, before the analysis.
 bool some_figure_above_noise(const GapFigures& figures);

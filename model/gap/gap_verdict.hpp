@@ -17,15 +17,16 @@ namespace wheelwright::gap {
 // Then verdict, summary and what is not testable are set.
 bool data_decide(GapAnalysis& analysis, const RunSet& train, const Testability& testability);
 
-// Of a run that was held out: what it travelled for each metre that the model predicts.
+// Of a run that was held out: what each wheel travelled for each metre that the model predicts.
 struct GainChange {
   std::string run;
-  double gain = 1.0;
+  WheelPair gain{1.0, 1.0};
 };
 
-// Held-out runs may be another robot's, or the same one's on another day: a gain that changed between runs,
+// Held-out runs may be another robot's, or the same one's on another day: gains that changed between runs,
 // whose cause no run shows. Empty where the model explains them about as well as those that it was fitted to.
-std::vector<GainChange> changed_gains(const GapSearch& search, const GapProblem& train,
+// The floors of the analysis are those of noise over seconds.
+std::vector<GainChange> changed_gains(const GapAnalysis& analysis, const GapProblem& train,
                                       const GapProblem& heldout);
 
 // What may be missing where nothing was found.

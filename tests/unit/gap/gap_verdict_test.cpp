@@ -168,3 +168,11 @@ TEST_CASE("Noise that wanders for a while is no gap, unless free runs are far be
   CHECK(verdict_of(analysis_with({}, position(1.6, 1.6)), 1.9) == Verdict::unnamed);
   CHECK(verdict_of(analysis_with({}, position(1.1, 1.1)), 3.5) == Verdict::unnamed);
 }
+
+TEST_CASE("Held-out runs that are far off, where training is not, say that something changed") {
+  auto analysis = analysis_with({}, position(1.0, 1.0));
+  analysis.test = position(4.0, 4.0);
+  CHECK(verdict_of(analysis) == Verdict::unnamed);
+  analysis.tail_held_out = true;
+  CHECK(verdict_of(analysis) == Verdict::nothing_missing);
+}

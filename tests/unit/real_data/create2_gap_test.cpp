@@ -45,6 +45,17 @@ TEST_CASE("That later runs of a real Create 2 are faster is seen, and no cause i
   CHECK_THAT(analysis.summary, Catch::Matchers::Contains("gain changed"));
 }
 
+TEST_CASE("Between two later runs of a real Create 2, one wheel is slower and one is faster") {
+  const auto folder = test::create2_folder();
+  if (!folder) return;
+  const auto forth = gap_between(*folder, {"run3.csv"}, {"run4.csv"});
+  CHECK(forth.verdict == Verdict::unnamed);
+  CHECK_THAT(forth.summary, Catch::Matchers::Contains("left and"));
+  const auto back = gap_between(*folder, {"run4.csv"}, {"run3.csv"});
+  CHECK(back.verdict == Verdict::unnamed);
+  CHECK_THAT(back.summary, Catch::Matchers::Contains("left and"));
+}
+
 TEST_CASE("The garbage in a real log is a fault of the data, with its row") {
   const auto folder = test::create2_folder();
   if (!folder) return;
