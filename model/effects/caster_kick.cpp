@@ -13,46 +13,57 @@ constexpr double moving_m_s = 0.005;
 // Variants, all of which come a second time at the wheels (model/at_the_wheels.hpp).
 constexpr std::size_t swivel = 2;
 constexpr std::size_t swing = 3;
-constexpr std::size_t variants = 4;
+constexpr std::size_t ploughing_same = 4;
+constexpr std::size_t ploughing_alternating = 5;
+constexpr std::size_t variants = 6;
+
+bool ploughs(std::size_t variant) {
+  return variant == ploughing_same || variant == ploughing_alternating;
+}
 
 class CasterKick final : public EffectOf<CasterKick> {
  public:
   explicit CasterKick(const EffectArguments& arguments)
-      : angle_rad_(arguments.parameters[0]),
+      : size_(arguments.parameters[0]),
         distance_m_(arguments.parameters[1]),
         aside_(arguments.parameters[2]),
-        alternates_(arguments.variant == 1) {}
+        alternates_(arguments.variant == 1 || arguments.variant == ploughing_alternating),
+        ploughs_(ploughs(arguments.variant)) {}
 
   // The caster's swing grows by itself once begun and settles as it ends: a logistic curve of the distance
-  // travelled since the flip. Who turns back half-way has that half of it to swing back.
+  // travelled since the flip. Who turns back half-way has that half of it to swing back. A wheel that ploughs
+  // while it stands across pushes for as long as that lasts: who drives slowly is turned farther.
   void body(Twist& twist, const Surroundings& around) override {
     const double v = twist.v_m_s;
     if (std::abs(v) > moving_m_s) {
       const double direction = std::copysign(1.0, v);
       if (direction_ != 0.0 && direction != direction_) {
         swung_ = std::clamp(1.0 - swung_, aside_, 1.0 - aside_);
-        kick_rad_ = (alternates_ ? direction * angle_rad_ : angle_rad_) / (1.0 - aside_);
+        kick_ = alternates_ ? direction * size_ : size_;
       }
       direction_ = direction;
     }
     const double ahead = (1.0 - swung_) * std::exp(-std::abs(v) * around.period_s / distance_m_);
     const double before = swung_;
     swung_ /= swung_ + ahead;
-    twist.w_rad_s += kick_rad_ * (swung_ - before) / around.period_s;
+    const double across = 4.0 * before * (1.0 - before) * std::tanh(std::abs(v) / moving_m_s);
+    const double swung = (swung_ - before) / (1.0 - aside_) / around.period_s;
+    twist.w_rad_s += kick_ * (ploughs_ ? across : swung);
   }
   void reset() override {
     direction_ = 0.0;
-    kick_rad_ = 0.0;
+    kick_ = 0.0;
     swung_ = 1.0;
   }
 
  private:
-  double angle_rad_;
+  double size_;  // of the kick, rad, or of the push, rad/s
   double distance_m_;
   double aside_;
   bool alternates_;
+  bool ploughs_;
   double direction_ = 0.0;  // of travel, once it has moved
-  double kick_rad_ = 0.0;   // of the present swing
+  double kick_ = 0.0;       // of the present swing
   double swung_ = 1.0;      // share of it
 };
 
@@ -171,10 +182,38 @@ std::vector<ParameterInfo> swing_parameters() {
            false}};
 }
 
+std::vector<ParameterInfo> kick_parameters() {
+  return {{"angle", "rad", "turn that one kick makes in all", -1.0, 1.0, {-0.05, -0.02, 0.02, 0.05}, 0.002},
+          {"distance",
+           "m",
+           "of travel in which the swing grows or settles to 1/e",
+           0.003,
+           0.5,
+           {0.015, 0.05},
+           0.0,
+           false},
+          {"aside",
+           "1",
+           "share of its swing at which the caster stands at the flip: little, and the kick comes late",
+           0.001,
+           0.5,
+           {0.01, 0.3},
+           0.0,
+           false}};
+}
+
+std::vector<ParameterInfo> plough_parameters() {
+  std::vector<ParameterInfo> parameters = kick_parameters();
+  parameters.front() = {"rate",      "rad/s", "turn of the robot while the caster stands across", -3.0, 3.0,
+                        {-0.1, 0.1}, 0.01};
+  return parameters;
+}
+
 // What turns the robot by as much as that is no caster's swing.
 bool only_kicks(const EffectArguments& caster, double) {
   constexpr double largest_kick_rad = 0.5;
-  return caster.variant % variants == swivel || std::abs(caster.parameters[0]) < largest_kick_rad;
+  const std::size_t variant = caster.variant % variants;
+  return variant == swivel || ploughs(variant) || std::abs(caster.parameters[0]) < largest_kick_rad;
 }
 
 }  // namespace
@@ -185,28 +224,15 @@ EffectInfo caster_kick() {
       "a short yaw disturbance after the direction of travel flips",
       "A caster swings round and pushes the robot aside while it does. 'same': to the same side at every "
       "flip, 'alternating': to one side when it begins to go forward, to the other when backward; 'swivel': "
-      "by the friction of its pivot, in turns as well; 'swing': as it scrubs, to the side to which it stood.",
+      "by the friction of its pivot, in turns as well; 'swing': as it scrubs, to the side to which it stood; "
+      "'ploughing': for as long as it stands across, by time and not by way.",
       {{"same", EffectStage::body},
        {"alternating", EffectStage::body},
        {"swivel", EffectStage::body, swivel_parameters()},
-       {"swing", EffectStage::body, swing_parameters()}},
-      {{"angle", "rad", "turn that one kick makes in all", -1.0, 1.0, {-0.05, -0.02, 0.02, 0.05}, 0.002},
-       {"distance",
-        "m",
-        "of travel in which the swing grows or settles to 1/e",
-        0.003,
-        0.5,
-        {0.015, 0.05},
-        0.0,
-        false},
-       {"aside",
-        "1",
-        "share of its swing at which the caster stands at the flip: little, and the kick comes late",
-        0.001,
-        0.5,
-        {0.01, 0.3},
-        0.0,
-        false}},
+       {"swing", EffectStage::body, swing_parameters()},
+       {"ploughing_same", EffectStage::body, plough_parameters()},
+       {"ploughing_alternating", EffectStage::body, plough_parameters()}},
+      kick_parameters(),
       {.reference = true, .reversal = true},
       [](const EffectArguments& arguments) -> std::unique_ptr<Effect> {
         if (arguments.variant == swivel) return std::make_unique<StiffSwivel>(arguments);

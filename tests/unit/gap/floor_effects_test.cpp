@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "model/model_simulation.hpp"
 #include "tests/support/catch.hpp"
@@ -133,6 +134,30 @@ TEST_CASE("A caster that is turned back half-way swings no further than it had c
   const double half_rad = drive(-0.1, 51);  // 92 mm: the middle of the swing lies at ln(99) times 20 mm
   CHECK_THAT(half_rad, WithinAbs(0.05, 0.01));
   CHECK_THAT(drive(0.1, 500), WithinAbs(half_rad, 0.0015));
+}
+
+TEST_CASE("A caster that ploughs turns a slow robot farther than a fast one, a flip back the other way") {
+  const auto turned_by_flips = [](const char* variant, double speed_m_s) {
+    ModelSimulation simulation = only({"caster_kick", variant, {0.2, 0.02, 0.01}});
+    const auto drive = [&](double command_m_s) {
+      double turned_rad = 0.0;
+      for (double gone_m = 0.0; gone_m < 0.5; gone_m += std::abs(command_m_s) * period_s) {
+        turned_rad += period_s * simulation.step({command_m_s, command_m_s}).twist.w_rad_s;
+      }
+      return turned_rad;
+    };
+    drive(speed_m_s);
+    const double back_rad = drive(-speed_m_s);
+    return std::pair(back_rad, drive(speed_m_s));
+  };
+  const auto fast = turned_by_flips("ploughing_same", 0.2);
+  const auto slow = turned_by_flips("ploughing_same", 0.1);
+  CHECK(fast.first > 0.0);
+  CHECK_THAT(slow.first / fast.first, WithinAbs(2.0, 0.05));
+  CHECK_THAT(fast.second, WithinAbs(fast.first, 1e-3));
+  const auto alternating = turned_by_flips("ploughing_alternating", 0.2);
+  CHECK_THAT(alternating.first, WithinAbs(-fast.first, 1e-6));
+  CHECK_THAT(alternating.second, WithinAbs(fast.second, 1e-6));
 }
 
 TEST_CASE("A scrubbing caster turns the robot to the side to which the turn before had put it") {
