@@ -138,16 +138,8 @@ void mark_counts_anew(GatedLog& gated) {
   }
 }
 
-}  // namespace
-
-std::string in_digits(double value, int digits) {
-  std::ostringstream text;
-  text << std::setprecision(digits) << value;
-  return text.str();
-}
-
-GatedLog gate(const DriveLog& log) {
-  GateState state{{log, {}, {}, {}}, {}};
+GatedLog gate_beside(const DriveLog& log, std::size_t frozen_elsewhere) {
+  GateState state{{log, {}, {}, {}}, {}, frozen_elsewhere};
   remove_garbage_commands(state);
   const std::size_t rows = state.result.log.samples.size();
   state.result.flags = {std::vector<char>(rows, 0), std::vector<char>(rows, 0)};
@@ -161,6 +153,32 @@ GatedLog gate(const DriveLog& log) {
   check_reference(state);
   mark_counts_anew(state.result);
   return std::move(state.result);
+}
+
+}  // namespace
+
+std::string in_digits(double value, int digits) {
+  std::ostringstream text;
+  text << std::setprecision(digits) << value;
+  return text.str();
+}
+
+GatedLog gate(const DriveLog& log) {
+  return gate_beside(log, 0);
+}
+
+std::vector<GatedLog> gate_together(std::span<const DriveLog> logs) {
+  std::vector<GatedLog> gated;
+  std::size_t frozen = 0;
+  for (const DriveLog& log : logs) {
+    gated.push_back(gate(log));
+    frozen += gated.back().surely_frozen;
+  }
+  for (std::size_t i = 0; i < logs.size(); ++i) {
+    const std::size_t elsewhere = frozen - gated[i].surely_frozen;
+    if (elsewhere > 0) gated[i] = gate_beside(logs[i], elsewhere);
+  }
+  return gated;
 }
 
 }  // namespace wheelwright::gap

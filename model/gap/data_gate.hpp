@@ -34,8 +34,13 @@ struct GatedLog {
   RowFlags flags;
   std::vector<DataFault> faults;
   std::vector<Dropout> dropouts;
+  std::size_t surely_frozen = 0;  // of the dropouts: counts stood still in the midst of driving
 };
 
 GatedLog gate(const DriveLog& log);
+
+// Runs of one robot. Where counts surely froze more than once, they may have frozen at turns and stops as
+// well, in every run; what froze once may be a wheel that something held.
+std::vector<GatedLog> gate_together(std::span<const DriveLog> logs);
 
 }  // namespace wheelwright::gap

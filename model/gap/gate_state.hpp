@@ -12,7 +12,8 @@ constexpr double impossible_speed_m_s = 2.0;  // of a wheel or the body between 
 
 struct GateState {
   GatedLog result;
-  std::vector<std::size_t> lines;  // of the rows that are left; empty while all are
+  std::vector<std::size_t> lines;    // of the rows that are left; empty while all are
+  std::size_t frozen_elsewhere = 0;  // so often counts surely froze in other runs of the robot
 
   std::size_t line(std::size_t row) const { return lines.empty() ? result.log.first_line + row : lines[row]; }
   void fault(std::size_t row, const std::string& what, bool explains = false) {

@@ -61,13 +61,12 @@ std::optional<GapRefusal> repetition(std::span<const DriveLog> logs) {
   return std::nullopt;
 }
 
-void gate_all(std::span<const DriveLog> logs, RunSet& runs, GatheredRuns& gathered) {
-  for (const auto& log : logs) {
-    GatedLog gated = gate(log);
+void add_gated(std::span<const GatedLog> logs, RunSet& runs, GatheredRuns& gathered) {
+  for (const auto& gated : logs) {
     gathered.faults.insert(gathered.faults.end(), gated.faults.begin(), gated.faults.end());
     gathered.dropouts.insert(gathered.dropouts.end(), gated.dropouts.begin(), gated.dropouts.end());
-    gathered.watched_s += log.samples.back().t_s - log.samples.front().t_s;
-    GapRun run = make_gap_run(gated.log, gated.flags, log.period_s);
+    gathered.watched_s += gated.log.samples.back().t_s - gated.log.samples.front().t_s;
+    GapRun run = make_gap_run(gated.log, gated.flags, gated.log.period_s);
     measure_motion(run);
     runs.add(std::move(run), gated.log);
   }
@@ -117,8 +116,9 @@ std::optional<GapRefusal> gather_runs(std::span<const DriveLog> train, std::span
   all.insert(all.end(), test.begin(), test.end());
   if (auto refusal = mismatch(all)) return refusal;
   if (auto refusal = repetition(all)) return refusal;
-  gate_all(train, gathered.train, gathered);
-  gate_all(test, gathered.test, gathered);
+  const std::vector<GatedLog> gated = gate_together(all);
+  add_gated(std::span(gated).first(train.size()), gathered.train, gathered);
+  add_gated(std::span(gated).subspan(train.size()), gathered.test, gathered);
   return test.empty() ? hold_out(gathered) : std::nullopt;
 }
 

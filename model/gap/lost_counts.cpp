@@ -12,7 +12,7 @@ namespace {
 constexpr double shortest_freeze_s = 0.05;
 constexpr double expected_counts_in_freeze = 10.0;
 constexpr double surely_turning_m_s = 0.05;  // a slower wheel may stick
-constexpr std::size_t more_than_chance = 2;  // once in a run may be a wheel that something held
+constexpr std::size_t more_than_chance = 2;  // once may be a wheel that something held
 
 // Whether no wheel can have turned so far since the row before; both rows hold counts.
 bool jumps(const DriveLog& log, std::size_t row, bool left) {
@@ -157,7 +157,7 @@ void find_frozen_at_turns(GateState& gate, bool left) {
 void find_frozen_counts(GateState& gate) {
   const std::vector<Freeze> frozen = frozen_counts(gate);
   if (stand_by_command(gate.result.log, frozen)) return;
-  std::size_t lost = 0;
+  std::size_t& lost = gate.result.surely_frozen;
   for (const Freeze& freeze : frozen) {
     const auto [before, after] = speeds_around(gate, freeze);
     const double least_m = std::min(std::abs(before), std::abs(after)) * duration_s(gate, freeze);
@@ -168,7 +168,7 @@ void find_frozen_counts(GateState& gate) {
     leave_out_frozen(gate, freeze);
     ++lost;
   }
-  if (lost < more_than_chance) return;
+  if (lost + gate.frozen_elsewhere < more_than_chance) return;
   for (const bool left : {true, false}) find_frozen_at_turns(gate, left);
 }
 

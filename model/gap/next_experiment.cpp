@@ -56,11 +56,10 @@ Planner::Planner(const GapAnalysis& analysis, std::span<const DriveLog> train, c
     : analysis_(analysis), train_(train), limits_(limits), for_each_(for_each), without_(testability(train)) {
   std::vector<GapRun> runs;
   std::vector<WheelPair> metres_per_tick;
-  for (const auto& log : train) {
-    const GatedLog gated = gate(log);
+  for (const GatedLog& gated : gate_together(train)) {
     runs.push_back(make_gap_run(gated.log, gated.flags, train.front().period_s));
     measure_motion(runs.back());
-    metres_per_tick.push_back(log.metres_per_tick.value_or(WheelPair{}));
+    metres_per_tick.push_back(gated.log.metres_per_tick.value_or(WheelPair{}));
   }
   sensors_ = sensors_of(runs.front());
   problem_.emplace(std::move(runs), std::move(metres_per_tick), for_each);

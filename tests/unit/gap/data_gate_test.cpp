@@ -193,6 +193,27 @@ TEST_CASE("Counts that were lost while driving are looked for at stops, too") {
   CHECK(gated.flags.counts[stop] == 1);
 }
 
+TEST_CASE("Counts that one run surely lost are looked for at stops of the others") {
+  test::GapCaseSpec spec;
+  spec.runs = 2;
+  spec.seconds = 60.0;
+  auto runs = test::make_gap_case(spec).runs;
+  const auto stops = stopping_rows(runs[1]);
+  REQUIRE_FALSE(stops.empty());
+  lose_counts(runs[1], stops.back() - 10, 60);
+  CHECK(gate_together(runs)[1].dropouts.empty());
+
+  lose_counts(runs[0], moving_row(runs[0]) - 40, 10);
+  CHECK(gate_together(runs)[1].dropouts.empty());  // something may have held a wheel in both
+  lose_counts(runs[0], moving_row(runs[0]) - 20, 10);
+  const auto gated = gate_together(runs);
+  CHECK(gated[0].dropouts.size() == 2);
+  const double lost_s = runs[1].samples[stops.back() - 10].t_s;
+  CHECK(std::ranges::any_of(gated[1].dropouts, [lost_s](const Dropout& dropout) {
+    return std::abs(dropout.start_s - lost_s) < 0.05 && dropout.duration_s > 1.0;
+  }));
+}
+
 TEST_CASE("What a reference saw while counts were lost is not held against them") {
   auto log = by_counts(clean_log());
   const std::size_t from = moving_row(log) - 25;

@@ -15,22 +15,22 @@ namespace {
 
 constexpr std::size_t most_drawn_runs = 3;
 
-// A log without its faults, with what the analysis found of its references.
-gap::GatedLog gated(const DriveLog& log, const gap::GapAnalysis& analysis) {
-  gap::GatedLog result = gap::gate(log);
-  result.log.references_late_s = analysis.search.final.model.reference_lag_s();
+// All logs without their faults, with what the analysis found of their references.
+std::vector<gap::GatedLog> gated(std::span<const DriveLog> train, std::span<const DriveLog> test,
+                                 const gap::GapAnalysis& analysis) {
+  std::vector<DriveLog> all(train.begin(), train.end());
+  all.insert(all.end(), test.begin(), test.end());
+  std::vector<gap::GatedLog> result = gap::gate_together(all);
+  for (auto& one : result) one.log.references_late_s = analysis.search.final.model.reference_lag_s();
   return result;
 }
 
 // The first few of the runs that the analysis held out.
-std::vector<DriveLog> heldout_runs(const gap::GapAnalysis& analysis, std::span<const DriveLog> train,
-                                   std::span<const DriveLog> test) {
+std::vector<DriveLog> heldout_runs(const gap::GapAnalysis& analysis, std::span<const gap::GatedLog> all) {
   std::vector<DriveLog> runs;
-  for (const auto logs : {train, test}) {
-    for (const DriveLog& log : logs) {
-      const bool held_out = std::ranges::find(analysis.held_out, log.name) != analysis.held_out.end();
-      if (held_out && runs.size() < most_drawn_runs) runs.push_back(gated(log, analysis).log);
-    }
+  for (const auto& one : all) {
+    const bool held_out = std::ranges::find(analysis.held_out, one.log.name) != analysis.held_out.end();
+    if (held_out && runs.size() < most_drawn_runs) runs.push_back(one.log);
   }
   return runs;
 }
@@ -62,18 +62,15 @@ std::string head(const gap::GapAnalysis& analysis) {
 std::string gap_report(const gap::GapAnalysis& analysis, std::span<const DriveLog> train,
                        std::span<const DriveLog> test, const std::optional<gap::NextExperiment>& next) {
   const bool fitted = !analysis.after.core.left.from_left.empty();
+  const std::vector<gap::GatedLog> all = gated(train, test, analysis);
   std::string body = head(analysis);
   body += findings_section(analysis);
   body += where_section(analysis);
   if (fitted && analysis.verdict == gap::Verdict::unnamed) {
-    std::vector<gap::GatedLog> all;
-    for (const auto logs : {train, test}) {
-      for (const DriveLog& log : logs) all.push_back(gated(log, analysis));
-    }
     body += residual_section(gap::residual_table(analysis.after, all));
   }
   body += gap_section(analysis);
-  if (fitted) body += figures_section(analysis, heldout_runs(analysis, train, test));
+  if (fitted) body += figures_section(analysis, heldout_runs(analysis, all));
   body += faults_section(analysis);
   if (next) {
     body +=
