@@ -247,6 +247,18 @@ GapFit GapLook::with_core_of(const GapFit& without, const TrialModel& contender)
   return fit.squares < without.squares ? fit : without;
 }
 
+// Where that core suits a contender better than its own, the contender takes it for a start: all are judged
+// against a model that has it.
+void GapLook::start_from_core_of(const TrialModel& without, std::vector<Contender>& contenders) const {
+  for_each_(contenders.size(), [&](std::size_t i) {
+    TrialModel& model = contenders[i].fit.model;
+    if (model.core.size() != without.core.size()) return;
+    TrialModel other = model;
+    other.core = without.core;
+    if (squares_of(train_.residuals(other)) < contenders[i].fit.squares) model = std::move(other);
+  });
+}
+
 Round GapLook::look(const GapFit& without, const std::vector<TrialModel>& more_models) {
   Round round{without, 0.0, {}, {}};
   const Starts tried = starts(without, more_models);
@@ -279,6 +291,7 @@ Round GapLook::look(const GapFit& without, const std::vector<TrialModel>& more_m
   round.without = train_.fit(round.without.model, steps_of_a_refit);
   if (by_pair) round.without = with_core_of(round.without, round.pair->model);
   if (by_single) round.without = with_core_of(round.without, round.contenders.front().fit.model);
+  start_from_core_of(round.without.model, round.contenders);
   fit_all(steps_of_a_refit, with_region_tuned);
   return round;
 }

@@ -64,6 +64,7 @@ class GapLook {
   bool stands_out_of_its_own_noise(const Round& round);
   bool pair_stands_out_of_its_own_noise(const Round& round);
   GapFit with_core_of(const GapFit& without, const TrialModel& contender) const;
+  void start_from_core_of(const TrialModel& without, std::vector<Contender>& contenders) const;
   Part part_of_last(const TrialModel& model, std::size_t effects) const;
 
   GapProblem& train_;
