@@ -11,6 +11,7 @@ namespace {
 constexpr double moving_m_s = 0.005;
 
 // Variants, all of which come a second time at the wheels (model/at_the_wheels.hpp).
+constexpr std::size_t alternating = 1;
 constexpr std::size_t swivel = 2;
 constexpr std::size_t swing = 3;
 constexpr std::size_t ploughing_same = 4;
@@ -27,7 +28,7 @@ class CasterKick final : public EffectOf<CasterKick> {
       : size_(arguments.parameters[0]),
         distance_m_(arguments.parameters[1]),
         aside_(arguments.parameters[2]),
-        alternates_(arguments.variant == 1 || arguments.variant == ploughing_alternating),
+        alternates_(arguments.variant == alternating || arguments.variant == ploughing_alternating),
         ploughs_(ploughs(arguments.variant)) {}
 
   // The caster's swing grows by itself once begun and settles as it ends: a logistic curve of the distance
@@ -46,9 +47,8 @@ class CasterKick final : public EffectOf<CasterKick> {
     const double ahead = (1.0 - swung_) * std::exp(-std::abs(v) * around.period_s / distance_m_);
     const double before = swung_;
     swung_ /= swung_ + ahead;
-    const double across = 4.0 * before * (1.0 - before) * std::tanh(std::abs(v) / moving_m_s);
-    const double swung = (swung_ - before) / (1.0 - aside_) / around.period_s;
-    twist.w_rad_s += kick_ * (ploughs_ ? across : swung);
+    twist.w_rad_s += kick_ * (ploughs_ ? 4.0 * before * (1.0 - before) * std::tanh(std::abs(v) / moving_m_s)
+                                       : (swung_ - before) / (1.0 - aside_) / around.period_s);
   }
   void reset() override {
     direction_ = 0.0;
@@ -210,10 +210,13 @@ std::vector<ParameterInfo> plough_parameters() {
 }
 
 // What turns the robot by as much as that is no caster's swing.
-bool only_kicks(const EffectArguments& caster, double) {
+bool only_kicks(const EffectArguments& caster, double largest_command_m_s) {
   constexpr double largest_kick_rad = 0.5;
   const std::size_t variant = caster.variant % variants;
-  return variant == swivel || ploughs(variant) || std::abs(caster.parameters[0]) < largest_kick_rad;
+  if (variant == swivel) return true;
+  // Of a caster that ploughs, at full speed: the area under its push.
+  const double per_size = ploughs(variant) ? 4.0 * caster.parameters[1] / largest_command_m_s : 1.0;
+  return std::abs(caster.parameters[0]) * per_size < largest_kick_rad;
 }
 
 }  // namespace
