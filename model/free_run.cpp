@@ -40,6 +40,43 @@ void tell_late(std::vector<PredictedMotion>& motion, double late_s) {
   for (auto& row : motion) row.pose = pose_at(in_time, row.t_s - late_s);
 }
 
+// How far the wheels have rolled by their counts, from where a run of the model stood when they began.
+class CountedWay {
+ public:
+  explicit CountedWay(const DriveLog& log) : metres_per_tick_(log.metres_per_tick.value_or(WheelPair{})) {}
+
+  // The way at a row; to be called with each in turn. Where there are no counts the model's own has to do.
+  WheelPair at(const DriveSample& sample, const WheelPair& by_model_m) {
+    if (!sample.ticks) return by_model_m;
+    const WheelPair counted_m{static_cast<double>(sample.ticks->left) * metres_per_tick_.left,
+                              static_cast<double>(sample.ticks->right) * metres_per_tick_.right};
+    if (!began_ || sample.counts_anew) {
+      ahead_m_ = {by_model_m.left - counted_m.left, by_model_m.right - counted_m.right};
+    }
+    began_ = true;
+    return {counted_m.left + ahead_m_.left, counted_m.right + ahead_m_.right};
+  }
+
+ private:
+  WheelPair metres_per_tick_;
+  WheelPair ahead_m_;  // of the counts
+  bool began_ = false;
+};
+
+WheelPair later(const WheelPair& way_m, const WheelPair& speed_m_s, double by_s) {
+  return {way_m.left + speed_m_s.left * by_s, way_m.right + speed_m_s.right * by_s};
+}
+
+// Tells what was measured `ago_s` before where the simulation stands.
+void tell(ModelSimulation& simulation, const DriveSample& sample, const WheelPair& rolled_m, double late_s,
+          double ago_s) {
+  const auto& motion = simulation.motion();
+  if (const auto reference = sample.reference_pose()) {
+    simulation.set_pose(move_along_arc(simulation.axle_of(*reference), motion.twist, ago_s + late_s));
+  }
+  simulation.set_distance_m(later(rolled_m, motion.wheel_m_s, ago_s));
+}
+
 }  // namespace
 
 std::vector<PredictedMotion> free_run(const LinearModel& core, std::span<const EffectSetting> effects,
@@ -59,33 +96,31 @@ std::vector<PredictedMotion> free_run(const LinearModel& core, std::span<const E
   auto told = told_rows.begin();
   if (told != told_rows.end() && *told == 0) ++told;
   Pose axle = simulation.pose();
+  WheelPair travelled_m;
+  CountedWay counted(log);
+  counted.at(log.samples.front(), simulation.distance_m());
   std::size_t row = 1;
   for (std::size_t cell = 0; row < log.samples.size(); ++cell) {
     const double from = t0 + period * static_cast<double>(cell);
     const double to = t0 + period * static_cast<double>(cell + 1);
-    const WheelPair before = simulation.distance_m();
     const auto& now = simulation.step(timeline.mean_m_s(from, to), battery_v);
     // Times are printed with microseconds, so a row on the grid may lie that much behind it.
     const double end_of_cell = to + 1e-4 * period;
     for (; row < log.samples.size() && log.samples[row].t_s <= end_of_cell; ++row) {
-      const double t = log.samples[row].t_s;
+      const DriveSample& sample = log.samples[row];
+      const double t = sample.t_s;
+      const WheelPair rolled_m = counted.at(sample, later(simulation.distance_m(), now.wheel_m_s, t - to));
       if (told != told_rows.end() && *told == row) {
-        const double ago_s = to - t + log.references_late_s;
-        simulation.set_pose(
-            move_along_arc(simulation.axle_of(log.samples[row].reference_pose().value()), now.twist, ago_s));
+        tell(simulation, sample, rolled_m, log.references_late_s, to - t);
         told_s = t;
         ++told;
       }
-      motion.push_back({t,
-                        now.floor_m_s,
-                        now.twist,
-                        {before.left - log.rolled_before_m.left + now.wheel_m_s.left * (t - from),
-                         before.right - log.rolled_before_m.right + now.wheel_m_s.right * (t - from)},
-                        simulation.observed(move_along_arc(axle, now.twist, t - from)),
-                        t - told_s});
+      motion.push_back({t, now.floor_m_s, now.twist, later(travelled_m, now.wheel_m_s, t - from),
+                        simulation.observed(move_along_arc(axle, now.twist, t - from)), t - told_s});
       battery_v = battery_at(log, row, battery_v);
     }
     axle = move_along_arc(axle, now.twist, period);
+    travelled_m = later(travelled_m, now.wheel_m_s, period);
   }
   tell_late(motion, log.references_late_s);
   return motion;

@@ -18,7 +18,7 @@ struct PredictedMotion {
   Twist twist;              // of the body
   WheelPair distance_m;     // since the first row, as the encoders count it
   Pose pose;                // as a reference measures it; starts at the log's first one, else at zero
-  double free_for_s = 0.0;  // since the run began, or was told where the robot is
+  double free_for_s = 0.0;  // since the run began, or was told what is measured
 };
 
 using Prediction = std::span<const PredictedMotion>;  // one entry per row of a log
@@ -29,8 +29,9 @@ std::vector<PredictedMotion> free_run(const RobotModel& model, const DriveLog& l
 
 // The same for a model without effects, and for a core with effects.
 std::vector<PredictedMotion> free_run(const LinearModel& model, const DriveLog& log);
-// `told_rows`, in order, hold references: there effects that act by place or heading are told where the robot
-// is. The path that the run returns stays its own.
+// `told_rows`, in order: there effects that act by place or heading are told where the robot is, by the row's
+// reference, and those that act by the wheels' angle how far they have rolled, by the counts. The path and
+// the way of the wheels that the run returns stay its own.
 std::vector<PredictedMotion> free_run(const LinearModel& core, std::span<const EffectSetting> effects,
                                       const DriveLog& log, std::span<const std::size_t> told_rows = {});
 

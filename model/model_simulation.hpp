@@ -55,6 +55,8 @@ class ModelSimulation {
 
   // Sets the pose, not the motion.
   void set_pose(const Pose& pose) { around_.pose = pose; }
+  // Sets the way that the wheels have rolled, which tells their angle.
+  void set_distance_m(const WheelPair& distance_m) { around_.distance_m = distance_m; }
   // To rest at a pose, at the start of a run. `rolled_before_m` tells the angle at which the wheels stand.
   void reset(const Pose& pose, const WheelPair& rolled_before_m = {});
   // Goes on in the place of another: pose, way and time are those of `before`; the motion is its own.

@@ -9,19 +9,22 @@
 namespace wheelwright {
 namespace {
 
-bool acts_by_pose(const EffectSetting& setting) {
-  const EffectInfo* info = find_effect(setting.name);
-  return info != nullptr && info->by_pose;
+bool any_acts(const std::vector<EffectSetting>& effects, bool EffectInfo::*by) {
+  return std::ranges::any_of(effects, [by](const EffectSetting& setting) {
+    const EffectInfo* info = find_effect(setting.name);
+    return info != nullptr && info->*by;
+  });
 }
 
-// The first references from `after_first_s` on, and a horizon after one another.
-std::vector<std::size_t> told_rows(const DriveLog& log, double after_first_s) {
+// The first rows from `after_first_s` on that tell, and a horizon after one another.
+template <typename Tells>
+std::vector<std::size_t> told_rows(const DriveLog& log, double after_first_s, Tells tells) {
   std::vector<std::size_t> rows;
   double next_s = 0.0;
   bool any = false;
   for (std::size_t row = 0; row < log.samples.size(); ++row) {
     const DriveSample& sample = log.samples[row];
-    if (!sample.reference_pose()) continue;
+    if (!tells(sample)) continue;
     if (!any) next_s = sample.t_s + after_first_s;
     any = true;
     if (sample.t_s < next_s) continue;
@@ -35,10 +38,15 @@ std::vector<std::size_t> told_rows(const DriveLog& log, double after_first_s) {
 
 std::vector<std::vector<PredictedMotion>> open_loop_runs(const RobotModel& model, const DriveLog& log) {
   const auto effects = effect_settings(model);
-  if (std::ranges::none_of(effects, acts_by_pose)) return {free_run(model.core, effects, log)};
+  const bool by_pose = any_acts(effects, &EffectInfo::by_pose);
+  const bool by_angle = log.metres_per_tick && any_acts(effects, &EffectInfo::by_wheel_angle);
+  if (!by_pose && !by_angle) return {free_run(model.core, effects, log)};
+  const auto tells = [&](const DriveSample& sample) {
+    return by_pose ? sample.reference_pose().has_value() : sample.ticks.has_value();
+  };
   std::vector<std::vector<PredictedMotion>> runs;
   for (double after_s = 0.0; after_s < longest_horizon_s; after_s += between_windows_s) {
-    runs.push_back(free_run(model.core, effects, log, told_rows(log, after_s)));
+    runs.push_back(free_run(model.core, effects, log, told_rows(log, after_s, tells)));
   }
   return runs;
 }

@@ -18,9 +18,23 @@ Pose first_pose(const GapRun& run, const ModelSimulation& simulation) {
   return run.references.empty() ? Pose{} : simulation.axle_of(run.references.front().pose);
 }
 
-// Where the robot passed is known better by dense references than by a run of the model that has gone astray:
-// effects that act by place and heading act there. The path is the model's own all the same.
-Path simulate(ModelSimulation& simulation, const GapRun& run, bool by_pose, Part part) {
+// What is known of a run better than by a run of the model that has gone astray: effects that act by place,
+// heading or the wheels' angle act there. The path is the model's own all the same.
+struct Known {
+  bool poses = false;   // by dense references
+  bool travel = false;  // of the wheels, by counts
+};
+
+Known known_of(const TrialModel& model, const GapRun& run) {
+  const auto any = [&](bool EffectInfo::*hangs_on) {
+    return std::ranges::any_of(model.effects,
+                               [&](const TrialEffect& effect) { return effect.info->*hangs_on; });
+  };
+  return {!run.passed.empty() && any(&EffectInfo::by_pose),
+          run.has_counts && any(&EffectInfo::by_wheel_angle)};
+}
+
+Path simulate(ModelSimulation& simulation, const GapRun& run, const Known& known, Part part) {
   const std::size_t periods = run.commands_m_s.size();
   Path path;
   path.distance_m.reserve(periods + 1);
@@ -33,13 +47,21 @@ Path simulate(ModelSimulation& simulation, const GapRun& run, bool by_pose, Part
   path.distance_m.push_back(run.rolled_before_m);
   path.axle.push_back(simulation.pose());
   const double t = run.period_s;
-  const bool follows = by_pose && !run.passed.empty();
+  WheelPair counted_m = run.rolled_before_m;
   for (std::size_t k = 0; k < periods; ++k) {
-    if (follows) simulation.set_pose(simulation.axle_of(run.passed[k]));
+    if (known.poses) simulation.set_pose(simulation.axle_of(run.passed[k]));
+    if (known.travel) simulation.set_distance_m(counted_m);
     const auto& now = simulation.step(run.commands_m_s[k], run.battery_v[k]);
-    path.distance_m.push_back(simulation.distance_m());
+    const WheelPair& before_m = path.distance_m.back();
+    path.distance_m.push_back(
+        {before_m.left + now.wheel_m_s.left * t, before_m.right + now.wheel_m_s.right * t});
+    if (known.travel) {
+      const auto& [forward_m, turn_rad] = run.odometry[k];
+      const double half_m = 0.5 * turn_rad * run.wheel_base_m;
+      counted_m = {counted_m.left + forward_m - half_m, counted_m.right + forward_m + half_m};
+    }
     if (part == Part::wheels) continue;
-    path.axle.push_back(follows ? move_along_arc(path.axle.back(), now.twist, t) : simulation.pose());
+    path.axle.push_back(known.poses ? move_along_arc(path.axle.back(), now.twist, t) : simulation.pose());
     const Twist counted = twist_of_wheels(now.wheel_m_s, run.wheel_base_m);
     path.odometry.push_back({counted.v_m_s * t, counted.w_rad_s * t});
     path.body.push_back({now.twist.v_m_s * t, now.twist.w_rad_s * t});
@@ -199,10 +221,9 @@ void measure_motion(GapRun& run) {
 
 RunErrors free_run_errors(const TrialModel& model, const GapRun& run, Part part) {
   ModelSimulation simulation = model.simulation();
-  const bool by_pose =
-      std::ranges::any_of(model.effects, [](const TrialEffect& effect) { return effect.info->by_pose; });
-  if (!by_pose && part == Part::wheels) simulation.leave_out_place();
-  const Path path = simulate(simulation, run, by_pose, part);
+  const Known known = known_of(model, run);
+  if (!known.poses && part == Part::wheels) simulation.leave_out_place();
+  const Path path = simulate(simulation, run, known, part);
   RunErrors errors;
   for (const Channel channel : {Channel::left, Channel::right}) {
     if (!run[channel].empty() && part != Part::motion) {

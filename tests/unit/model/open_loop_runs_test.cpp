@@ -1,6 +1,7 @@
 #include "model/open_loop_runs.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "tests/support/catch.hpp"
@@ -45,6 +46,36 @@ AddedEffect rug() {
   AddedEffect effect;
   effect.setting = {"surface_patch", "wheel", {-0.5, 13.0, 0.0, 20.0, 0.2, 0.0, 0.0}};
   return effect;
+}
+
+// A robot straight ahead for a minute, on wheels that ripple by 30 % once in 0.22 m of way.
+DriveLog on_rippling_wheels() {
+  DriveLog log;
+  log.wheel_base_m = 0.25;
+  log.period_s = period_s;
+  log.metres_per_tick = WheelPair{1e-5, 1e-5};
+  constexpr double fine_s = 1e-3;
+  constexpr double per_metre = 2.0 * std::numbers::pi / 0.22;
+  double way_m = 0.0;
+  for (int k = 0; k <= 600; ++k) {
+    DriveSample sample;
+    sample.t_s = period_s * k;
+    sample.command_m_s = WheelPair{0.2, 0.2};
+    sample.ticks = WheelTicks{std::llround(1e5 * way_m), std::llround(1e5 * way_m)};
+    log.samples.push_back(sample);
+    for (int i = 0; i < 100; ++i) way_m += fine_s * 0.2 * (1.0 + 0.3 * std::sin(per_metre * way_m));
+  }
+  return log;
+}
+
+// Knows the ripple, and that wheels are 2 % faster than they are: after a minute they are a whole turn ahead.
+RobotModel hasty_model() {
+  AddedEffect ripple;
+  ripple.setting = {"wheel_eccentricity", "wheel", {0.3, 0.0, 0.3, 0.0, 0.22}};
+  RobotModel model;
+  model.core = {ModelType::arma, period_s, 0.25, {{1.02}, {0.0}, {}}, {{0.0}, {1.02}, {}}};
+  model.effects = {ripple};
+  return model;
 }
 
 Score open_loop_score(const RobotModel& model, const DriveLog& log) {
@@ -97,4 +128,20 @@ TEST_CASE("With references at the ends alone a run is told where it begins, and 
   const RobotModel model = drifting_model({rug()});
   const Score plain = score_run(free_run(model, log), log);
   CHECK_THAT(open_loop_score(model, log).position_rms_m->value, WithinRel(plain.position_rms_m->value, 1e-9));
+}
+
+TEST_CASE("A wheel that is not round is judged at the angle that its counts tell, not where a run strayed") {
+  const DriveLog log = on_rippling_wheels();
+  const Score plain = score_run(free_run(hasty_model(), log), log);
+  const Score score = open_loop_score(hasty_model(), log);
+  CHECK(*plain.wheel_speed_rms_m_s > 0.04);
+  CHECK(*score.wheel_speed_rms_m_s < 0.03);
+  CHECK_THAT(*score.distance_rms_m, WithinAbs(*plain.distance_rms_m, 0.02));  // not told the way itself
+}
+
+TEST_CASE("Wheels that are not round and were not counted run free") {
+  DriveLog log = on_rippling_wheels();
+  log.metres_per_tick = {};
+  for (auto& sample : log.samples) sample.ticks = {};
+  CHECK(open_loop_runs(hasty_model(), log).size() == 1);
 }
