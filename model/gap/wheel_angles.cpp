@@ -9,8 +9,9 @@
 namespace wheelwright::gap {
 namespace {
 
-constexpr double smallest_wheel_m = 0.15;  // circumference
-constexpr double largest_wheel_m = 0.40;
+// Circumferences, in wheel bases: 0.7 on a TurtleBot 3 Waffle, 1 on a Roomba, 1.8 on a Husky.
+constexpr double smallest_wheel = 0.5;
+constexpr double largest_wheel = 2.2;
 constexpr double least_nats_a_run = 6.0;
 constexpr double one_angle_explains = 0.7;   // of what an angle for each run explains: then one is enough
 constexpr double furthest_counted_m = 30.0;  // between the runs' first counts: beyond, the angle is lost
@@ -165,21 +166,34 @@ Normal normal_equations(const GapProblem& problem, const RunTravel& travel,
   return normal;
 }
 
+// Turns of a wheel in a metre.
+struct TurnRates {
+  double least;
+  double most;
+  double apart;
+
+  std::vector<double> all() const {
+    std::vector<double> rates;
+    for (double rate = least; rate <= most; rate += apart) rates.push_back(rate);
+    return rates;
+  }
+};
+
 // So fine that the angle is right from one end of the longest way to the other.
-std::vector<double> circumferences(const std::vector<RunTravel>& travels) {
-  double longest = 1.0;
+TurnRates turn_rates(const std::vector<RunTravel>& travels, double wheel_base_m) {
+  double longest_m = 1.0;
   for (const auto& travel : travels) {
     for (const auto& rolled : travel.rolled_m) {
       const auto [least, most] = std::ranges::minmax(rolled, {}, &WheelPair::left);
-      longest = std::max(longest, most.left - least.left);
+      longest_m = std::max(longest_m, most.left - least.left);
     }
   }
-  std::vector<double> all;
-  const double step = 1.0 / (2.0 * longest);
-  for (double turns = 1.0 / largest_wheel_m; turns < 1.0 / smallest_wheel_m; turns += step) {
-    all.push_back(1.0 / turns);
-  }
-  return all;
+  return {1.0 / (largest_wheel * wheel_base_m), 1.0 / (smallest_wheel * wheel_base_m), 0.5 / longest_m};
+}
+
+// Between those that were tried.
+TurnRates around(double rate, double apart) {
+  return {rate - apart, rate + apart, 0.1 * apart};
 }
 
 struct Ripple {
@@ -214,11 +228,15 @@ double of_all_runs(const Ripple& ripple) {
 Ripple strongest_ripple(const GapProblem& problem, const std::vector<RunTravel>& travels,
                         const std::vector<double>& residuals, double (*nats)(const Ripple&),
                         const ForEach& for_each) {
-  const std::vector<double> tried = circumferences(travels);
-  std::vector<Ripple> ripples(tried.size());
-  for_each(tried.size(),
-           [&](std::size_t i) { ripples[i] = ripple_of(problem, travels, residuals, tried[i]); });
-  return *std::ranges::max_element(ripples, {}, nats);
+  const auto best_of = [&](const TurnRates& rates) {
+    const std::vector<double> tried = rates.all();
+    std::vector<Ripple> ripples(tried.size());
+    for_each(tried.size(),
+             [&](std::size_t i) { ripples[i] = ripple_of(problem, travels, residuals, 1.0 / tried[i]); });
+    return *std::ranges::max_element(ripples, {}, nats);
+  };
+  const TurnRates all = turn_rates(travels, problem.runs().front().wheel_base_m);
+  return best_of(around(1.0 / best_of(all).circumference_m, all.apart));
 }
 
 // The way after which a pure sine has the angle of these amounts.
