@@ -30,11 +30,13 @@ class Analysis {
   void show_gap_with_lost_counts();
   GapFigures figures(const RobotModel& before, const RobotModel& after,
                      const std::vector<DriveLog>& logs) const;
-  Score slow_floor(const std::vector<DriveLog>& logs, double most_apart_s) const;
+  Score slow_floor(const std::vector<DriveLog>& logs) const;
+  Excess over_credible_noise(const std::vector<DriveLog>& logs) const;
   void put_slow_noise_into_floors();
   bool closes_the_gap() const;
   bool leave_out_linear_effects();
   Wandering wandering_left() const;
+  Smoothness smoothness_left() const;
   std::vector<std::size_t> runs_off_by_more_than_noise() const;
   void hold_out_others();
   void doubt_the_noise();
@@ -93,14 +95,24 @@ GapFigures Analysis::figures(const RobotModel& before, const RobotModel& after,
           noise_floor(after, logs, train_problem_->noise(), floor_seed)};
 }
 
-Score Analysis::slow_floor(const std::vector<DriveLog>& logs, double most_apart_s) const {
-  const NoiseModel noise = with_slow_noise(*train_problem_, result_.search.final.model, most_apart_s);
+Score Analysis::slow_floor(const std::vector<DriveLog>& logs) const {
+  const NoiseModel noise = with_slow_noise(*train_problem_, result_.search.final.model, two_seconds_apart_s);
   return noise_floor(result_.after, logs, noise, floor_seed);
 }
 
+// Noise over half a second, for a place that is passed within seconds must not be taken for noise; nor must
+// what robots of which nothing is missing do not do.
+Excess Analysis::over_credible_noise(const std::vector<DriveLog>& logs) const {
+  const NoiseModel noise =
+      with_slow_noise(*train_problem_, result_.search.final.model, half_a_second_apart_s);
+  const GapFigures figures{gap_size(result_.before, logs), gap_size(result_.after, logs),
+                           noise_floor(result_.after, logs, no_more_than_noise(noise), floor_seed)};
+  return largest_excess(figures, figures);
+}
+
 void Analysis::put_slow_noise_into_floors() {
-  result_.train.floor = slow_floor(gathered_.train.logs, two_seconds_apart_s);
-  if (!result_.tail_held_out) result_.test.floor = slow_floor(gathered_.test.logs, two_seconds_apart_s);
+  result_.train.floor = slow_floor(gathered_.train.logs);
+  if (!result_.tail_held_out) result_.test.floor = slow_floor(gathered_.test.logs);
 }
 
 // Linear effects alone have to show above noise over seconds, too: what wanders slowly, a delay may follow.
@@ -110,7 +122,7 @@ bool Analysis::closes_the_gap() const {
   if (!std::ranges::all_of(effects, [](const TrialEffect& e) { return e.info->linear; })) return true;
   const GapFigures& figures = result_.tail_held_out ? result_.train : result_.test;
   const auto& logs = result_.tail_held_out ? gathered_.train.logs : gathered_.test.logs;
-  return shows({figures.before, figures.after, slow_floor(logs, two_seconds_apart_s)});
+  return shows({figures.before, figures.after, slow_floor(logs)});
 }
 
 void Analysis::describe_where() {
@@ -205,8 +217,7 @@ void Analysis::conclude() {
 std::vector<std::size_t> Analysis::runs_off_by_more_than_noise() const {
   std::vector<std::pair<double, std::size_t>> off;
   for (std::size_t r = 0; r < gathered_.train.logs.size(); ++r) {
-    const GapFigures alone = figures(result_.before, result_.after, {gathered_.train.logs[r]});
-    const double times = largest_excess(alone, alone).times;
+    const double times = over_credible_noise({gathered_.train.logs[r]}).times;
     if (times >= more_than_noise) off.emplace_back(times, r);
   }
   std::ranges::sort(off, std::greater<>{});
@@ -220,10 +231,7 @@ std::vector<std::size_t> Analysis::runs_off_by_more_than_noise() const {
 // that are held out: one in which it shows is held out in their place, where another is left to find it in.
 void Analysis::hold_out_others() {
   if (result_.verdict != Verdict::nothing_missing || result_.tail_held_out) return;
-  // A place that is passed within seconds must not be taken for noise over seconds.
-  GapFigures training = result_.train;
-  training.floor = slow_floor(gathered_.train.logs, half_a_second_apart_s);
-  if (largest_excess(training, training).times < more_than_noise) return;
+  if (over_credible_noise(gathered_.train.logs).times < more_than_noise) return;
   const auto off = runs_off_by_more_than_noise();
   if (off.size() < 2) return;
   const GapAnalysis first = result_;
@@ -259,11 +267,32 @@ Wandering Analysis::wandering_left() const {
                       with_slow_noise(*train_problem_, result_.search.final.model, two_seconds_apart_s));
 }
 
+// Against a random walk as large: noise that lasts is smoother than that. What pushes motors is forgotten
+// within half a second; only wheels that go on for longer are said to sway.
+Smoothness Analysis::smoothness_left() const {
+  const TrialModel& model = result_.search.final.model;
+  NoiseModel walk = with_slow_noise(*train_problem_, model, two_seconds_apart_s);
+  for (TravelNoise& channel : walk.channel) channel.lasts_s = 0.0;
+  GapFigures train = result_.train;
+  train.floor = noise_floor(result_.after, gathered_.train.logs, walk, floor_seed);
+  GapFigures test = result_.tail_held_out ? train : result_.test;
+  if (!result_.tail_held_out) {
+    test.floor = noise_floor(result_.after, gathered_.test.logs, walk, floor_seed);
+  }
+  Smoothness found = smoothness(train, test);
+  const NoiseModel lasting = train_problem_->noise_left_by(model, 0.0, lasting_of_swaying_s);
+  for (const Channel wheel : {Channel::left, Channel::right}) {
+    if (lasting.channel[static_cast<std::size_t>(wheel)].lasts_s < lasting_of_swaying_s)
+      found.of_wheels = 0.0;
+  }
+  return found;
+}
+
 void Analysis::doubt_the_noise() {
   if (result_.verdict != Verdict::nothing_missing) return;
   const GapFit& left = result_.search.final;
-  gap::doubt_the_noise(result_,
-                       {random_moments(*train_problem_, left.model, left.residuals), wandering_left()});
+  gap::doubt_the_noise(result_, {random_moments(*train_problem_, left.model, left.residuals),
+                                 wandering_left(), smoothness_left()});
 }
 
 void Analysis::note_runs() {

@@ -93,7 +93,8 @@ double GapProblem::smallest_reading(std::size_t channel) const {
   return std::max(largest_tick / std::sqrt(12.0), 1e-6);
 }
 
-NoiseModel GapProblem::noise_left_by(const TrialModel& model, double least_apart_s) const {
+NoiseModel GapProblem::noise_left_by(const TrialModel& model, double least_apart_s,
+                                     double longest_lasting_s) const {
   std::vector<RunErrors> errors(runs_.size());
   for_each_(runs_.size(), [&](std::size_t r) { errors[r] = free_run_errors(model, runs_[r]); });
   NoiseModel noise = noise_;
@@ -107,7 +108,7 @@ NoiseModel GapProblem::noise_left_by(const TrialModel& model, double least_apart
     std::vector<NoiseSample> samples;
     samples.reserve(series.size());
     for (const auto& one : series) samples.push_back({one.times_s, one.restarts, one.errors});
-    if (!samples.empty()) noise.channel[c] = noise_of(samples, smallest_reading(c));
+    if (!samples.empty()) noise.channel[c] = noise_of(samples, smallest_reading(c), longest_lasting_s);
   });
   // Both wheels are of one make: what one shows of noise holds for the other.
   if (!stretches_.empty()) {

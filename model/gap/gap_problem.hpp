@@ -49,7 +49,8 @@ class GapProblem {
   std::size_t readings() const { return size_; }
 
   // The noise under which what a model leaves is most likely, judged by readings so far apart.
-  NoiseModel noise_left_by(const TrialModel& model, double least_apart_s = 0.0) const;
+  NoiseModel noise_left_by(const TrialModel& model, double least_apart_s = 0.0,
+                           double longest_lasting_s = lasting_of_motors_s) const;
   void set_noise(const NoiseModel& noise);
   const NoiseModel& noise() const { return noise_; }
 

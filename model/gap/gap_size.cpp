@@ -19,9 +19,20 @@ constexpr int draws = 3;
 // Noise of one channel, reading by reading.
 class Wander {
  public:
-  Wander(const TravelNoise& noise, std::mt19937_64& random) : noise_(noise), random_(random) {}
+  Wander(const TravelNoise& noise, std::mt19937_64& random) : noise_(noise), random_(random) {
+    if (lasts()) speed_ = std::sqrt(wander_speed_variance(noise)) * normal_(random_);
+  }
   double walk(double duration_s) {
-    return at_ += noise_.walk_per_sqrt_s * std::sqrt(duration_s) * normal_(random_);
+    const WanderStep step(noise_, duration_s);
+    const double deviation = std::sqrt(std::max(0.0, step.travel_variance));
+    const double chance = normal_(random_);
+    at_ = step.kept * at_ + step.carry_s * speed_ + deviation * chance;
+    if (lasts()) {
+      const double along = deviation > 0.0 ? step.covariance / deviation : 0.0;
+      const double beside = std::sqrt(std::max(0.0, step.speed_variance - along * along));
+      speed_ = step.decay * speed_ + along * chance + beside * normal_(random_);
+    }
+    return at_;
   }
   // What a reading errs beyond being rounded to whole steps.
   double reading(double step = 0.0) {
@@ -31,10 +42,13 @@ class Wander {
   double at() const { return at_; }
 
  private:
+  bool lasts() const { return noise_.lasts_s > 0.0; }
+
   TravelNoise noise_;
   std::mt19937_64& random_;
   std::normal_distribution<double> normal_;
   double at_ = 0.0;
+  double speed_ = 0.0;
 };
 
 const TravelNoise& of(const NoiseModel& noise, Channel channel) {
@@ -114,10 +128,11 @@ NoiseModel with_slow_noise(const GapProblem& problem, const TrialModel& model, d
   NoiseModel noise = problem.noise();
   for (const double far_apart_s : {half_a_second_apart_s, two_seconds_apart_s}) {
     if (far_apart_s > most_apart_s) continue;
-    const NoiseModel slow = problem.noise_left_by(model, far_apart_s);
+    const NoiseModel slow = problem.noise_left_by(model, far_apart_s, no_lasting_s);
     for (std::size_t c = 0; c < channel_count; ++c) {
-      double& walk = noise.channel[c].walk_per_sqrt_s;
-      walk = std::max(walk, slow.channel[c].walk_per_sqrt_s);
+      if (slow.channel[c].walk_per_sqrt_s <= noise.channel[c].walk_per_sqrt_s) continue;
+      noise.channel[c].walk_per_sqrt_s = slow.channel[c].walk_per_sqrt_s;
+      noise.channel[c].returns_s = slow.channel[c].returns_s;
     }
   }
   return noise;

@@ -85,6 +85,17 @@ bool beyond_noise(const Wandering& by, double times) {
          by.rad_per_sqrt_s > times * largest_noise.rad_per_sqrt_s;
 }
 
+NoiseModel no_more_than_noise(const NoiseModel& noise) {
+  NoiseModel limited = noise;
+  for (const Channel channel :
+       {Channel::left, Channel::right, Channel::forward, Channel::aside, Channel::turn}) {
+    double& walk = limited.channel[static_cast<std::size_t>(channel)].walk_per_sqrt_s;
+    walk =
+        std::min(walk, channel == Channel::turn ? largest_noise.rad_per_sqrt_s : largest_noise.m_per_sqrt_s);
+  }
+  return limited;
+}
+
 bool is_the_smaller_part(const GapAnalysis& analysis, const Wandering& left) {
   constexpr double half = 0.5;
   constexpr double clearly = 1.15;  // real Creates wander by 26 mrad after what was named

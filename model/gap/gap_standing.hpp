@@ -26,6 +26,8 @@ bool leaves_most_of_it(const GapAnalysis& analysis);
 // that lacks something.
 constexpr Wandering largest_noise{0.015, 0.025};
 bool beyond_noise(const Wandering& by, double times = 1.0);
+// The same noise, wandering by no more than that.
+NoiseModel no_more_than_noise(const NoiseModel& noise);
 
 // Whether what is left, which hangs together, is more than what was found explains, or has the robot wander
 // as noise does not (`left`). Where a moment or a place decides, it may: little is wrong, and much of the run

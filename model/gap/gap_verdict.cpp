@@ -130,10 +130,10 @@ std::optional<Judgement> of_smoothness(const Smoothness& of) {
   return Judgement{Verdict::unnamed, summary.str()};
 }
 
-std::optional<Judgement> of_doubtful_noise(const GapAnalysis& analysis, const SupposedNoise& noise) {
+std::optional<Judgement> of_doubtful_noise(const SupposedNoise& noise) {
   if (noise.moments) return of_moments(*noise.moments);
   if (beyond_noise(noise.wandering)) return of_wandering(noise.wandering);
-  return of_smoothness(smoothness(analysis.train, analysis.tail_held_out ? analysis.train : analysis.test));
+  return of_smoothness(noise.smoothness);
 }
 
 Judgement of_nothing_found(const GapAnalysis& analysis, const SearchLimits& limits,
@@ -282,7 +282,7 @@ void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Left
 
 void doubt_the_noise(GapAnalysis& analysis, const SupposedNoise& noise) {
   if (analysis.verdict != Verdict::nothing_missing) return;
-  const auto judgement = of_doubtful_noise(analysis, noise);
+  const auto judgement = of_doubtful_noise(noise);
   if (!judgement) return;
   analysis.verdict = judgement->verdict;
   analysis.summary = judgement->summary;

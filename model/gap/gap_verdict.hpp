@@ -46,6 +46,7 @@ void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Left
 struct SupposedNoise {
   std::optional<RandomMoments> moments;
   Wandering wandering;  // over seconds
+  Smoothness smoothness;
 };
 void doubt_the_noise(GapAnalysis& analysis, const SupposedNoise& noise);
 

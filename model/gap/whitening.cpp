@@ -1,6 +1,7 @@
 #include "model/gap/whitening.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace wheelwright::gap {
@@ -32,57 +33,215 @@ Profile profile(std::span<const NoiseSample> samples, const TravelNoise& shape) 
   return {-0.5 * n * std::log(variance) - log_determinant, std::sqrt(variance)};
 }
 
+constexpr std::array lasting_s{0.03, 0.06, 0.12, lasting_of_motors_s, 0.5, lasting_of_swaying_s};
+constexpr std::array returning_s{1.0, 3.0, 10.0};
+constexpr double worth_it_nats = 10.0;  // of a further number
+
+// Walk in one second over reading noise, in steps of a quarter of a decade.
+constexpr int steps = 24;
+constexpr double smallest_ratio = 1e-3;
+constexpr double largest_ratio = 1e3;
+
+struct Shape {
+  double step;
+  TravelNoise noise;
+  Profile profile;
+
+  bool likelier_than(const Shape& other, double by_nats = 0.0) const {
+    return profile.log_likelihood > other.profile.log_likelihood + by_nats;
+  }
+};
+
+Shape of_step(std::span<const NoiseSample> samples, TravelNoise noise, double step) {
+  const double share = step / steps;
+  noise.reading = 1.0;
+  noise.walk_per_sqrt_s = smallest_ratio * std::pow(largest_ratio / smallest_ratio, share);
+  return {step, noise, profile(samples, noise)};
+}
+
+Shape most_likely_walk(std::span<const NoiseSample> samples) {
+  Shape best = of_step(samples, {}, 0);
+  for (int step = 1; step <= steps; ++step) {
+    const Shape found = of_step(samples, {}, step);
+    if (found.likelier_than(best)) best = found;
+  }
+  return best;
+}
+
+// What lasts comes to more over a long time than a walk that looks like it from reading to reading: the
+// nearest ratio that is best.
+Shape climbed(std::span<const NoiseSample> samples, const TravelNoise& noise, double from_step) {
+  Shape best = of_step(samples, noise, from_step);
+  for (const int direction : {1, -1}) {
+    for (double step = from_step + direction; step >= 0 && step <= steps; step += direction) {
+      const Shape found = of_step(samples, noise, step);
+      if (!found.likelier_than(best)) break;
+      best = found;
+    }
+    if (best.step != from_step) break;
+  }
+  return best;
+}
+
+// Between the steps.
+Shape refined(std::span<const NoiseSample> samples, const Shape& present) {
+  Shape best = present;
+  for (const double width : {0.5, 0.25, 0.125}) {
+    const Shape around = best;
+    for (const double step : {around.step - width, around.step + width}) {
+      const Shape found = of_step(samples, around.noise, step);
+      if (found.likelier_than(best)) best = found;
+    }
+  }
+  return best;
+}
+
+Shape lasting(std::span<const NoiseSample> samples, const Shape& present, double longest_s) {
+  Shape best = present;
+  double step = present.step;
+  for (const double lasts_s : lasting_s) {
+    if (lasts_s > longest_s) break;
+    TravelNoise noise = present.noise;
+    noise.lasts_s = lasts_s;
+    const Shape found = climbed(samples, noise, step);
+    step = found.step;
+    if (found.likelier_than(best, best.noise.lasts_s == 0.0 ? worth_it_nats : 0.0)) best = found;
+  }
+  return best;
+}
+
+Shape returning(std::span<const NoiseSample> samples, const Shape& present) {
+  Shape best = present;
+  for (const double returns_s : returning_s) {
+    TravelNoise noise = present.noise;
+    noise.returns_s = returns_s;
+    const Shape found = climbed(samples, noise, present.step);
+    if (found.likelier_than(best, std::isinf(best.noise.returns_s) ? worth_it_nats : 0.0)) best = found;
+  }
+  return best;
+}
+
 }  // namespace
+
+// White noise drives a speed that decays at rate b, and that a travel that decays at rate a; the integrals
+// are those of the squares and products of their impulse responses.
+WanderStep::WanderStep(const TravelNoise& noise, double duration_s) {
+  const double walk2 = noise.walk_per_sqrt_s * noise.walk_per_sqrt_s;
+  const double a = 1.0 / noise.returns_s;
+  const auto integral = [duration_s](double rate) {
+    return rate > 0.0 ? -std::expm1(-rate * duration_s) / rate : duration_s;
+  };
+  kept = std::exp(-a * duration_s);
+  if (noise.lasts_s <= 0.0) {
+    carry_s = decay = 0.0;
+    travel_variance = walk2 * integral(2.0 * a);
+    return;
+  }
+  constexpr double apart = 1e-4;  // two equal rates have integrals of their own, which these come near to
+  double b = 1.0 / noise.lasts_s;
+  if (std::abs(b - a) < apart * a) b = (1.0 + apart) * a;
+  const double quicker = b / (b - a);
+  decay = std::exp(-b * duration_s);
+  carry_s = (kept - decay) / (b - a);
+  travel_variance =
+      walk2 * quicker * quicker * (integral(2.0 * a) - 2.0 * integral(a + b) + integral(2.0 * b));
+  covariance = walk2 * b * quicker * (integral(a + b) - integral(2.0 * b));
+  speed_variance = walk2 * b * b * integral(2.0 * b);
+}
+
+double wander_speed_variance(const TravelNoise& noise) {
+  return noise.lasts_s > 0.0 ? noise.walk_per_sqrt_s * noise.walk_per_sqrt_s / (2.0 * noise.lasts_s) : 0.0;
+}
+
+bool Whitener::Spread::as_good_as(const Spread& other) const {
+  const auto close = [](double a, double b) {
+    constexpr double relative = 1e-12;
+    return std::abs(a - b) <= relative * std::abs(b);
+  };
+  return close(travel, other.travel) && close(both, other.both) && close(speed, other.speed);
+}
+
+Whitener::Step Whitener::advance(Spread& spread, const WanderStep& wander, double reading) {
+  const auto [travel, both, speed] = spread;
+  const double ahead = wander.kept * both + wander.carry_s * speed;
+  const double expected = wander.kept * (wander.kept * travel + wander.carry_s * both) +
+                          wander.carry_s * ahead + wander.travel_variance;
+  const double expected_both = wander.decay * ahead + wander.covariance;
+  const double expected_speed = wander.decay * wander.decay * speed + wander.speed_variance;
+  const double innovation = expected + reading;
+  const double gain = expected / innovation;
+  const double speed_gain = expected_both / innovation;
+  spread = {(1.0 - gain) * expected, (1.0 - gain) * expected_both,
+            expected_speed - speed_gain * expected_both};
+  return {{wander.kept, wander.carry_s, 0.0},
+          {(1.0 - gain) * wander.kept, (1.0 - gain) * wander.carry_s, gain},
+          {-speed_gain * wander.kept, wander.decay - speed_gain * wander.carry_s, speed_gain},
+          1.0 / std::sqrt(innovation)};
+}
 
 Whitener::Whitener(std::span<const double> times_s, std::span<const char> restarts,
                    const TravelNoise& noise) {
   const double reading = noise.reading * noise.reading;
-  const double walk = noise.walk_per_sqrt_s * noise.walk_per_sqrt_s;
-  double variance = 0.0;  // of the estimated error, after the reading before
+  WanderStep wander(noise, 0.0);
+  double duration_s = 0.0;
+  Spread spread{};
+  bool settled = false;  // as it does where readings come at one pace: then every step is the same
+  double log_deviation = 0.0;
   for (std::size_t i = 0; i < times_s.size(); ++i) {
     if (i == 0 || restarts[i]) {
-      steps_.push_back({1.0, 0.0});
-      variance = reading;
+      stretches_.push_back({{}, 1});
+      spread = {reading, 0.0, wander_speed_variance(noise)};
+      settled = false;
       continue;
     }
-    const double expected = variance + walk * (times_s[i] - times_s[i - 1]);
-    const double innovation = expected + reading;
-    const double gain = expected / innovation;
-    const double deviation = std::sqrt(innovation);
-    steps_.push_back({gain, 1.0 / deviation});
-    variance = (1.0 - gain) * expected;
-    log_determinant_ += std::log(deviation);
+    constexpr double as_long_s = 1e-9;
+    if (std::abs(times_s[i] - times_s[i - 1] - duration_s) > as_long_s) {
+      duration_s = times_s[i] - times_s[i - 1];
+      wander = WanderStep(noise, duration_s);
+      settled = false;
+    }
+    if (settled) {
+      ++stretches_.back().readings;
+    } else {
+      const Spread before = spread;
+      stretches_.push_back({advance(spread, wander, reading), 1});
+      settled = spread.as_good_as(before);
+      log_deviation = -std::log(stretches_.back().step.scale);
+    }
+    log_determinant_ += log_deviation;
     ++count_;
   }
 }
 
 void Whitener::apply(std::span<const double> errors, double* innovations) const {
-  double estimate = 0.0;
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    const double innovation = errors[i] - estimate;
-    estimate += steps_[i].gain * innovation;
-    innovations[i] = innovation * steps_[i].scale;
+  double begin = 0.0;  // where the series began
+  double travel = 0.0;
+  double speed = 0.0;
+  std::size_t next = 0;
+  for (const auto& [step, readings] : stretches_) {
+    if (step.scale == 0.0) begin = errors[next];
+    for (const std::size_t end = next + readings; next < end; ++next) {
+      const double error = errors[next] - begin;
+      const auto sum = [&](const Known& of) {
+        return of.from_travel * travel + (of.from_speed * speed + of.from_error * error);
+      };
+      innovations[next] = (error - sum(step.expected)) * step.scale;
+      const double travel_now = sum(step.travel);
+      speed = sum(step.speed);
+      travel = travel_now;
+    }
   }
 }
 
-TravelNoise noise_of(std::span<const NoiseSample> samples, double smallest_reading) {
-  constexpr int steps = 24;
-  constexpr double smallest_ratio = 1e-3;  // walk in one second over reading
-  constexpr double largest_ratio = 1e3;
-  TravelNoise best{1.0, smallest_ratio};
-  Profile best_profile = profile(samples, best);
-  for (int i = 1; i <= steps; ++i) {
-    const double share = static_cast<double>(i) / steps;
-    const TravelNoise shape{1.0, smallest_ratio * std::pow(largest_ratio / smallest_ratio, share)};
-    const Profile found = profile(samples, shape);
-    if (found.log_likelihood > best_profile.log_likelihood) {
-      best = shape;
-      best_profile = found;
-    }
-  }
-  TravelNoise noise{best_profile.size, best_profile.size * best.walk_per_sqrt_s};
-  noise.reading = std::max(noise.reading, smallest_reading);
-  noise.walk_per_sqrt_s = std::max(noise.walk_per_sqrt_s, 1e-3 * smallest_reading);
+TravelNoise noise_of(std::span<const NoiseSample> samples, double smallest_reading,
+                     double longest_lasting_s) {
+  Shape best = lasting(samples, most_likely_walk(samples), longest_lasting_s);
+  const Shape returns = returning(samples, best);
+  if (returns.noise.returns_s != best.noise.returns_s) best = lasting(samples, returns, longest_lasting_s);
+  best = refined(samples, best);
+  TravelNoise noise = best.noise;
+  noise.reading = std::max(best.profile.size, smallest_reading);
+  noise.walk_per_sqrt_s = std::max(best.profile.size * noise.walk_per_sqrt_s, 1e-3 * smallest_reading);
   return noise;
 }
 

@@ -1,11 +1,14 @@
 // What is noise in a series of travel, and what a series looks like once it is taken out.
 //
 // A reading of travel errs by white noise (quantisation, the reference's own noise); between readings the
-// travel itself wanders (a random walk: slip, what no model predicts). Of a series of errors with these two,
+// travel itself wanders (slip, what pushes a motor that no model predicts): by a random walk, or by a speed
+// that is forgotten within a part of a second (Ornstein and Uhlenbeck, 1930). Where a wheel's speed is held
+// by a controller with an integral, what it lost comes back within seconds. Of a series of errors with these,
 // the innovations of the Kalman filter for it are white with unit variance, so that their sum of squares is a
 // log likelihood, whatever the correlation of the errors themselves (GAP.md, point 5).
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -13,8 +16,24 @@ namespace wheelwright::gap {
 
 struct TravelNoise {
   double reading = 1e-3;          // standard deviation of one reading
-  double walk_per_sqrt_s = 1e-3;  // of the wandering, after one second
+  double walk_per_sqrt_s = 1e-3;  // of the wandering, per square root of time, before it returns
+  double lasts_s = 0.0;           // until the wandering's speed is forgotten; zero: a random walk
+  double returns_s = std::numeric_limits<double>::infinity();  // until the travel comes back
 };
+
+// How travel that wanders goes on over some time: by itself and its speed, which decay, and by what comes to
+// both.
+struct WanderStep {
+  WanderStep(const TravelNoise& noise, double duration_s);
+  double kept;     // of the travel
+  double carry_s;  // travel by the speed at its begin
+  double decay;    // of the speed
+  double travel_variance;
+  double covariance = 0.0;
+  double speed_variance = 0.0;
+};
+// Of the speed, at any time.
+double wander_speed_variance(const TravelNoise& noise);
 
 // The linear filter from errors to innovations for readings at given times. The first reading, and each one
 // after a restart, tells only where the series begins: its innovation is zero.
@@ -29,11 +48,33 @@ class Whitener {
   std::size_t innovations() const { return count_; }
 
  private:
+  // From what was known after the reading before: the error expected, and what is known after this one.
+  struct Known {
+    double from_travel;
+    double from_speed;
+    double from_error;
+  };
   struct Step {
-    double gain;
+    Known expected;
+    Known travel;
+    Known speed;
     double scale;  // one over the innovation's standard deviation; zero where it tells nothing
   };
-  std::vector<Step> steps_;
+  // Covariance of travel and speed as they are known after a reading.
+  struct Spread {
+    double travel;
+    double both;
+    double speed;
+    bool as_good_as(const Spread& other) const;
+  };
+  static Step advance(Spread& spread, const WanderStep& wander, double reading);
+
+  // The same step for so many readings.
+  struct Stretch {
+    Step step;
+    std::size_t readings;
+  };
+  std::vector<Stretch> stretches_;
   double log_determinant_ = 0.0;
   std::size_t count_ = 0;
 };
@@ -45,8 +86,14 @@ struct NoiseSample {
   std::span<const double> errors;
 };
 
+// How long the speed of what wanders may last: of motors, and of what sways. Readings that lie far apart do
+// not tell; then it is a random walk.
+constexpr double no_lasting_s = 0.0;
+constexpr double lasting_of_motors_s = 0.25;
+constexpr double lasting_of_swaying_s = 1.0;
+
 // The noise under which the series are most likely; all series of one channel together. `smallest_reading` is
 // the least that a reading can err (its quantisation).
-TravelNoise noise_of(std::span<const NoiseSample> samples, double smallest_reading);
+TravelNoise noise_of(std::span<const NoiseSample> samples, double smallest_reading, double longest_lasting_s);
 
 }  // namespace wheelwright::gap

@@ -61,7 +61,7 @@ TEST_CASE("A wheel that was held more than once is something for which the libra
 TEST_CASE("What was called noise is none where it comes at moments, and the moments are said") {
   GapAnalysis analysis = analysis_with({}, position(1.0, 1.0));
   analysis.verdict = Verdict::nothing_missing;
-  doubt_the_noise(analysis, {RandomMoments{{{"run2", 12.34}, {"run1", 4.5}}, 0.7, 0.012}, {}});
+  doubt_the_noise(analysis, {RandomMoments{{{"run2", 12.34}, {"run1", 4.5}}, 0.7, 0.012}, {}, {}});
   CHECK(analysis.verdict == Verdict::unnamed);
   CHECK_THAT(analysis.summary, ContainsSubstring("in 1.2 % of the time lies 70 %") &&
                                    ContainsSubstring("run2 at 12.3 s, run1 at 4.5 s"));
@@ -72,13 +72,13 @@ TEST_CASE("What was called noise is none where it comes at moments, and the mome
 TEST_CASE("What was called noise is none where a robot wanders further than robots do") {
   GapAnalysis analysis = analysis_with({}, position(1.0, 1.0));
   analysis.verdict = Verdict::nothing_missing;
-  doubt_the_noise(analysis, {{}, {0.004, 0.009}});
+  doubt_the_noise(analysis, {{}, {0.004, 0.009}, {}});
   CHECK(analysis.verdict == Verdict::nothing_missing);
-  doubt_the_noise(analysis, {{}, {0.04, 0.0}});
+  doubt_the_noise(analysis, {{}, {0.04, 0.0}, {}});
   CHECK(analysis.verdict == Verdict::unnamed);
   CHECK_THAT(analysis.summary, ContainsSubstring("40 mm within a second"));
   analysis.verdict = Verdict::nothing_missing;
-  doubt_the_noise(analysis, {{}, {0.004, 0.06}});
+  doubt_the_noise(analysis, {{}, {0.004, 0.06}, {}});
   CHECK(analysis.verdict == Verdict::unnamed);
   CHECK_THAT(analysis.summary, ContainsSubstring("60 mrad within a second"));
 }
@@ -93,11 +93,11 @@ TEST_CASE("What was called noise is none where wheels stray far and their speeds
        {std::pair(0.018, Verdict::nothing_missing), std::pair(0.043, Verdict::unnamed)}) {
     GapAnalysis analysis = analysis_with({}, {scatter(0.01), scatter(0.01), scatter(floor)});
     analysis.verdict = Verdict::nothing_missing;
-    doubt_the_noise(analysis, {{}, {0.004, 0.009}});
+    doubt_the_noise(analysis, {{}, {0.004, 0.009}, smoothness(analysis.train, analysis.test)});
     CHECK(analysis.verdict == verdict);
     analysis.test.floor.wheel_speed_rms_m_s = 0.01;
     analysis.verdict = Verdict::nothing_missing;
-    doubt_the_noise(analysis, {{}, {0.004, 0.009}});
+    doubt_the_noise(analysis, {{}, {0.004, 0.009}, smoothness(analysis.train, analysis.test)});
     CHECK(analysis.verdict == Verdict::nothing_missing);
   }
 }
@@ -112,21 +112,21 @@ TEST_CASE("What was called noise is none where references sway and the robot is 
        {std::pair(2.1, Verdict::nothing_missing), std::pair(3.6, Verdict::unnamed)}) {
     GapAnalysis analysis = analysis_with({}, floors(times));
     analysis.verdict = Verdict::nothing_missing;
-    doubt_the_noise(analysis, {{}, {0.004, 0.009}});
+    doubt_the_noise(analysis, {{}, {0.004, 0.009}, smoothness(analysis.train, analysis.test)});
     CHECK(analysis.verdict == verdict);
   }
   GapAnalysis at_the_ends = analysis_with({}, floors(3.6));
   for (GapFigures* figures : {&at_the_ends.train, &at_the_ends.test})
     figures->after.position_rms_m->horizon_s = 60.0;
   at_the_ends.verdict = Verdict::nothing_missing;
-  doubt_the_noise(at_the_ends, {{}, {0.004, 0.009}});
+  doubt_the_noise(at_the_ends, {{}, {0.004, 0.009}, smoothness(at_the_ends.train, at_the_ends.test)});
   CHECK(at_the_ends.verdict == Verdict::nothing_missing);
 }
 
 TEST_CASE("Where something was said already, the noise is not doubted") {
   GapAnalysis analysis = analysis_with({}, position(1.0, 1.0));
   analysis.verdict = Verdict::not_testable;
-  doubt_the_noise(analysis, {{}, {0.04, 0.0}});
+  doubt_the_noise(analysis, {{}, {0.04, 0.0}, {}});
   CHECK(analysis.verdict == Verdict::not_testable);
 }
 
