@@ -36,12 +36,17 @@ std::vector<std::size_t> told_rows(const DriveLog& log, double after_first_s, Te
 
 }  // namespace
 
+bool is_told_on_the_way(const RobotModel& model, const DriveLog& log) {
+  const auto effects = effect_settings(model);
+  return any_acts(effects, &EffectInfo::by_pose) ||
+         (log.metres_per_tick && any_acts(effects, &EffectInfo::by_wheel_angle));
+}
+
 std::vector<std::vector<PredictedMotion>> open_loop_runs(const RobotModel& model, const DriveLog& log) {
   const auto effects = effect_settings(model);
+  if (!is_told_on_the_way(model, log)) return {free_run(model.core, effects, log)};
   const bool by_pose = any_acts(effects, &EffectInfo::by_pose);
-  const bool by_angle = log.metres_per_tick && any_acts(effects, &EffectInfo::by_wheel_angle);
-  if (!by_pose && !by_angle) return {free_run(model.core, effects, log)};
-  const auto tells = [&](const DriveSample& sample) {
+  const auto tells = [by_pose](const DriveSample& sample) {
     return by_pose ? sample.reference_pose().has_value() : sample.ticks.has_value();
   };
   std::vector<std::vector<PredictedMotion>> runs;

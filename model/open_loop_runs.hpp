@@ -16,6 +16,9 @@
 
 namespace wheelwright {
 
+// Whether a model is told anything on its way through a log.
+bool is_told_on_the_way(const RobotModel& model, const DriveLog& log);
+
 // A single free run where no effect of the model acts by place, heading or the wheels' angle.
 std::vector<std::vector<PredictedMotion>> open_loop_runs(const RobotModel& model, const DriveLog& log);
 

@@ -78,7 +78,8 @@ std::string missing_for(const EffectInfo& info, const Contents& contents) {
   const auto levels = static_cast<std::size_t>(std::ranges::count_if(
       contents.levels_s, [](const auto& level) { return level.second > least_level_s; }));
   if (needs.variety && levels < enough_levels) {
-    return "the runs hold only " + std::to_string(levels) + " different sizes of command";
+    return levels < 2 ? "the runs hold one size of command only"
+                      : "the runs hold only " + std::to_string(levels) + " sizes of command";
   }
   return "";
 }

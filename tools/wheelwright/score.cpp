@@ -128,7 +128,8 @@ Action add_score(CLI::App& app) {
   command->add_flag("--json", options->json, "All logs together as JSON, in m/s, m and rad");
   command->footer(
       "Errors are predicted minus measured; stretches between holes in the rows each from its own "
-      "start. A model with a rug or a slope in it is told every 10 s where the robot is.\nExample: "
+      "start. A model with a rug, a slope or a wheel out of round in it is told every 10 s where the "
+      "robot is and how far its wheels have rolled.\nExample: "
       "wheelwright score robot.yaml run2.csv run3.csv");
   return [options](Streams streams) { return run_score(*options, streams); };
 }

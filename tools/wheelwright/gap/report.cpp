@@ -5,6 +5,7 @@
 
 #include "model/gap/data_gate.hpp"
 #include "model/gap/residual_table.hpp"
+#include "model/open_loop_runs.hpp"
 #include "tools/wheelwright/gap/gap_text.hpp"
 #include "tools/wheelwright/gap/report_tables.hpp"
 #include "tools/wheelwright/gap/run_plots.hpp"
@@ -40,7 +41,16 @@ std::string figures_section(const gap::GapAnalysis& analysis, const std::vector<
   const Figures drawn =
       draw(run_plots(analysis.before, changed ? std::optional(analysis.after) : std::nullopt, runs));
   if (drawn.problem.empty() && drawn.figures.empty()) return "";
-  return html::element("h2", analysis.tail_held_out ? "The run in free run" : "Held-out runs in free run") +
+  const bool told = changed && std::ranges::any_of(runs, [&](const DriveLog& run) {
+                      return is_told_on_the_way(analysis.after, run);
+                    });
+  return html::element("h2", analysis.tail_held_out ? "The run, simulated" : "Held-out runs, simulated") +
+         html::element("p",
+                       std::string("From the commands of the whole run and the pose at its start. ") +
+                           (told ? "With what was added, the model is told every 10 s where the robot is and "
+                                   "how far its wheels have rolled, on which that depends; its path goes on "
+                                   "from where it was."
+                                 : "")) +
          figures_html(drawn);
 }
 

@@ -91,7 +91,7 @@ Plot travel_error_plot(const DriveLog& log, std::span<const DrawnRun> runs) {
 }
 
 Plot path_plot(const DriveLog& log, std::span<const DrawnRun> runs) {
-  Plot plot(log.name + ": path on the floor from commands alone, beside the measured one");
+  Plot plot(log.name + ": path on the floor by the model, beside the measured one");
   plot.axes("x [m]", "y [m]").height(480).equal_scales();
   const std::size_t stride = std::max<std::size_t>(1, log.samples.size() / 1500);
   PlotPoints reference;
