@@ -218,7 +218,7 @@ TEST_CASE("The report stands alone, and shows what was found with its rivals and
   REQUIRE(gap(at).status == ExitStatus::done);
   const std::string page = text_of(at.output() / "report.html");
   for (const char* part : {"dead_zone", "95 % interval", "rival in its place", "The gap, before and after",
-                           "The search", "Held-out runs in free run", "prefers-color-scheme: dark"}) {
+                           "The search", "Held-out runs, simulated", "prefers-color-scheme: dark"}) {
     CHECK_THAT(page, ContainsSubstring(part));
   }
   for (const char* link : {"src=", "<script", "@import", "url(http"}) {
