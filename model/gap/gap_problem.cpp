@@ -14,27 +14,6 @@ constexpr double least_stretch = 0.3;
 constexpr double most_usual_stretch = 1.5;
 constexpr double enough_stretch_readings = 100.0;
 
-struct ErrorSeries {
-  std::vector<double> times_s;
-  std::vector<char> restarts;
-  std::vector<double> errors;
-};
-
-// Only readings that lie so far behind the one before, and those behind which nothing is known.
-ErrorSeries thinned(const NoiseSample& all, double least_apart_s) {
-  ErrorSeries kept;
-  bool restart = false;
-  for (std::size_t i = 0; i < all.times_s.size(); ++i) {
-    restart = restart || all.restarts[i] != 0;
-    if (!restart && !kept.times_s.empty() && all.times_s[i] - kept.times_s.back() < least_apart_s) continue;
-    kept.times_s.push_back(all.times_s[i]);
-    kept.restarts.push_back(restart ? 1 : 0);
-    kept.errors.push_back(all.errors[i]);
-    restart = false;
-  }
-  return kept;
-}
-
 }  // namespace
 
 double squares_of(const std::vector<double>& values) {
@@ -107,7 +86,7 @@ NoiseModel GapProblem::noise_left_by(const TrialModel& model, double least_apart
     }
     std::vector<NoiseSample> samples;
     samples.reserve(series.size());
-    for (const auto& one : series) samples.push_back({one.times_s, one.restarts, one.errors});
+    for (const auto& one : series) samples.push_back(one.sample());
     if (!samples.empty()) noise.channel[c] = noise_of(samples, smallest_reading(c), longest_lasting_s);
   });
   // Both wheels are of one make: what one shows of noise holds for the other.

@@ -11,6 +11,7 @@
 
 #include "model/gap/gap_errors.hpp"
 #include "model/gap/gap_run.hpp"
+#include "model/gap/noise_fit.hpp"
 #include "model/gap/trial_model.hpp"
 #include "model/gap/whitening.hpp"
 

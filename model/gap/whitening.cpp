@@ -1,128 +1,9 @@
 #include "model/gap/whitening.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace wheelwright::gap {
-namespace {
-
-// Log likelihood of the samples for a ratio of walk to reading noise, with their common size chosen at its
-// best.
-struct Profile {
-  double log_likelihood;
-  double size;  // by which both noises have to be multiplied
-};
-
-Profile profile(std::span<const NoiseSample> samples, const TravelNoise& shape) {
-  double squares = 0.0;
-  double log_determinant = 0.0;
-  std::size_t count = 0;
-  std::vector<double> innovations;
-  for (const auto& sample : samples) {
-    const Whitener whitener(sample.times_s, sample.restarts, shape);
-    innovations.assign(sample.errors.size(), 0.0);
-    whitener.apply(sample.errors, innovations.data());
-    for (const double innovation : innovations) squares += innovation * innovation;
-    log_determinant += whitener.log_determinant();
-    count += whitener.innovations();
-  }
-  if (count == 0) return {0.0, 1.0};
-  const double n = static_cast<double>(count);
-  const double variance = std::max(squares / n, 1e-30);
-  return {-0.5 * n * std::log(variance) - log_determinant, std::sqrt(variance)};
-}
-
-constexpr std::array lasting_s{0.03, 0.06, 0.12, lasting_of_motors_s, 0.5, lasting_of_swaying_s};
-constexpr std::array returning_s{1.0, 3.0, 10.0};
-constexpr double worth_it_nats = 10.0;  // of a further number
-
-// Walk in one second over reading noise, in steps of a quarter of a decade.
-constexpr int steps = 24;
-constexpr double smallest_ratio = 1e-3;
-constexpr double largest_ratio = 1e3;
-
-struct Shape {
-  double step;
-  TravelNoise noise;
-  Profile profile;
-
-  bool likelier_than(const Shape& other, double by_nats = 0.0) const {
-    return profile.log_likelihood > other.profile.log_likelihood + by_nats;
-  }
-};
-
-Shape of_step(std::span<const NoiseSample> samples, TravelNoise noise, double step) {
-  const double share = step / steps;
-  noise.reading = 1.0;
-  noise.walk_per_sqrt_s = smallest_ratio * std::pow(largest_ratio / smallest_ratio, share);
-  return {step, noise, profile(samples, noise)};
-}
-
-Shape most_likely_walk(std::span<const NoiseSample> samples) {
-  Shape best = of_step(samples, {}, 0);
-  for (int step = 1; step <= steps; ++step) {
-    const Shape found = of_step(samples, {}, step);
-    if (found.likelier_than(best)) best = found;
-  }
-  return best;
-}
-
-// What lasts comes to more over a long time than a walk that looks like it from reading to reading: the
-// nearest ratio that is best.
-Shape climbed(std::span<const NoiseSample> samples, const TravelNoise& noise, double from_step) {
-  Shape best = of_step(samples, noise, from_step);
-  for (const int direction : {1, -1}) {
-    for (double step = from_step + direction; step >= 0 && step <= steps; step += direction) {
-      const Shape found = of_step(samples, noise, step);
-      if (!found.likelier_than(best)) break;
-      best = found;
-    }
-    if (best.step != from_step) break;
-  }
-  return best;
-}
-
-// Between the steps.
-Shape refined(std::span<const NoiseSample> samples, const Shape& present) {
-  Shape best = present;
-  for (const double width : {0.5, 0.25, 0.125}) {
-    const Shape around = best;
-    for (const double step : {around.step - width, around.step + width}) {
-      const Shape found = of_step(samples, around.noise, step);
-      if (found.likelier_than(best)) best = found;
-    }
-  }
-  return best;
-}
-
-Shape lasting(std::span<const NoiseSample> samples, const Shape& present, double longest_s) {
-  Shape best = present;
-  double step = present.step;
-  for (const double lasts_s : lasting_s) {
-    if (lasts_s > longest_s) break;
-    TravelNoise noise = present.noise;
-    noise.lasts_s = lasts_s;
-    const Shape found = climbed(samples, noise, step);
-    step = found.step;
-    if (found.likelier_than(best, best.noise.lasts_s == 0.0 ? worth_it_nats : 0.0)) best = found;
-  }
-  return best;
-}
-
-Shape returning(std::span<const NoiseSample> samples, const Shape& present) {
-  Shape best = present;
-  for (const double returns_s : returning_s) {
-    TravelNoise noise = present.noise;
-    noise.returns_s = returns_s;
-    const Shape found = climbed(samples, noise, present.step);
-    if (found.likelier_than(best, std::isinf(best.noise.returns_s) ? worth_it_nats : 0.0)) best = found;
-  }
-  return best;
-}
-
-}  // namespace
-
 // White noise drives a speed that decays at rate b, and that a travel that decays at rate a; the integrals
 // are those of the squares and products of their impulse responses.
 WanderStep::WanderStep(const TravelNoise& noise, double duration_s) {
@@ -231,18 +112,6 @@ void Whitener::apply(std::span<const double> errors, double* innovations) const 
       travel = travel_now;
     }
   }
-}
-
-TravelNoise noise_of(std::span<const NoiseSample> samples, double smallest_reading,
-                     double longest_lasting_s) {
-  Shape best = lasting(samples, most_likely_walk(samples), longest_lasting_s);
-  const Shape returns = returning(samples, best);
-  if (returns.noise.returns_s != best.noise.returns_s) best = lasting(samples, returns, longest_lasting_s);
-  best = refined(samples, best);
-  TravelNoise noise = best.noise;
-  noise.reading = std::max(best.profile.size, smallest_reading);
-  noise.walk_per_sqrt_s = std::max(best.profile.size * noise.walk_per_sqrt_s, 1e-3 * smallest_reading);
-  return noise;
 }
 
 }  // namespace wheelwright::gap

@@ -79,21 +79,4 @@ class Whitener {
   std::size_t count_ = 0;
 };
 
-// One series of errors, for noise_of.
-struct NoiseSample {
-  std::span<const double> times_s;
-  std::span<const char> restarts;
-  std::span<const double> errors;
-};
-
-// How long the speed of what wanders may last: of motors, and of what sways. Readings that lie far apart do
-// not tell; then it is a random walk.
-constexpr double no_lasting_s = 0.0;
-constexpr double lasting_of_motors_s = 0.25;
-constexpr double lasting_of_swaying_s = 1.0;
-
-// The noise under which the series are most likely; all series of one channel together. `smallest_reading` is
-// the least that a reading can err (its quantisation).
-TravelNoise noise_of(std::span<const NoiseSample> samples, double smallest_reading, double longest_lasting_s);
-
 }  // namespace wheelwright::gap

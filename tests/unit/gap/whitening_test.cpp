@@ -1,58 +1,15 @@
 #include "model/gap/whitening.hpp"
 
 #include <cmath>
-#include <random>
 
 #include "tests/support/catch.hpp"
+#include "tests/support/known_errors.hpp"
 
 using namespace wheelwright::gap;
+using wheelwright::test::known_errors;
+using wheelwright::test::wandering_errors;
 
 namespace {
-
-// Errors of travel by a known random walk and known reading noise.
-struct KnownErrors {
-  std::vector<double> times_s;
-  std::vector<char> restarts;
-  std::vector<double> errors;
-};
-
-KnownErrors known_errors(const TravelNoise& noise, std::size_t count, std::uint64_t seed) {
-  constexpr double step_s = 0.018;
-  std::mt19937_64 random(seed);
-  std::normal_distribution<double> normal;
-  KnownErrors known;
-  double walked = 0.0;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i > 0) walked += noise.walk_per_sqrt_s * std::sqrt(step_s) * normal(random);
-    known.times_s.push_back(step_s * static_cast<double>(i));
-    known.restarts.push_back(0);
-    known.errors.push_back(walked + noise.reading * normal(random));
-  }
-  return known;
-}
-
-// Made in steps so small that no formula for long ones is needed.
-KnownErrors wandering_errors(const TravelNoise& noise, std::size_t count, std::uint64_t seed) {
-  constexpr double step_s = 0.018;
-  constexpr int fine = 40;
-  constexpr double fine_s = step_s / fine;
-  std::mt19937_64 random(seed);
-  std::normal_distribution<double> normal;
-  KnownErrors known;
-  double speed = 0.0;
-  double travel = 0.0;
-  for (std::size_t i = 0; i < count; ++i) {
-    known.times_s.push_back(step_s * static_cast<double>(i));
-    known.restarts.push_back(0);
-    known.errors.push_back(travel + noise.reading * normal(random));
-    for (int k = 0; k < fine; ++k) {
-      const double push = noise.walk_per_sqrt_s * std::sqrt(fine_s) * normal(random);
-      travel += fine_s * (speed - travel / noise.returns_s);
-      speed += (push - fine_s * speed) / noise.lasts_s;
-    }
-  }
-  return known;
-}
 
 double power_of(const std::vector<double>& values) {
   double power = 0.0;
@@ -100,17 +57,6 @@ TEST_CASE("What is not known of the start of a series, or after a restart, count
   for (const double value : white) CHECK(std::abs(value) < 5.0);
 }
 
-TEST_CASE("The noise of a series is found from the series") {
-  const auto known = known_errors(noise, 20000, 7);
-  const std::vector<NoiseSample> samples{{known.times_s, known.restarts, known.errors}};
-  const TravelNoise found = noise_of(samples, 1e-6, lasting_of_motors_s);
-  // Walk over reading is looked for in steps of a quarter of a decade.
-  const double step = std::pow(10.0, 0.25);
-  CHECK(found.walk_per_sqrt_s / found.reading < step * noise.walk_per_sqrt_s / noise.reading);
-  CHECK(found.walk_per_sqrt_s / found.reading > noise.walk_per_sqrt_s / noise.reading / step);
-  CHECK_THAT(found.walk_per_sqrt_s, WithinRel(noise.walk_per_sqrt_s, step - 1.0));
-}
-
 TEST_CASE("Errors whose speed lasts, and which come back, come out white and of unit variance") {
   const TravelNoise lasting{1e-4, 4e-3, 0.12, 3.0};
   const auto known = wandering_errors(lasting, 20000, 8);
@@ -121,26 +67,6 @@ TEST_CASE("Errors whose speed lasts, and which come back, come out white and of 
   for (const std::size_t lag : {1U, 2U, 5U, 20U, 100U}) {
     INFO("lag " << lag);
     CHECK(std::abs(correlation(white, lag)) < 4.0 / std::sqrt(20000.0));
-  }
-}
-
-TEST_CASE("How long a speed lasts, and that travel comes back, is found from the series") {
-  const TravelNoise truth{1e-4, 4e-3, 0.12, 3.0};
-  const auto known = wandering_errors(truth, 20000, 9);
-  const std::vector<NoiseSample> samples{{known.times_s, known.restarts, known.errors}};
-  const TravelNoise found = noise_of(samples, 1e-6, lasting_of_motors_s);
-  CHECK(found.lasts_s == truth.lasts_s);
-  CHECK(found.returns_s == truth.returns_s);
-  CHECK_THAT(found.walk_per_sqrt_s, WithinRel(truth.walk_per_sqrt_s, 0.4));
-}
-
-TEST_CASE("A random walk is not taken for a speed that lasts, nor for travel that comes back") {
-  for (const std::uint64_t seed : {10U, 11U, 12U, 13U}) {
-    const auto known = known_errors(noise, 20000, seed);
-    const std::vector<NoiseSample> samples{{known.times_s, known.restarts, known.errors}};
-    const TravelNoise found = noise_of(samples, 1e-6, lasting_of_motors_s);
-    CHECK(found.lasts_s == 0.0);
-    CHECK(std::isinf(found.returns_s));
   }
 }
 
