@@ -91,10 +91,11 @@ std::optional<Excess> held_out_alone(const GapFigures& train, const GapFigures& 
 }
 
 bool some_figure_above_noise(const GapFigures& figures) {
+  constexpr double scatter = 1.05;  // of the floor itself, from one draw of noise to the next
   const Values before = values_of(figures.before);
   const Values floor = values_of(figures.floor);
   for (std::size_t i = 0; i < figure_count; ++i) {
-    if (before.at(i) && floor.at(i) && *before.at(i) > *floor.at(i)) return true;
+    if (before.at(i) && floor.at(i) && *before.at(i) > scatter * *floor.at(i)) return true;
   }
   return false;
 }

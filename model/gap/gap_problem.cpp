@@ -87,7 +87,10 @@ NoiseModel GapProblem::noise_left_by(const TrialModel& model, double least_apart
     std::vector<NoiseSample> samples;
     samples.reserve(series.size());
     for (const auto& one : series) samples.push_back(one.sample());
-    if (!samples.empty()) noise.channel[c] = noise_of(samples, smallest_reading(c), longest_lasting_s);
+    const bool of_references =
+        c > static_cast<std::size_t>(Channel::right) && longest_lasting_s > no_lasting_s;
+    if (!samples.empty())
+      noise.channel[c] = noise_of(samples, {smallest_reading(c), longest_lasting_s, of_references});
   });
   // Both wheels are of one make: what one shows of noise holds for the other.
   if (!stretches_.empty()) {

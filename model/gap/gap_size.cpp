@@ -35,7 +35,7 @@ class Wander {
     return at_;
   }
   // What a reading errs beyond being rounded to whole steps.
-  double reading(double step = 0.0) {
+  double reading(double step) {
     const double beyond = noise_.reading * noise_.reading - step * step / 12.0;
     return std::sqrt(std::max(0.0, beyond)) * normal_(random_);
   }
@@ -51,6 +51,26 @@ class Wander {
   double speed_ = 0.0;
 };
 
+// What readings of a tracker err, by themselves and alike.
+class Tracker {
+ public:
+  Tracker(const TravelNoise& noise, std::mt19937_64& random) : noise_(noise), random_(random) {
+    if (noise_.tracker > 0.0) alike_ = noise_.tracker * normal_(random_);
+  }
+  void go_on(double duration_s) {
+    if (noise_.tracker <= 0.0) return;
+    const double kept = noise_.tracker_kept(duration_s);
+    alike_ = kept * alike_ + noise_.tracker * std::sqrt(1.0 - kept * kept) * normal_(random_);
+  }
+  double error() { return alike_ + noise_.reading * normal_(random_); }
+
+ private:
+  TravelNoise noise_;
+  std::mt19937_64& random_;
+  std::normal_distribution<double> normal_;
+  double alike_ = 0.0;
+};
+
 const TravelNoise& of(const NoiseModel& noise, Channel channel) {
   return noise.channel[static_cast<std::size_t>(channel)];
 }
@@ -64,10 +84,14 @@ DriveLog with_noise(const std::vector<PredictedMotion>& motion, const DriveLog& 
   Wander right(counted ? of(noise, Channel::right) : TravelNoise{0.0, 0.0}, random);
   Wander forward(of(noise, Channel::forward), random);
   Wander turn(of(noise, Channel::turn), random);
+  Tracker x(of(noise, Channel::forward), random);
+  Tracker y(of(noise, Channel::forward), random);
+  Tracker theta(of(noise, Channel::turn), random);
   Pose pose = motion.front().pose;
   for (std::size_t i = 0; i < motion.size(); ++i) {
     if (i > 0) {
       const double duration = motion[i].t_s - motion[i - 1].t_s;
+      for (Tracker* tracker : {&x, &y, &theta}) tracker->go_on(duration);
       const Pose step = relative_to(motion[i - 1].pose, motion[i].pose);
       const WheelPair wheels_before{left.at(), right.at()};
       const double forward_before = forward.at();
@@ -90,9 +114,9 @@ DriveLog with_noise(const std::vector<PredictedMotion>& motion, const DriveLog& 
       sample.ticks->right =
           std::llround((motion[i].distance_m.right + right.at() + right.reading(tick.right)) / tick.right);
     }
-    if (sample.reference_x_m) sample.reference_x_m = pose.x_m + forward.reading();
-    if (sample.reference_y_m) sample.reference_y_m = pose.y_m + forward.reading();
-    if (sample.reference_theta_rad) sample.reference_theta_rad = pose.theta_rad + turn.reading();
+    if (sample.reference_x_m) sample.reference_x_m = pose.x_m + x.error();
+    if (sample.reference_y_m) sample.reference_y_m = pose.y_m + y.error();
+    if (sample.reference_theta_rad) sample.reference_theta_rad = pose.theta_rad + theta.error();
   }
   return noisy;
 }

@@ -44,6 +44,9 @@ Profile profile(std::span<const NoiseSample> samples, const TravelNoise& shape) 
 
 constexpr std::array lasting_s{0.03, 0.06, 0.12, lasting_of_motors_s, 0.5, lasting_of_swaying_s};
 constexpr std::array returning_s{1.0, 3.0, 10.0};
+constexpr double usual_tracker_s = 0.1;
+constexpr std::array tracker_lasts_s{0.04, 0.2, 0.4};
+constexpr std::array tracker_of_reading{0.7, 1.4, 3.0, 10.0};
 constexpr double worth_it_nats = 10.0;  // of a further number
 constexpr std::array far_apart_s{0.5, 2.0};
 constexpr double least_far_share = 0.85;  // of what is foretold for readings that lie far apart
@@ -62,6 +65,7 @@ struct Shape {
     TravelNoise noise_here = noise;
     noise_here.reading *= profile.size;
     noise_here.walk_per_sqrt_s *= profile.size;
+    noise_here.tracker *= profile.size;
     return noise_here;
   }
   bool likelier_than(const Shape& other, double by_nats = 0.0) const {
@@ -141,11 +145,55 @@ Shape returning(std::span<const NoiseSample> samples, const Shape& present) {
 bool holds_between_far_readings(std::span<const NoiseSample> samples, const Shape& shape) {
   return std::ranges::all_of(far_apart_s, [&](double apart_s) {
     std::vector<ErrorSeries> series;
+    series.reserve(samples.size());
     for (const auto& sample : samples) series.push_back(thinned(sample, apart_s));
     std::vector<NoiseSample> far;
+    far.reserve(series.size());
     for (const auto& one : series) far.push_back(one.sample());
     return profile(far, shape.noise).size > least_far_share * shape.profile.size;
   });
+}
+
+Shape of_wandering(std::span<const NoiseSample> samples, const Shape& walk, const NoiseLimits& limits) {
+  Shape best = lasting(samples, walk, limits.longest_lasting_s);
+  const Shape returns = returning(samples, best);
+  if (returns.noise.returns_s != best.noise.returns_s)
+    best = lasting(samples, returns, limits.longest_lasting_s);
+  return !limits.tracked || holds_between_far_readings(samples, best) ? best : walk;
+}
+
+// So many readings of each that they tell what lasts for a part of a second.
+std::vector<NoiseSample> begins_of(std::span<const NoiseSample> samples) {
+  constexpr std::size_t most_readings = 6000;
+  std::vector<NoiseSample> begins;
+  begins.reserve(samples.size());
+  for (const auto& [times_s, restarts, errors] : samples) {
+    const std::size_t count = std::min(times_s.size(), most_readings / samples.size());
+    begins.push_back({times_s.first(count), restarts.first(count), errors.first(count)});
+  }
+  return begins;
+}
+
+// By what readings err alike, beside a walk. A walk has taken up what they err, so that the way to it leads
+// from a smaller one.
+Shape tracked(std::span<const NoiseSample> samples, const Shape& walk) {
+  Shape best = walk;
+  const auto consider = [&](double lasts_s, double of_reading, double from_step) {
+    TravelNoise noise = walk.noise;
+    noise.tracker_lasts_s = lasts_s;
+    noise.tracker = of_reading;
+    const Shape found = climbed(samples, noise, std::max(0.0, from_step));
+    if (found.likelier_than(best, best.noise.tracker == 0.0 ? 2.0 * worth_it_nats : 0.0)) best = found;
+  };
+  for (const double of_reading : tracker_of_reading) {
+    for (const double fewer : {0.0, 4.0, 8.0}) consider(usual_tracker_s, of_reading, walk.step - fewer);
+  }
+  if (best.noise.tracker == 0.0) return best;
+  const double of_reading = best.noise.tracker;
+  for (const double lasts_s : tracker_lasts_s) consider(lasts_s, of_reading, best.step);
+  const double lasts_s = best.noise.tracker_lasts_s;
+  for (const double more : {0.7, 1.4}) consider(lasts_s, more * of_reading, best.step);
+  return best;
 }
 
 }  // namespace
@@ -164,18 +212,21 @@ ErrorSeries thinned(const NoiseSample& all, double least_apart_s) {
   return kept;
 }
 
-TravelNoise noise_of(std::span<const NoiseSample> samples, double smallest_reading,
-                     double longest_lasting_s) {
+TravelNoise noise_of(std::span<const NoiseSample> samples, const NoiseLimits& limits) {
   const Shape walk = most_likely_walk(samples);
-  Shape best = lasting(samples, walk, longest_lasting_s);
-  const Shape returns = returning(samples, best);
-  if (returns.noise.returns_s != best.noise.returns_s) best = lasting(samples, returns, longest_lasting_s);
-  if ((best.noise.lasts_s > 0.0 || std::isfinite(best.noise.returns_s)) &&
-      !holds_between_far_readings(samples, best))
-    best = walk;
-  const TravelNoise noise = refined(samples, best).scaled();
-  return {std::max(noise.reading, smallest_reading), std::max(noise.walk_per_sqrt_s, 1e-3 * smallest_reading),
-          noise.lasts_s, noise.returns_s};
+  Shape best = of_wandering(samples, walk, limits);
+  if (limits.tracked) {
+    const auto begins = begins_of(samples);
+    const Shape at_begin = tracked(begins, of_step(begins, walk.noise, walk.step));
+    const Shape by_tracker = climbed(samples, at_begin.noise, at_begin.step);
+    if (by_tracker.noise.tracker > 0.0 && by_tracker.likelier_than(best) &&
+        holds_between_far_readings(samples, by_tracker))
+      best = by_tracker;
+  }
+  TravelNoise noise = refined(samples, best).scaled();
+  noise.reading = std::max(noise.reading, limits.smallest_reading);
+  noise.walk_per_sqrt_s = std::max(noise.walk_per_sqrt_s, 1e-3 * limits.smallest_reading);
+  return noise;
 }
 
 }  // namespace wheelwright::gap

@@ -31,10 +31,15 @@ constexpr double no_lasting_s = 0.0;
 constexpr double lasting_of_motors_s = 0.25;
 constexpr double lasting_of_swaying_s = 1.0;
 
-// The noise under which the series are most likely; all series of one channel together. `smallest_reading` is
-// the least that a reading can err (its quantisation). Noise that lasts must not come to more between
-// readings half a second and two seconds apart than these show: smooth references make quick errors look as
-// if they lasted, too.
-TravelNoise noise_of(std::span<const NoiseSample> samples, double smallest_reading, double longest_lasting_s);
+struct NoiseLimits {
+  double smallest_reading;  // the least that a reading can err (its quantisation)
+  double longest_lasting_s;
+  bool tracked = false;  // by references, which may err alike for a while
+};
+
+// The noise under which the series are most likely; all series of one channel together. Where they are
+// tracked, noise that lasts must not come to more between readings half a second and two seconds apart than
+// these show: smooth references make quick errors look as if the travel's speed lasted.
+TravelNoise noise_of(std::span<const NoiseSample> samples, const NoiseLimits& limits);
 
 }  // namespace wheelwright::gap

@@ -1,9 +1,10 @@
 // What is noise in a series of travel, and what a series looks like once it is taken out.
 //
-// A reading of travel errs by white noise (quantisation, the reference's own noise); between readings the
-// travel itself wanders (slip, what pushes a motor that no model predicts): by a random walk, or by a speed
-// that is forgotten within a part of a second (Ornstein and Uhlenbeck, 1930). Where a wheel's speed is held
-// by a controller with an integral, what it lost comes back within seconds. Of a series of errors with these,
+// A reading of travel errs by white noise (quantisation, the reference's own noise), and by what a tracker's
+// readings have in common for a part of a second, as it smooths them. Between readings the travel itself
+// wanders (slip, what pushes a motor that no model predicts): by a random walk, or by a speed that is
+// forgotten within a part of a second (Ornstein and Uhlenbeck, 1930). Where a wheel's speed is held by a
+// controller with an integral, what it lost comes back within seconds. Of a series of errors with these,
 // the innovations of the Kalman filter for it are white with unit variance, so that their sum of squares is a
 // log likelihood, whatever the correlation of the errors themselves (GAP.md, point 5).
 #pragma once
@@ -15,10 +16,15 @@
 namespace wheelwright::gap {
 
 struct TravelNoise {
-  double reading = 1e-3;          // standard deviation of one reading
+  double reading = 1e-3;          // standard deviation of one reading, by itself
   double walk_per_sqrt_s = 1e-3;  // of the wandering, per square root of time, before it returns
   double lasts_s = 0.0;           // until the wandering's speed is forgotten; zero: a random walk
   double returns_s = std::numeric_limits<double>::infinity();  // until the travel comes back
+  double tracker = 0.0;          // standard deviation of what readings near each other err alike
+  double tracker_lasts_s = 0.0;  // until that is forgotten
+
+  // Of what is left of it after some time.
+  double tracker_kept(double duration_s) const;
 };
 
 // How travel that wanders goes on over some time: by itself and its speed, which decay, and by what comes to
@@ -52,22 +58,34 @@ class Whitener {
   struct Known {
     double from_travel;
     double from_speed;
+    double from_tracker;
     double from_error;
   };
   struct Step {
     Known expected;
     Known travel;
     Known speed;
+    Known tracker;
     double scale;  // one over the innovation's standard deviation; zero where it tells nothing
   };
-  // Covariance of travel and speed as they are known after a reading.
+  // Covariance of travel, its speed and the tracker's error as they are known after a reading.
   struct Spread {
     double travel;
-    double both;
+    double travel_speed;
     double speed;
+    double travel_tracker;
+    double speed_tracker;
+    double tracker;
     bool as_good_as(const Spread& other) const;
   };
-  static Step advance(Spread& spread, const WanderStep& wander, double reading);
+  // How the tracker's error goes on.
+  struct TrackerStep {
+    double kept;
+    double variance;
+  };
+  static Step advance(Spread& spread, const WanderStep& wander, const TrackerStep& tracker, double reading);
+  template <bool tracked>
+  void apply_to(std::span<const double> errors, double* innovations) const;
 
   // The same step for so many readings.
   struct Stretch {
@@ -75,6 +93,7 @@ class Whitener {
     std::size_t readings;
   };
   std::vector<Stretch> stretches_;
+  bool tracked_ = false;
   double log_determinant_ = 0.0;
   std::size_t count_ = 0;
 };

@@ -56,4 +56,17 @@ inline KnownErrors wandering_errors(const gap::TravelNoise& noise, std::size_t c
   return known;
 }
 
+// Readings of a tracker that err alike for a while.
+inline KnownErrors with_tracker(KnownErrors known, double deviation, double lasts_s, std::uint64_t seed) {
+  const double kept = std::exp(-reading_step_s / lasts_s);
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  double alike = deviation * normal(random);
+  for (double& error : known.errors) {
+    error += alike;
+    alike = kept * alike + deviation * std::sqrt(1.0 - kept * kept) * normal(random);
+  }
+  return known;
+}
+
 }  // namespace wheelwright::test

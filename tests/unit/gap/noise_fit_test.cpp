@@ -10,6 +10,7 @@ using namespace wheelwright::gap;
 using wheelwright::test::known_errors;
 using wheelwright::test::KnownErrors;
 using wheelwright::test::wandering_errors;
+using wheelwright::test::with_tracker;
 
 namespace {
 
@@ -35,7 +36,7 @@ KnownErrors with_smooth_readings(KnownErrors known, double deviation, double smo
 TEST_CASE("The noise of a series is found from the series") {
   const auto known = known_errors(noise, 20000, 7);
   const std::vector<NoiseSample> samples{{known.times_s, known.restarts, known.errors}};
-  const TravelNoise found = noise_of(samples, 1e-6, lasting_of_motors_s);
+  const TravelNoise found = noise_of(samples, {1e-6, lasting_of_motors_s});
   // Walk over reading is looked for in steps of a quarter of a decade.
   const double step = std::pow(10.0, 0.25);
   CHECK(found.walk_per_sqrt_s / found.reading < step * noise.walk_per_sqrt_s / noise.reading);
@@ -47,7 +48,7 @@ TEST_CASE("How long a speed lasts, and that travel comes back, is found from the
   const TravelNoise truth{1e-4, 4e-3, 0.12, 3.0};
   const auto known = wandering_errors(truth, 20000, 9);
   const std::vector<NoiseSample> samples{{known.times_s, known.restarts, known.errors}};
-  const TravelNoise found = noise_of(samples, 1e-6, lasting_of_motors_s);
+  const TravelNoise found = noise_of(samples, {1e-6, lasting_of_motors_s});
   CHECK(found.lasts_s == truth.lasts_s);
   CHECK(found.returns_s == truth.returns_s);
   CHECK_THAT(found.walk_per_sqrt_s, WithinRel(truth.walk_per_sqrt_s, 0.4));
@@ -57,7 +58,7 @@ TEST_CASE("A random walk is not taken for a speed that lasts, nor for travel tha
   for (const std::uint64_t seed : {10U, 11U, 12U, 13U}) {
     const auto known = known_errors(noise, 20000, seed);
     const std::vector<NoiseSample> samples{{known.times_s, known.restarts, known.errors}};
-    const TravelNoise found = noise_of(samples, 1e-6, lasting_of_motors_s);
+    const TravelNoise found = noise_of(samples, {1e-6, lasting_of_motors_s});
     CHECK(found.lasts_s == 0.0);
     CHECK(std::isinf(found.returns_s));
   }
@@ -67,8 +68,31 @@ TEST_CASE("References that are smoothed do not make noise come to more over seco
   for (const std::uint64_t seed : {14U, 15U, 16U}) {
     const auto known = with_smooth_readings(known_errors({4e-4, 1e-2}, 20000, seed), 8e-3, 0.12, seed + 10);
     const std::vector<NoiseSample> samples{{known.times_s, known.restarts, known.errors}};
-    const TravelNoise found = noise_of(samples, 1e-6, lasting_of_motors_s);
+    const TravelNoise found = noise_of(samples, {1e-6, lasting_of_motors_s, true});
     CHECK(found.walk_per_sqrt_s <
           2.0 * 1e-2);  // noise that lasts would come to three times as much as there is
+  }
+}
+
+TEST_CASE("What readings of a tracker err alike is told from the travel that wanders") {
+  struct Truth {
+    double reading, walk, tracker, lasts_s;
+  };
+  const auto truth =
+      GENERATE(Truth{1e-3, 1e-3, 1e-3, 0.1}, Truth{1e-3, 4e-3, 3e-3, 0.2}, Truth{2e-4, 1e-3, 3e-3, 0.1});
+  const auto known =
+      with_tracker(known_errors({truth.reading, truth.walk}, 20000, 17), truth.tracker, truth.lasts_s, 18);
+  const std::vector<NoiseSample> samples{{known.times_s, known.restarts, known.errors}};
+  const TravelNoise found = noise_of(samples, {1e-6, lasting_of_motors_s, true});
+  CHECK_THAT(found.tracker, WithinRel(truth.tracker, 0.25));
+  CHECK_THAT(found.walk_per_sqrt_s, WithinRel(truth.walk, 0.25));
+  CHECK(found.tracker_lasts_s == truth.lasts_s);
+}
+
+TEST_CASE("White readings and a walk are not taken for a tracker") {
+  for (const std::uint64_t seed : {19U, 20U, 21U}) {
+    const auto known = known_errors(noise, 20000, seed);
+    const std::vector<NoiseSample> samples{{known.times_s, known.restarts, known.errors}};
+    CHECK(noise_of(samples, {1e-6, lasting_of_motors_s, true}).tracker == 0.0);
   }
 }

@@ -8,6 +8,7 @@
 using namespace wheelwright::gap;
 using wheelwright::test::known_errors;
 using wheelwright::test::wandering_errors;
+using wheelwright::test::with_tracker;
 
 namespace {
 
@@ -61,6 +62,21 @@ TEST_CASE("Errors whose speed lasts, and which come back, come out white and of 
   const TravelNoise lasting{1e-4, 4e-3, 0.12, 3.0};
   const auto known = wandering_errors(lasting, 20000, 8);
   const Whitener whitener(known.times_s, known.restarts, lasting);
+  std::vector<double> white(known.errors.size());
+  whitener.apply(known.errors, white.data());
+  CHECK_THAT(power_of(white), WithinAbs(1.0, 0.04));
+  for (const std::size_t lag : {1U, 2U, 5U, 20U, 100U}) {
+    INFO("lag " << lag);
+    CHECK(std::abs(correlation(white, lag)) < 4.0 / std::sqrt(20000.0));
+  }
+}
+
+TEST_CASE("Errors that readings have in common for a while come out white and of unit variance") {
+  const TravelNoise tracked{
+      .reading = 1e-3, .walk_per_sqrt_s = 1e-3, .tracker = 2e-3, .tracker_lasts_s = 0.1};
+  auto known = with_tracker(known_errors({1e-3, 1e-3}, 20000, 10), 2e-3, 0.1, 11);
+  known.restarts[3000] = 1;
+  const Whitener whitener(known.times_s, known.restarts, tracked);
   std::vector<double> white(known.errors.size());
   whitener.apply(known.errors, white.data());
   CHECK_THAT(power_of(white), WithinAbs(1.0, 0.04));
