@@ -37,6 +37,7 @@ class Analysis {
   bool leave_out_linear_effects();
   Wandering wandering_left() const;
   Smoothness smoothness_left() const;
+  NoiseAtReversals noise_left_at_reversals() const;
   std::vector<std::size_t> runs_off_by_more_than_noise() const;
   void hold_out_others();
   void doubt_the_noise();
@@ -292,7 +293,16 @@ void Analysis::doubt_the_noise() {
   if (result_.verdict != Verdict::nothing_missing) return;
   const GapFit& left = result_.search.final;
   gap::doubt_the_noise(result_, {random_moments(*train_problem_, left.model, left.residuals),
-                                 wandering_left(), smoothness_left()});
+                                 wandering_left(), smoothness_left(), noise_left_at_reversals()});
+}
+
+// By those runs that show less of it.
+NoiseAtReversals Analysis::noise_left_at_reversals() const {
+  const GapFit& left = result_.search.final;
+  const NoiseAtReversals train = noise_at_reversals(*train_problem_, left.model, left.residuals);
+  const NoiseAtReversals test =
+      noise_at_reversals(*test_problem_, left.model, test_problem_->residuals(left.model));
+  return train.times < test.times ? train : test;
 }
 
 void Analysis::note_runs() {

@@ -108,6 +108,16 @@ Judgement of_moments(const RandomMoments& found) {
   return {Verdict::unnamed, summary.str(), {{"moments like " + such, found.share, found.share_of_time}}};
 }
 
+Judgement of_reversals(const NoiseAtReversals& found) {
+  std::ostringstream summary;
+  summary << "Something happens where a wheel changes direction that no effect of the library explains: what "
+             "is left there is "
+          << std::setprecision(2) << found.times << " times what is left elsewhere.";
+  return {Verdict::unnamed,
+          summary.str(),
+          {{"within 0.7 s of a wheel's reversal", found.share, found.share_of_time}}};
+}
+
 // By the one that is further beyond what noise may be.
 Judgement of_wandering(const Wandering& by) {
   const bool turns =
@@ -132,6 +142,7 @@ std::optional<Judgement> of_smoothness(const Smoothness& of) {
 
 std::optional<Judgement> of_doubtful_noise(const SupposedNoise& noise) {
   if (noise.moments) return of_moments(*noise.moments);
+  if (too_much_for_noise(noise.at_reversals)) return of_reversals(noise.at_reversals);
   if (beyond_noise(noise.wandering)) return of_wandering(noise.wandering);
   return of_smoothness(noise.smoothness);
 }

@@ -8,6 +8,7 @@
 
 #include "model/gap/gap_analysis.hpp"
 #include "model/gap/gap_size.hpp"
+#include "model/gap/noise_at_reversals.hpp"
 #include "model/gap/random_moments.hpp"
 #include "model/gap/regular_swing.hpp"
 
@@ -41,12 +42,13 @@ struct Leftovers {
 void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Leftovers& leftovers);
 
 // Where nothing seems to be missing, what explains nothing was taken for noise. It is none where it comes at
-// moments, where it has the robot wander further within a second than robots do, or where it is
-// too smooth: then it is unnamed.
+// moments, where it comes as wheels change direction, where it has the robot wander further within a second
+// than robots do, or where it is too smooth: then it is unnamed.
 struct SupposedNoise {
   std::optional<RandomMoments> moments;
   Wandering wandering;  // over seconds
   Smoothness smoothness;
+  NoiseAtReversals at_reversals = {};  // of the runs that show less of it, training or held out
 };
 void doubt_the_noise(GapAnalysis& analysis, const SupposedNoise& noise);
 

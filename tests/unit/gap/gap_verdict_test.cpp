@@ -69,6 +69,18 @@ TEST_CASE("What was called noise is none where it comes at moments, and the mome
   CHECK(analysis.where.front().share_of_gap == 0.7);
 }
 
+TEST_CASE("What was called noise is none where it comes as wheels change direction") {
+  GapAnalysis analysis = analysis_with({}, position(1.0, 1.0));
+  analysis.verdict = Verdict::nothing_missing;
+  doubt_the_noise(analysis, {{}, {}, {}, {40, 1.5, 0.004, 0.2, 0.1}});
+  CHECK(analysis.verdict == Verdict::nothing_missing);
+  doubt_the_noise(analysis, {{}, {}, {}, {40, 3.2, 0.004, 0.4, 0.1}});
+  CHECK(analysis.verdict == Verdict::unnamed);
+  CHECK_THAT(analysis.summary, ContainsSubstring("changes direction") && ContainsSubstring("3.2 times"));
+  REQUIRE(analysis.where.size() == 1);
+  CHECK(analysis.where.front().share_of_gap == 0.4);
+}
+
 TEST_CASE("What was called noise is none where a robot wanders further than robots do") {
   GapAnalysis analysis = analysis_with({}, position(1.0, 1.0));
   analysis.verdict = Verdict::nothing_missing;

@@ -20,7 +20,7 @@ void print_finding(std::ostream& out, const gap::Finding& found) {
       << (info != nullptr ? info->summary : "") << "\n";
   const auto parameters = parameters_of(found.setting);
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    out << "    " << std::left << std::setw(15) << parameters[i].name
+    out << "    " << std::left << std::setw(16) << parameters[i].name << " "
         << short_number(found.setting.parameters[i]);
     if (i < found.intervals.size()) {
       out << "  [" << short_number(found.intervals[i].lower) << ", " << short_number(found.intervals[i].upper)
@@ -86,7 +86,7 @@ void print_gap(std::ostream& out, const gap::GapAnalysis& analysis) {
   for (const auto& found : analysis.found) print_finding(out, found);
   if (!analysis.where.empty()) out << "\nwhere the linear model is wrong:\n";
   for (const auto& regime : analysis.where) {
-    out << "  " << std::left << std::setw(40) << regime.name << percent(regime.share_of_gap)
+    out << "  " << std::left << std::setw(39) << regime.name << " " << percent(regime.share_of_gap)
         << " of the gap in " << percent(regime.share_of_time) << " of the time\n";
   }
   if (analysis.train.before.empty() && analysis.test.before.empty()) return;
