@@ -1,6 +1,7 @@
 // What was commanded and what was measured during one run of a robot: a drive log in memory.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -56,6 +57,11 @@ struct DriveLog {
   std::size_t first_line = 1;  // line of the first sample in its file, for messages
 
   bool has_ticks() const { return metres_per_tick && !samples.empty() && samples.front().ticks; }
+  // Where they do not, references tell the heading alone, or there are none.
+  bool references_tell_places() const {
+    return std::ranges::any_of(samples,
+                               [](const DriveSample& sample) { return sample.reference_pose().has_value(); });
+  }
 };
 
 }  // namespace wheelwright

@@ -15,7 +15,9 @@ Pose start_pose(const DriveLog& log) {
     if (!sample.reference_x_m || !sample.reference_y_m) continue;
     return {*sample.reference_x_m, *sample.reference_y_m, sample.reference_theta_rad.value_or(0.0)};
   }
-  return {0.0, 0.0, log.samples.empty() ? 0.0 : log.samples.front().reference_theta_rad.value_or(0.0)};
+  const auto told = std::ranges::find_if(
+      log.samples, [](const DriveSample& sample) { return sample.reference_theta_rad.has_value(); });
+  return {0.0, 0.0, told == log.samples.end() ? 0.0 : *told->reference_theta_rad};
 }
 
 // The newest voltage that was measured by row `row`.
@@ -71,8 +73,11 @@ WheelPair later(const WheelPair& way_m, const WheelPair& speed_m_s, double by_s)
 void tell(ModelSimulation& simulation, const DriveSample& sample, const WheelPair& rolled_m, double late_s,
           double ago_s) {
   const auto& motion = simulation.motion();
-  if (const auto reference = sample.reference_pose()) {
-    simulation.set_pose(move_along_arc(simulation.axle_of(*reference), motion.twist, ago_s + late_s));
+  if (sample.reference_theta_rad) {
+    const Pose own = simulation.observed_pose();
+    const Pose reference =
+        sample.reference_pose().value_or(Pose{own.x_m, own.y_m, *sample.reference_theta_rad});
+    simulation.set_pose(move_along_arc(simulation.axle_of(reference), motion.twist, ago_s + late_s));
   }
   simulation.set_distance_m(later(rolled_m, motion.wheel_m_s, ago_s));
 }

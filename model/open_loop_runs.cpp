@@ -46,8 +46,10 @@ std::vector<std::vector<PredictedMotion>> open_loop_runs(const RobotModel& model
   const auto effects = effect_settings(model);
   if (!is_told_on_the_way(model, log)) return {free_run(model.core, effects, log)};
   const bool by_pose = any_acts(effects, &EffectInfo::by_pose);
-  const auto tells = [by_pose](const DriveSample& sample) {
-    return by_pose ? sample.reference_pose().has_value() : sample.ticks.has_value();
+  const bool by_place = by_pose && log.references_tell_places();
+  const auto tells = [=](const DriveSample& sample) {
+    if (by_place) return sample.reference_pose().has_value();
+    return by_pose ? sample.reference_theta_rad.has_value() : sample.ticks.has_value();
   };
   std::vector<std::vector<PredictedMotion>> runs;
   for (double after_s = 0.0; after_s < longest_horizon_s; after_s += between_windows_s) {

@@ -89,6 +89,7 @@ void check_reference(GateState& gate) {
   std::optional<std::size_t> from;
   double forward = 0.0;
   double turn = 0.0;
+  const bool heading_alone = !log.references_tell_places();
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const auto& sample = samples[i];
     if (from && i > 0) {
@@ -102,17 +103,19 @@ void check_reference(GateState& gate) {
       forward += 0.5 * (left + right);
       turn += (right - left) / log.wheel_base_m;
     }
-    if (!sample.reference_x_m || !sample.reference_y_m || !sample.reference_theta_rad) continue;
+    if (heading_alone ? !sample.reference_theta_rad : !sample.reference_pose()) continue;
     if (from && sample.t_s - samples[*from].t_s < window_s) continue;
     if (from && sample.t_s - samples[*from].t_s < 3.0 * window_s) {
       const auto& before = samples[*from];
       const double turned = wrap_angle(*sample.reference_theta_rad - *before.reference_theta_rad);
-      const double middle = *before.reference_theta_rad + 0.5 * turned;
-      const double dx = *sample.reference_x_m - *before.reference_x_m;
-      const double dy = *sample.reference_y_m - *before.reference_y_m;
       if (std::abs(turn) < 1.5) {
         ww += turn * turn;
         wr += turn * turned;
+      }
+      if (std::abs(turn) < 1.5 && !heading_alone) {
+        const double middle = *before.reference_theta_rad + 0.5 * turned;
+        const double dx = *sample.reference_x_m - *before.reference_x_m;
+        const double dy = *sample.reference_y_m - *before.reference_y_m;
         vv += forward * forward;
         vf += forward * (dx * std::cos(middle) + dy * std::sin(middle));
         vm += forward * (dx * std::cos(middle) - dy * std::sin(middle));

@@ -157,7 +157,7 @@ GridTime earlier(const GapRun& run, const GridTime& at, double by_s) {
 
 void motion_errors(const GapRun& run, const ModelSimulation& simulation, const Path& path, double lag_s,
                    RunErrors& errors) {
-  const auto& at = run[Channel::forward].at;
+  const auto& at = run[Channel::turn].at;
   Increment sum;
   Pose before;
   for (std::size_t i = 0; i < at.size(); ++i) {
@@ -174,9 +174,10 @@ void motion_errors(const GapRun& run, const ModelSimulation& simulation, const P
     const auto add = [&](Channel channel, double predicted) {
       errors.series[static_cast<std::size_t>(channel)].push_back(run[channel].value[i] - predicted);
     };
+    add(Channel::turn, sum.turn);
+    if (run.heading_alone) continue;
     add(Channel::forward, sum.forward);
     add(Channel::aside, sum.aside);
-    add(Channel::turn, sum.turn);
   }
 }
 
@@ -193,6 +194,7 @@ StretchError stretch_error(const GapRun& run, const ModelSimulation& simulation,
     }
     pose = move_along_arc(pose, {step.forward_m, step.turn_rad}, share);
   });
+  if (run.heading_alone) return {0.0, 0.0, wrap_angle(to.pose.theta_rad - pose.theta_rad)};
   const Pose measured = relative_to(from.pose, to.pose);
   const Pose predicted = relative_to(from.pose, simulation.observed(pose));
   return {measured.x_m - predicted.x_m, measured.y_m - predicted.y_m,
@@ -213,9 +215,10 @@ void measure_motion(GapRun& run) {
       }
       sum = {sum.forward + step.forward, sum.aside + step.aside, sum.turn + step.turn};
     }
+    run[Channel::turn].value.push_back(sum.turn);
+    if (run.heading_alone) continue;
     run[Channel::forward].value.push_back(sum.forward);
     run[Channel::aside].value.push_back(sum.aside);
-    run[Channel::turn].value.push_back(sum.turn);
   }
 }
 
@@ -236,7 +239,7 @@ RunErrors free_run_errors(const TrialModel& model, const GapRun& run, Part part)
       errors.stretches.push_back(stretch_error(run, simulation, path, model.reference_lag_s(),
                                                run.references[i - 1], run.references[i]));
     }
-  } else if (!run[Channel::forward].empty()) {
+  } else if (!run[Channel::turn].empty()) {
     motion_errors(run, simulation, path, model.reference_lag_s(), errors);
   }
   return errors;

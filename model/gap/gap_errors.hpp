@@ -10,7 +10,8 @@
 
 namespace wheelwright::gap {
 
-// A stretch between two references that lie far apart: errors of the second pose seen from the first.
+// A stretch between two references that lie far apart: errors of the second pose seen from the first. Of
+// headings alone the other two are zero.
 struct StretchError {
   double x_m = 0.0;
   double y_m = 0.0;

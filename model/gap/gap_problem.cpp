@@ -95,12 +95,13 @@ NoiseModel GapProblem::noise_left_by(const TrialModel& model, double least_apart
   // Both wheels are of one make: what one shows of noise holds for the other.
   if (!stretches_.empty()) {
     double squares = 0.0;
+    double count = 0.0;
     for (const auto& block : stretches_) {
+      count += runs_[block.run].heading_alone ? 1.0 : 3.0;
       const StretchError& e = errors[block.run].stretches[block.stretch];
       const Eigen::LLT<Eigen::Matrix3d> factor(usual_stretch_covariance(runs_[block.run], block.stretch));
       squares += factor.matrixL().solve(Eigen::Vector3d(e.x_m, e.y_m, e.theta_rad)).squaredNorm();
     }
-    const double count = 3.0 * static_cast<double>(stretches_.size());
     // A handful of poses cannot tell noise from what is missing: then no more is believed than robots usually
     // wander.
     const double most =

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "model/command_timeline.hpp"
 
@@ -61,31 +62,6 @@ void lay_counts(const DriveLog& log, const RowFlags& flags, GapRun& run) {
   run.has_counts = !run[Channel::left].empty();
 }
 
-void collect_references(const DriveLog& log, const RowFlags& flags, GapRun& run) {
-  const auto flagged = [](const std::vector<char>& rows, std::size_t i) {
-    return !rows.empty() && rows[i] != 0;
-  };
-  bool anew = false;
-  bool lost = false;
-  double heading = 0.0;
-  for (std::size_t i = 0; i < log.samples.size(); ++i) {
-    const DriveSample& sample = log.samples[i];
-    // Behind lost counts, too: the first that are sound tell only of what comes after them.
-    const bool lost_before = lost;
-    lost = flagged(flags.counts, i);
-    if (lost || lost_before || flagged(flags.restart, i)) anew = true;
-    if (!sample.reference_x_m || !sample.reference_y_m || !sample.reference_theta_rad) continue;
-    // Angles may wrap: full turns are counted here.
-    const bool first = run.references.empty();
-    heading =
-        first ? *sample.reference_theta_rad : heading + wrap_angle(*sample.reference_theta_rad - heading);
-    run.references.push_back({grid_time(run, sample.t_s),
-                              {*sample.reference_x_m, *sample.reference_y_m, heading},
-                              anew && !first && run.has_counts});
-    anew = false;
-  }
-}
-
 double grid_s(const GapRun& run, const GridTime& at) {
   return run.period_s * (static_cast<double>(at.period) + at.share);
 }
@@ -120,6 +96,59 @@ void lay_odometry(GapRun& run) {
     const double dr = now.right - before.right;
     run.odometry.push_back({0.5 * (dl + dr), (dr - dl) / run.wheel_base_m});
     before = now;
+  }
+}
+
+// How far the robot has turned by its counts, or else by its commands.
+class ExpectedTurn {
+ public:
+  explicit ExpectedTurn(const GapRun& run) : turned_rad_{0.0} {
+    for (std::size_t k = 0; k < run.commands_m_s.size(); ++k) {
+      const WheelPair& u = run.commands_m_s[k];
+      const double turn_rad =
+          run.has_counts ? run.odometry[k].turn_rad : run.period_s * (u.right - u.left) / run.wheel_base_m;
+      turned_rad_.push_back(turned_rad_.back() + turn_rad);
+    }
+  }
+  double until(const GridTime& at) const {
+    const double whole = turned_rad_[at.period];
+    return at.share == 0.0 ? whole : whole + at.share * (turned_rad_[at.period + 1] - whole);
+  }
+
+ private:
+  std::vector<double> turned_rad_;
+};
+
+std::optional<Pose> reference_of(const DriveSample& sample, bool heading_alone) {
+  if (!heading_alone) return sample.reference_pose();
+  if (!sample.reference_theta_rad) return std::nullopt;
+  return Pose{0.0, 0.0, *sample.reference_theta_rad};
+}
+
+void collect_references(const DriveLog& log, const RowFlags& flags, GapRun& run) {
+  const auto flagged = [](const std::vector<char>& rows, std::size_t i) {
+    return !rows.empty() && rows[i] != 0;
+  };
+  run.heading_alone = !log.references_tell_places();
+  const ExpectedTurn expected(run);
+  bool anew = false;
+  bool lost = false;
+  double heading = 0.0;
+  for (std::size_t i = 0; i < log.samples.size(); ++i) {
+    const DriveSample& sample = log.samples[i];
+    // Behind lost counts, too: the first that are sound tell only of what comes after them.
+    const bool lost_before = lost;
+    lost = flagged(flags.counts, i);
+    if (lost || lost_before || flagged(flags.restart, i)) anew = true;
+    const std::optional<Pose> pose = reference_of(sample, run.heading_alone);
+    if (!pose) continue;
+    // Angles may wrap: full turns are counted here, of which there may be more than one between two readings.
+    const GridTime at = grid_time(run, sample.t_s);
+    const bool first = run.references.empty();
+    if (!first) heading += expected.until(at) - expected.until(run.references.back().at);
+    heading = first ? pose->theta_rad : heading + wrap_angle(pose->theta_rad - heading);
+    run.references.push_back({at, {pose->x_m, pose->y_m, heading}, anew && !first && run.has_counts});
+    anew = false;
   }
 }
 
@@ -160,12 +189,13 @@ GapRun make_gap_run(const DriveLog& log, const RowFlags& flags, double period_s)
   run.start_s = log.samples.front().t_s;
   lay_commands(log, run);
   lay_counts(log, flags, run);
-  collect_references(log, flags, run);
   if (run.has_counts) lay_odometry(run);
+  collect_references(log, flags, run);
   run.sparse = far_apart(run);
   if (!run.sparse) {
     lay_passed(run);
     for (const Channel channel : {Channel::forward, Channel::aside, Channel::turn}) {
+      if (run.heading_alone && channel != Channel::turn) continue;
       for (const auto& reference : run.references) {
         run[channel].at.push_back(reference.at);
         run[channel].restarts.push_back(reference.anew ? 1 : 0);

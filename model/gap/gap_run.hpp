@@ -6,6 +6,7 @@
 //   forward, aside, turn   motion of the reference point between two reference poses, m, m, rad, seen in the
 //                 direction halfway through the turn. Where there are counts too, this is what the motion has
 //                 beyond odometry: slip and geometry, without the motors.
+// Where references tell the heading alone, there is no other channel of motion than `turn`.
 // References that lie far apart (`sparse`) are not summed: each stretch between two of them is one reading,
 // and odometry is integrated along it together with what the model adds.
 #pragma once
@@ -59,6 +60,7 @@ struct GapRun {
   std::array<Series, channel_count> series;
   std::vector<Reference> references;  // with x, y and heading
   std::vector<Pose> passed;           // the same at each grid point, between the references; empty if sparse
+  bool heading_alone = false;         // of the references; then they say nothing of x and y
   bool has_counts = false;
   bool sparse = false;                 // references are far apart
   std::vector<OdometryStep> odometry;  // one per period, where there are counts

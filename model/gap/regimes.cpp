@@ -24,6 +24,7 @@ struct Moment {
   double turn_rate = 0.0;
   double battery_v = 0.0;
   Pose pose;
+  bool place_known = false;  // by references, not only by the model
 };
 
 std::string number(double value) {
@@ -75,7 +76,12 @@ std::vector<std::vector<Moment>> moments_of(const GapProblem& problem, const Tri
       m.battery_v = run.battery_v[k];
       while (reference + 1 < run.references.size() && run.references[reference + 1].at.period <= k)
         ++reference;
-      m.pose = run.references.empty() ? states[k].pose : run.references[reference].pose;
+      m.pose = states[k].pose;
+      if (!run.references.empty()) {
+        m.place_known = !run.heading_alone;
+        if (m.place_known) m.pose = run.references[reference].pose;
+        m.pose.theta_rad = run.references[reference].pose.theta_rad;
+      }
       moments.push_back(m);
     }
     all.push_back(std::move(moments));
@@ -129,9 +135,11 @@ std::vector<Cell> cells_for(const GapProblem& problem, const std::vector<Moment>
                      }});
   }
   std::map<std::pair<int, int>, int> places;
-  for (const auto& m : moments)
+  for (const auto& m : moments) {
+    if (!m.place_known) continue;
     ++places[{static_cast<int>(std::floor(2.0 * m.pose.x_m)),
               static_cast<int>(std::floor(2.0 * m.pose.y_m))}];
+  }
   for (const auto& [place, count] : places) {
     if (places.size() > 60 || count < 100) continue;
     cells.push_back({"x " + number(0.5 * place.first) + " to " + number(0.5 * place.first + 0.5) + " m, y " +

@@ -44,6 +44,8 @@ Eigen::Matrix3d usual_stretch_covariance(const GapRun& run, std::size_t stretch)
   covariance +=
       Eigen::Vector3d(2.0 * reading_m * reading_m, 2.0 * reading_m * reading_m, reading_rad * reading_rad)
           .asDiagonal();
+  // Nothing is known of x and y, and so nothing of the heading by them.
+  if (run.heading_alone) covariance = Eigen::Matrix3d(covariance.diagonal().asDiagonal());
   return covariance;
 }
 
