@@ -53,9 +53,19 @@ class Saturation final : public EffectOf<Saturation> {
   WheelPair now_;
 };
 
-// A limit far above all commands limits no speed; what its lag does then is a limit of acceleration.
-bool within_reach(const EffectArguments& limit, double largest_command_m_s) {
-  return limit.parameters[0] < 2.0 * largest_command_m_s;
+// Of what a command gains by a little more of it, so much is left at this size.
+double slope_at(const EffectArguments& limit, double command_m_s) {
+  const double knee = limit.parameters[2];
+  return std::pow(1.0 + std::pow(command_m_s / limit.parameters[0], 1.0 / knee), -knee - 1.0);
+}
+
+// A limit far above all commands limits no speed; what its lag does then is a limit of acceleration. One with
+// a wide knee, of which the largest command has not come to the level part, is a bend of the gain.
+bool is_reached(const EffectArguments& limit, double largest_command_m_s) {
+  constexpr double wide = 0.25;
+  constexpr double level = 0.33;
+  if (limit.parameters[0] > 2.0 * largest_command_m_s) return false;
+  return limit.parameters[2] < wide || slope_at(limit, largest_command_m_s) < level;
 }
 
 }  // namespace
@@ -89,7 +99,7 @@ EffectInfo saturation() {
         false}},
       {.variety = true},
       [](const EffectArguments& arguments) { return std::make_unique<Saturation>(arguments); }};
-  info.in_character = within_reach;
+  info.in_character = is_reached;
   return info;
 }
 

@@ -8,24 +8,37 @@
 namespace wheelwright::effects {
 namespace {
 
-// size (1 - loss size - square size^2), up to where it would fall again, and less what dry tyres take of any
-// turn rate.
+// A part that grows with the turn rate is taken from it: size (1 - loss size - square size^2), up to where it
+// would fall again; or a drag that grows with it shares the turn with the wheels: size / (1 + loss size +
+// square size^2). Dry tyres take their part of any turn rate.
 class TurnScrub final : public EffectOf<TurnScrub> {
  public:
   explicit TurnScrub(const EffectArguments& arguments)
-      : bend_(arguments.parameters[0], arguments.parameters[1], least_top_rad_s),
-        dry_rad_s_(arguments.parameters[2]) {}
+      : loss_(arguments.parameters[0]),
+        square_(arguments.parameters[1]),
+        bend_(loss_, square_, least_top_rad_s),
+        dry_rad_s_(arguments.parameters[2]),
+        drags_(arguments.variant == 1) {}
 
   void body(Twist& twist, const Surroundings&) override {
-    const double bent = bend_(twist.w_rad_s);
+    const double bent = drags_ ? dragged(twist.w_rad_s) : bend_(twist.w_rad_s);
     twist.w_rad_s = std::copysign(std::max(0.0, std::abs(bent) - dry_rad_s_), bent);
   }
 
  private:
-  static constexpr double least_top_rad_s = 0.5;
+  double dragged(double rate) const {
+    const double size = std::abs(rate);
+    return rate / std::max(least_drag, 1.0 + size * (loss_ + square_ * size));
+  }
 
+  static constexpr double least_top_rad_s = 0.5;
+  static constexpr double least_drag = 0.5;
+
+  double loss_;
+  double square_;
   OddBend bend_;
   double dry_rad_s_;
+  bool drags_;
 };
 
 }  // namespace
@@ -34,8 +47,8 @@ EffectInfo turn_scrub() {
   return {"turn_scrub",
           "turn rate is lost as turning gets harder (nonlinear in turn rate)",
           "The tyres' contact patches are dragged sideways: dry ones take a part of any turn rate, others "
-          "take the more the faster the robot turns.",
-          {{"", EffectStage::body}},
+          "take the more the faster the robot turns; '' takes a part away, 'drag' works against the wheels.",
+          {{"", EffectStage::body}, {"drag", EffectStage::body}},
           {{"loss", "s/rad", "share of the turn rate lost per rad/s", 0.0, 2.0, {0.05}, 0.005},
            {"square",
             "s^2/rad^2",

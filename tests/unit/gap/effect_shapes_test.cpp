@@ -97,6 +97,28 @@ TEST_CASE("A limit is met sharply or by a knee") {
   CHECK_THAT(speed_after(round, 0.05, 1), WithinAbs(0.05, 1e-7));
 }
 
+TEST_CASE("What never comes near to level is a bend of the gain and no saturation") {
+  const EffectInfo* info = find_effect("saturation");
+  const auto is_a_limit = [&](double limit_m_s, double knee, double largest_command_m_s) {
+    const std::vector<double> parameters{limit_m_s, 0.0, knee};
+    return info->in_character({parameters, 0}, largest_command_m_s);
+  };
+  CHECK(is_a_limit(0.3, 0.05, 0.4));
+  CHECK(is_a_limit(0.4, 0.05, 0.3));  // what it takes to be there in time may be more
+  CHECK_FALSE(is_a_limit(0.7, 0.05, 0.3));
+  CHECK_FALSE(is_a_limit(0.5, 0.5, 0.45));
+  CHECK(is_a_limit(0.25, 0.5, 0.45));
+}
+
+TEST_CASE("A turn that is dragged is shared with the wheels, one that is scrubbed loses a part") {
+  const auto turn_rate = [](const std::string& variant, double loss, double square) {
+    return only({"turn_scrub", variant, {loss, square, 0.0}}).step({-0.129, 0.129}).twist.w_rad_s;
+  };
+  CHECK_THAT(turn_rate("", 0.2, 0.0), WithinAbs(0.8, 1e-12));
+  CHECK_THAT(turn_rate("drag", 0.2, 0.0), WithinAbs(1.0 / 1.2, 1e-12));
+  CHECK_THAT(turn_rate("drag", 0.0, 0.25), WithinAbs(0.8, 1e-12));
+}
+
 TEST_CASE("A dead zone takes its threshold from all commands, from some above it, or from none") {
   const auto speed = [](double taper, double command_m_s) {
     ModelSimulation simulation = only({"dead_zone", "", {0.02, taper}});
