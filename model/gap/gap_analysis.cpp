@@ -193,7 +193,7 @@ void Analysis::conclude() {
     result_.search.final = result_.search.baseline;
     size_up();
   }
-  Leftovers leftovers{what_is_left(result_), {}, {}};
+  Leftovers leftovers{what_is_left(result_), {}, {}, train_problem_->has_counts()};
   if (result_.found.empty()) {
     const GapFit& left = result_.search.final;
     leftovers.swing = regular_swing(*train_problem_, left.model, left.residuals);

@@ -82,8 +82,12 @@ std::vector<TrialModel> Search::richer_cores(const TrialModel& present) const {
     for (const double lag_s : {0.4, 1.5})
       richer.push_back(present.with_larger_core(std::exp(-present.period_s / lag_s)));
   }
-  if (present.shape.shared && !present.shape.skewed) richer.push_back(present.with_skewed_core());
-  if (!present.shape.shared) {
+  if (present.shape.shared) {
+    if (!present.shape.skewed) richer.push_back(present.with_skewed_core());
+    richer.push_back(present.with_parted_core());
+  }
+  // Without counts a core that is crossed turns with another gain than it drives: let_turns_have_a_gain.
+  if (train_.has_counts()) {
     for (const Crossing crossing : {Crossing::share, Crossing::free}) {
       if (crossing > present.shape.crossing) richer.push_back(present.with_crossed_core(crossing));
     }
@@ -253,12 +257,12 @@ void Search::grow_on(GapSearch& result) {
   checks_.check(result);
 }
 
-// Without counts, one response of both wheels holds one gain for driving and for turning. That turning has
-// another may have several causes; where none of them was found, the core takes it, so that no turn is
+// Without counts, wheels that do not feel each other have one gain for driving and for turning. That turning
+// has another may have several causes; where none of them was found, the core takes it, so that no turn is
 // foretold by the gain of driving.
 void Search::let_turns_have_a_gain(GapSearch& result) {
   const TrialModel& found = result.final.model;
-  if (!found.shape.shared || found.effects.empty()) return;
+  if (train_.has_counts() || found.effects.empty()) return;
   GapFit crossed = train_.fit(found.with_crossed_core(Crossing::share), steps_of_a_refit);
   if (contest_.advantage(crossed, result.final) < limits_.least_core_nats) return;
   if (free_runs_.closer(found, crossed.model)) result.final = std::move(crossed);

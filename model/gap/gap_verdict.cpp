@@ -189,13 +189,33 @@ Judgement of_nothing_found(const GapAnalysis& analysis, const SearchLimits& limi
   return {Verdict::nothing_missing, "Nothing is missing that these runs could show."};
 }
 
-// What a core without counts came to for turns, beside the gain of driving, where it has one for each.
-std::string turning_in_words(const TrialModel& model) {
-  const double gain = (1.0 - model.share_of_other_wheel()) / (1.0 + model.share_of_other_wheel());
-  const auto percent = std::lround(100.0 * (gain - 1.0));
-  if (!model.shape.shared || percent == 0) return {};
-  return " The robot turns " + std::to_string(std::abs(percent)) + " % " + (percent < 0 ? "less" : "more") +
-         " than it drives; these logs do not tell why, and the linear core holds it.";
+// What a core without counts came to for each wheel when both are told the same, and for turns beside
+// driving.
+std::string gains_in_words(const TrialModel& model) {
+  const LinearModel core = model.linear();
+  const DcGain left = dc_gain(core.left);
+  const DcGain right = dc_gain(core.right);
+  const double drives = left.from_left + left.from_right + right.from_right + right.from_left;
+  const double turns = left.from_left - left.from_right + right.from_right - right.from_left;
+  const double excess =
+      2.0 * (right.from_right + right.from_left - left.from_left - left.from_right) / drives;
+  const double turns_more = turns / drives - 1.0;
+  const auto in_percent = [](double share) {
+    std::ostringstream text;
+    text << std::setprecision(2) << 100.0 * std::abs(share) << " % " << (share < 0.0 ? "less" : "more");
+    return text.str();
+  };
+  constexpr double worth_saying = 0.005;
+  std::string words;
+  if (std::abs(excess) > worth_saying)
+    words = " The right wheel rolls " + in_percent(excess) + " than the left";
+  if (std::abs(turns_more) > worth_saying) {
+    words += (words.empty() ? " The robot turns " : ", and the robot turns ") + in_percent(turns_more) +
+             " than it drives";
+  }
+  if (!words.empty())
+    words += " by the same commands; these logs do not tell why, and the linear core holds it.";
+  return words;
 }
 
 // What was found holds for a run whose wheels begin at a known angle: that has to be said.
@@ -256,14 +276,14 @@ bool data_decide(GapAnalysis& analysis, const RunSet& train, const Testability& 
     for (const auto& u : run.commands_m_s) largest = std::max({largest, std::abs(u.left), std::abs(u.right)});
   }
   const bool seen = std::ranges::any_of(train.runs, [](const GapRun& run) {
-    return run.has_counts || (run.references.size() > 50 && !run.sparse);
+    return run.has_counts || (run.references.size() > 50 && !run.sparse && !run.heading_alone);
   });
   if (largest > 0.005 && seen) return false;
   analysis.verdict = Verdict::not_testable;
   analysis.summary =
       largest > 0.005
-          ? "The logs hold no encoder counts, and reference poses too rarely to show how the wheels answer; "
-            "record counts, or a pose at least once a second."
+          ? "The logs hold no encoder counts, and no reference poses often enough to show how the wheels "
+            "answer; record counts, or a pose at least once a second."
           : "The robot was never told to move in these runs.";
   for (const EffectInfo* info : testability.candidates) {
     if (is_decoy(*info)) continue;
@@ -284,7 +304,7 @@ void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Left
     analysis.summary +=
         " The wheels began each run at another angle; the figures take the angles that each run showed.";
   }
-  analysis.summary += turning_in_words(analysis.search.final.model);
+  if (!leftovers.counted) analysis.summary += gains_in_words(analysis.search.final.model);
   const Excess left = what_is_left(analysis);
   if (analysis.verdict == Verdict::named && left.times >= far_above_noise) {
     analysis.summary += " More may be: in free runs " + in_words(left) + ".";

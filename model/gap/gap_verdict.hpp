@@ -35,6 +35,7 @@ struct Leftovers {
   Excess over_quick_noise;  // in floors of noise from reading to reading
   std::vector<GainChange> gain_changes;
   std::optional<RegularSwing> swing;
+  bool counted = false;  // whether the logs hold counts
 };
 
 // Sets verdict and summary, and `where` for gains that changed or a swing, from all else that the analysis

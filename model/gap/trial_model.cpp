@@ -36,12 +36,19 @@ std::vector<double> times_a_pole(const std::vector<double>& polynomial, double p
   return product;
 }
 
-WheelResponse response(const CoreShape& shape, const double* values, bool left, double lag_periods) {
+// How one wheel departs from a response that both share.
+struct OfOneWheel {
+  double gain = 1.0;
+  double lag_periods = 0.0;
+};
+
+WheelResponse response(const CoreShape& shape, const double* values, bool left, const OfOneWheel& of) {
   WheelResponse wheel;
   wheel.from_own_past.assign(values, values + shape.poles);
   std::vector<double>& own = left ? wheel.from_left : wheel.from_right;
   own.assign(values + shape.poles, values + shape.poles + shape.weights);
-  if (shape.skewed) own = delayed(own, lag_periods);
+  if (shape.skewed) own = delayed(own, of.lag_periods);
+  for (double& weight : own) weight *= of.gain;
   std::vector<double>& other = left ? wheel.from_right : wheel.from_left;
   const double* crossing = values + shape.poles + shape.weights;
   if (shape.crossing == Crossing::free) {
@@ -60,9 +67,11 @@ LinearModel TrialModel::linear() const {
   model.type = ModelType::arma;
   model.period_s = period_s;
   model.wheel_base_m = wheel_base_m;
-  const double half = shape.skewed ? 0.5 * core[shape.of_wheels()] : 0.0;
-  model.left = response(shape, core.data(), true, -half);
-  model.right = response(shape, core.data() + (shape.shared ? 0 : shape.per_wheel()), false, half);
+  const double half_lag = shape.skewed ? 0.5 * core[shape.of_wheels()] : 0.0;
+  const double half_excess = 0.5 * excess_of_right();
+  model.left = response(shape, core.data(), true, {1.0 - half_excess, -half_lag});
+  model.right = response(shape, core.data() + (shape.shared ? 0 : shape.per_wheel()), false,
+                         {1.0 + half_excess, half_lag});
   return model;
 }
 
@@ -125,7 +134,7 @@ TrialModel TrialModel::with_larger_core(double pole) const {
   larger.shape.poles += 1;
   larger.shape.weights += 1;
   larger.core.clear();
-  for (std::size_t wheel = 0; wheel < shape.of_wheels(); wheel += shape.per_wheel()) {
+  for (std::size_t wheel = 0; wheel < shape.of_responses(); wheel += shape.per_wheel()) {
     const auto begin = core.begin() + static_cast<std::ptrdiff_t>(wheel);
     const auto weights = begin + static_cast<std::ptrdiff_t>(shape.poles);
     const auto rest = weights + static_cast<std::ptrdiff_t>(shape.weights);
@@ -140,7 +149,7 @@ TrialModel TrialModel::with_larger_core(double pole) const {
       std::ranges::copy(times_a_pole({rest, end}, pole), std::back_inserter(larger.core));
     }
   }
-  larger.core.insert(larger.core.end(), core.begin() + static_cast<std::ptrdiff_t>(shape.of_wheels()),
+  larger.core.insert(larger.core.end(), core.begin() + static_cast<std::ptrdiff_t>(shape.of_responses()),
                      core.end());
   return larger;
 }
@@ -149,7 +158,7 @@ TrialModel TrialModel::with_crossed_core(Crossing crossing) const {
   TrialModel crossed = *this;
   crossed.shape.crossing = crossing;
   crossed.core.clear();
-  for (std::size_t wheel = 0; wheel < shape.of_wheels(); wheel += shape.per_wheel()) {
+  for (std::size_t wheel = 0; wheel < shape.of_responses(); wheel += shape.per_wheel()) {
     const auto begin = core.begin() + static_cast<std::ptrdiff_t>(wheel);
     const auto crossings = begin + static_cast<std::ptrdiff_t>(shape.poles + shape.weights);
     crossed.core.insert(crossed.core.end(), begin, crossings);
@@ -158,7 +167,7 @@ TrialModel TrialModel::with_crossed_core(Crossing crossing) const {
       crossed.core.push_back(share * begin[static_cast<std::ptrdiff_t>(shape.poles + i)]);
     }
   }
-  crossed.core.insert(crossed.core.end(), core.begin() + static_cast<std::ptrdiff_t>(shape.of_wheels()),
+  crossed.core.insert(crossed.core.end(), core.begin() + static_cast<std::ptrdiff_t>(shape.of_responses()),
                       core.end());
   return crossed;
 }
@@ -174,7 +183,7 @@ TrialModel TrialModel::with_later_core(double delay_s) const {
     const std::vector<double> weights(first, first + static_cast<std::ptrdiff_t>(shape.weights));
     std::ranges::copy(delayed(weights, rest), std::back_inserter(later.core));
   };
-  for (std::size_t wheel = 0; wheel < shape.of_wheels(); wheel += shape.per_wheel()) {
+  for (std::size_t wheel = 0; wheel < shape.of_responses(); wheel += shape.per_wheel()) {
     const auto begin = core.begin() + static_cast<std::ptrdiff_t>(wheel);
     const auto weights = begin + static_cast<std::ptrdiff_t>(shape.poles);
     const auto crossing = weights + static_cast<std::ptrdiff_t>(shape.weights);
@@ -183,7 +192,7 @@ TrialModel TrialModel::with_later_core(double delay_s) const {
     if (shape.crossing == Crossing::share) later.core.push_back(*crossing);
     if (shape.crossing == Crossing::free) put_off(crossing);
   }
-  later.core.insert(later.core.end(), core.begin() + static_cast<std::ptrdiff_t>(shape.of_wheels()),
+  later.core.insert(later.core.end(), core.begin() + static_cast<std::ptrdiff_t>(shape.of_responses()),
                     core.end());
   return later;
 }
@@ -193,6 +202,25 @@ TrialModel TrialModel::with_skewed_core() const {
   skewed.shape.skewed = true;
   skewed.core.insert(skewed.core.begin() + static_cast<std::ptrdiff_t>(shape.of_wheels()), 0.0);
   return skewed;
+}
+
+TrialModel TrialModel::with_parted_core() const {
+  const LinearModel as_one = linear();
+  TrialModel parted = *this;
+  parted.shape.shared = parted.shape.skewed = false;
+  parted.shape.weights = as_one.left.from_left.size();
+  parted.core.clear();
+  const auto add = [&](const std::vector<double>& past, const std::vector<double>& own,
+                       const std::vector<double>& other) {
+    std::ranges::copy(past, std::back_inserter(parted.core));
+    std::ranges::copy(own, std::back_inserter(parted.core));
+    if (shape.crossing == Crossing::share) parted.core.push_back(share_of_other_wheel());
+    if (shape.crossing == Crossing::free) std::ranges::copy(other, std::back_inserter(parted.core));
+  };
+  add(as_one.left.from_own_past, as_one.left.from_left, as_one.left.from_right);
+  add(as_one.right.from_own_past, as_one.right.from_right, as_one.right.from_left);
+  if (shape.reference_lag) parted.core.push_back(reference_lag_s());
+  return parted;
 }
 
 std::vector<EffectSetting> TrialModel::settings() const {
@@ -223,7 +251,7 @@ TrialModel first_guess(const CoreShape& shape, double period_s, double wheel_bas
   TrialModel model{shape, period_s, wheel_base_m, std::vector<double>(shape.size(), 0.0), {}};
   const double pole = std::exp(-period_s / lag_s);
   const auto delay = std::min(static_cast<std::size_t>(std::lround(delay_s / period_s)), shape.weights - 1);
-  for (std::size_t wheel = 0; wheel < shape.of_wheels(); wheel += shape.per_wheel()) {
+  for (std::size_t wheel = 0; wheel < shape.of_responses(); wheel += shape.per_wheel()) {
     if (shape.poles > 0) model.core[wheel] = pole;
     model.core[wheel + shape.poles + delay] = shape.poles > 0 ? 1.0 - pole : 1.0;
   }

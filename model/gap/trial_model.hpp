@@ -24,9 +24,9 @@ struct TrialEffect {
 // The linear core: y(k) = sum a_i y(k-i) + sum b_j u(k-j) for each wheel from its own command.
 //
 // Short on purpose: what a long core could imitate (delay, lag, ringing), it would take from the effect that
-// is there (GAP.md, point 6). `shared` gives both wheels one response: without counts, a difference of the
-// wheels and a difference of their motors are one and the same, and it is called the wheels'.
-// `skewed`: a shared core all the same gives one wheel's motor more lag, and the other's less.
+// is there (GAP.md, point 6). `shared` gives both wheels one response, but for a gain of each: without
+// counts, a difference of the wheels and one of their motors are the same, and what a linear core can hold is
+// no effect. `skewed`: a shared core all the same gives one wheel's motor more lag, and the other's less.
 // `reference_lag`: the references may tell of a moment other than the counts do, by a clock that is off or a
 // tyre that yields; how much is found beside the core, or the loss at each reversal would look like play.
 enum class Crossing {
@@ -47,7 +47,8 @@ struct CoreShape {
     return crossing == Crossing::none ? 0 : crossing == Crossing::share ? 1 : weights;
   }
   std::size_t per_wheel() const { return poles + weights + crossing_size(); }
-  std::size_t of_wheels() const { return shared ? per_wheel() : 2 * per_wheel(); }
+  std::size_t of_responses() const { return shared ? per_wheel() : 2 * per_wheel(); }
+  std::size_t of_wheels() const { return of_responses() + (shared ? 1 : 0); }
   std::size_t size() const { return of_wheels() + (skewed ? 1 : 0) + (reference_lag ? 1 : 0); }
 };
 
@@ -55,8 +56,9 @@ struct TrialModel {
   CoreShape shape;
   double period_s = 0.018;
   double wheel_base_m = 0.235;
-  // a, b, share or weights of the other's command; left, then right where not shared; periods by which the
-  // right wheel lags behind the left; lag of the references, s
+  // a, b, share or weights of the other's command; left, then right where not shared, or else by how much the
+  // right wheel's gain exceeds the left's, relative; periods by which the right wheel lags behind the left;
+  // lag of the references, s
   std::vector<double> core;
   std::vector<TrialEffect> effects;
 
@@ -65,6 +67,8 @@ struct TrialModel {
   double share_of_other_wheel() const {
     return shape.crossing == Crossing::share ? core[shape.per_wheel() - 1] : 0.0;
   }
+  // Of the right wheel's gain over the left's, relative; 0 where each has a response of its own.
+  double excess_of_right() const { return shape.shared ? core[shape.per_wheel()] : 0.0; }
   double reference_lag_s() const { return shape.reference_lag ? core.back() : 0.0; }
   ModelSimulation simulation() const;
   // Core and effect parameters, one after the other.
@@ -82,6 +86,8 @@ struct TrialModel {
   TrialModel with_later_core(double delay_s) const;
   // The same model with a core that is skewed.
   TrialModel with_skewed_core() const;
+  // The same model with a response of its own for each wheel.
+  TrialModel with_parted_core() const;
   // Of the effects, as they are listed.
   std::vector<EffectSetting> settings() const;
   // The effects in the order in which they act: as they are listed, but for those that act first.

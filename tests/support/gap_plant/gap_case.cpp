@@ -65,11 +65,7 @@ void keep_channels(DriveLog& log, const GapCaseSpec& spec) {
 class CaseMaker {
  public:
   explicit CaseMaker(const GapCaseSpec& spec)
-      : spec_(spec), random_(spec.seed), robot_(random_robot(spec.seed)) {
-    // Wheels that differ for the same command are a wheel_scale_mismatch (DESIGN.md), where no counts tell
-    // the motors from the wheels: a robot in which nothing else is hidden must not have it.
-    if (!has_ticks(spec.channels)) robot_.motor_gain.right = robot_.motor_gain.left;
-  }
+      : spec_(spec), random_(spec.seed), robot_(random_robot(spec.seed)) {}
 
   GapCase make() {
     GapCase made;

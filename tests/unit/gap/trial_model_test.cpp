@@ -14,7 +14,7 @@ TrialModel some_core(bool shared) {
   CoreShape shape;
   shape.shared = shared;
   TrialModel model = first_guess(shape, 0.02, 0.25, 0.08, 0.04);
-  for (std::size_t i = 0; i < model.core.size(); ++i) model.core[i] += 0.002 * static_cast<double>(i % 5);
+  for (std::size_t i = 0; i < model.core.size(); ++i) model.core[i] += 0.002 * static_cast<double>(1 + i % 5);
   return model;
 }
 
@@ -47,7 +47,13 @@ TEST_CASE("A richer core begins with the answer of the one that it came from") {
   check_same(answer(core.with_larger_core(0.98)), answer(core));
   check_same(answer(share), answer(core));
   check_same(answer(core.with_crossed_core(Crossing::free).with_larger_core(0.98)), answer(core));
-  if (shared) check_same(answer(core.with_skewed_core().with_larger_core(0.98)), answer(core));
+  if (!shared) return;
+  CHECK(core.excess_of_right() != 0.0);
+  TrialModel skewed = core.with_skewed_core();
+  check_same(answer(skewed.with_larger_core(0.98)), answer(core));
+  check_same(answer(core.with_parted_core()), answer(core));
+  skewed.core.back() = 0.3;
+  check_same(answer(skewed.with_parted_core().with_larger_core()), answer(skewed));
 }
 
 TEST_CASE("A core that is later answers as its own does behind a delay") {
@@ -72,11 +78,12 @@ TEST_CASE("A core that feels the other wheel by a share feels as much by weights
   check_same(answer(free.with_larger_core(0.9)), answer(share));
 }
 
-TEST_CASE("A skewed core answers later with the right wheel by what it says, and as far in the end") {
+TEST_CASE("A skewed core answers later with the right wheel by what it says, and further by its excess") {
   TrialModel skewed = some_core(true).with_skewed_core();
+  skewed.core[skewed.shape.per_wheel()] = 0.02;
   skewed.core.back() = 0.5;
   const LinearModel core = skewed.linear();
-  CHECK_THAT(dc_gain(core.left).from_left, WithinAbs(dc_gain(core.right).from_right, 1e-12));
+  CHECK_THAT(dc_gain(core.left).from_left / 0.99, WithinAbs(dc_gain(core.right).from_right / 1.01, 1e-12));
   const auto mean_lag_periods = [](const std::vector<double>& weights) {
     double moment = 0.0;
     for (std::size_t i = 0; i < weights.size(); ++i) moment += static_cast<double>(i) * weights[i];
