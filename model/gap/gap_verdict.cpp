@@ -192,6 +192,7 @@ Judgement of_nothing_found(const GapAnalysis& analysis, const SearchLimits& limi
 // What a core without counts came to for each wheel when both are told the same, and for turns beside
 // driving.
 std::string gains_in_words(const TrialModel& model) {
+  if (model.core.empty()) return {};
   const LinearModel core = model.linear();
   const DcGain left = dc_gain(core.left);
   const DcGain right = dc_gain(core.right);
