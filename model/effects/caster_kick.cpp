@@ -243,7 +243,7 @@ EffectInfo caster_kick() {
        {"ploughing_same", EffectStage::body, plough_parameters()},
        {"ploughing_alternating", EffectStage::body, plough_parameters()}},
       kick_parameters(),
-      {.reference = true, .reversal = true},
+      {.reference = true, .or_gyro = true, .reversal = true},
       [](const EffectArguments& arguments) -> std::unique_ptr<Effect> {
         if (arguments.variant == swivel) return std::make_unique<StiffSwivel>(arguments);
         if (arguments.variant == swing) return std::make_unique<ScrubbingSwing>(arguments);

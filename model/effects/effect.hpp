@@ -93,6 +93,7 @@ struct EffectVariant {
 // What the data must hold for the effect to be seen at all.
 struct EffectNeeds {
   bool reference = false;  // poses from outside
+  bool or_gyro = false;    // or a gyro beside the counts: it shows in how the robot turns
   bool heading = false;    // with a heading in them
   bool place = false;      // with x and y in them
   bool reversal = false;   // both directions of wheel motion

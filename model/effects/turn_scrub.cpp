@@ -58,7 +58,7 @@ EffectInfo turn_scrub() {
             {0.05},
             0.005},
            {"dry", "rad/s", "lost at any turn rate", 0.0, 0.5, {0.03}, 0.01}},
-          {.reference = true, .heading = true, .turning = true, .variety = true},
+          {.reference = true, .or_gyro = true, .heading = true, .turning = true, .variety = true},
           [](const EffectArguments& arguments) { return std::make_unique<TurnScrub>(arguments); },
           true};
 }

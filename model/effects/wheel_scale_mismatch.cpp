@@ -43,7 +43,7 @@ EffectInfo wheel_scale_mismatch() {
         0.4,
         {-0.05, -0.02, -0.01, 0.01, 0.02, 0.05},
         0.0008}},
-      {.reference = true, .encoders = true},
+      {.reference = true, .or_gyro = true, .encoders = true},
       [](const EffectArguments& arguments) { return std::make_unique<WheelScaleMismatch>(arguments); }};
 }
 

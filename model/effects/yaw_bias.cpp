@@ -42,7 +42,7 @@ EffectInfo yaw_bias() {
             0.5,
             {-0.05, -0.02, -0.01, 0.01, 0.02, 0.05},
             0.0008}},
-          {.reference = true},
+          {.reference = true, .or_gyro = true},
           [](const EffectArguments& arguments) { return std::make_unique<YawBias>(arguments); },
           true};
 }

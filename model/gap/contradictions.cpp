@@ -1,11 +1,13 @@
 #include "model/gap/contradictions.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
 
 #include "model/command_timeline.hpp"
+#include "model/gap/gyro_turns.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -153,6 +155,46 @@ void check_reference(GateState& gate) {
           true);
     }
   }
+}
+
+void check_gyro(GateState& gate) {
+  constexpr double wrong_unit = 20.0;  // degrees give 57
+  DriveLog& log = gate.result.log;
+  const auto turns = gyro_turns(log);
+  if (turns.empty() || !log.has_ticks()) return;
+  // Over windows, the bias being the same in all of them.
+  double windows = 0.0, sum_counted = 0.0, sum_gyro = 0.0, squares = 0.0, products = 0.0;
+  std::optional<GyroTurn> from;
+  for (const GyroTurn& to : turns) {
+    if (!log.samples[to.row].ticks) continue;
+    if (from && log.samples[to.row].t_s - log.samples[from->row].t_s < window_s) continue;
+    if (from) {
+      const double left = gate.travel(to.row, true) - gate.travel(from->row, true);
+      const double right = gate.travel(to.row, false) - gate.travel(from->row, false);
+      const double counted = (right - left) / log.wheel_base_m;
+      const double gyro = to.turned_rad - from->turned_rad;
+      windows += 1.0;
+      sum_counted += counted;
+      sum_gyro += gyro;
+      squares += counted * counted;
+      products += counted * gyro;
+    }
+    from = to;
+  }
+  const double spread = squares - sum_counted * sum_counted / std::max(windows, 1.0);
+  if (!(spread > 0.3)) return;
+  const double gain = (products - sum_counted * sum_gyro / windows) / spread;
+  std::string what;
+  if (gain < -0.3) {
+    what = "the gyro turns against the wheels: gyro_z is counter-clockwise in the format";
+  } else if (gain > wrong_unit) {
+    what = "the gyro turns " + in_digits(gain, 3) +
+           " times as far as the wheels: is gyro_z in degrees? the format wants rad/s";
+  } else {
+    return;
+  }
+  gate.fault(0, what + "; it was left out");
+  for (DriveSample& sample : log.samples) sample.gyro_z_rad_s.reset();
 }
 
 }  // namespace wheelwright::gap

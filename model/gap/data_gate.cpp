@@ -180,6 +180,7 @@ GatedLog gate_beside(const DriveLog& log, std::size_t frozen_elsewhere) {
   }
   remove_reference_jumps(state);
   check_reference(state);
+  check_gyro(state);
   mark_counts_anew(state.result);
   return std::move(state.result);
 }

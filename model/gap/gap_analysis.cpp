@@ -6,6 +6,7 @@
 #include "model/gap/gap_size.hpp"
 #include "model/gap/gap_standing.hpp"
 #include "model/gap/gap_verdict.hpp"
+#include "model/gap/noted_references.hpp"
 #include "model/gap/search_start.hpp"
 
 namespace wheelwright::gap {
@@ -23,7 +24,7 @@ class Analysis {
 
  private:
   void search();
-  void note_late_references(double late_s);
+  void note_references_by(const TrialModel& model);
   void conclude();
   void describe_where();
   void size_up();
@@ -60,22 +61,24 @@ void Analysis::search() {
   test_problem_.emplace(gathered_.test.runs, gathered_.test.metres_per_tick, for_each_);
   const FreeRuns free_runs{
       [this](const TrialModel& trial) {
+        if (trial.shape.gyro_scaled) note_references_by(trial);  // its drift is that beside this model
         const RobotModel model = whole_model_of(trial, origin_);
         const GapFigures train = figures(model, model, gathered_.train.logs);
         const GapFigures test = result_.tail_held_out ? train : figures(model, model, gathered_.test.logs);
         return largest_excess(train, test).times >= more_than_noise;
       },
       [this](const TrialModel& without, const TrialModel& with) {
+        if (with.shape.gyro_scaled) note_references_by(with);
         const auto& logs = result_.tail_held_out ? gathered_.train.logs : gathered_.test.logs;
         return shows(figures(whole_model_of(without, origin_), whole_model_of(with, origin_), logs));
       }};
   const TrialModel start = search_start(*train_problem_, origin_.given);
-  note_late_references(start.reference_lag_s());
+  note_references_by(start);
   auto candidates = testability_.candidates;
   if (linear_left_out_) std::erase_if(candidates, [](const EffectInfo* info) { return info->linear; });
   result_.search = search_gap(*train_problem_, *test_problem_, start, candidates, options_.limits, free_runs,
                               for_each_, progress_);
-  note_late_references(result_.search.final.model.reference_lag_s());
+  note_references_by(result_.search.final.model);
   for (std::size_t r = 0; r < gathered_.train.logs.size(); ++r) {
     gathered_.train.logs[r].rolled_before_m = result_.search.train_rolled_m[r];
   }
@@ -84,9 +87,9 @@ void Analysis::search() {
   }
 }
 
-void Analysis::note_late_references(double late_s) {
+void Analysis::note_references_by(const TrialModel& model) {
   for (auto* runs : {&gathered_.train, &gathered_.test}) {
-    for (auto& log : runs->logs) log.references_late_s = late_s;
+    for (std::size_t r = 0; r < runs->logs.size(); ++r) note_references(runs->logs[r], runs->runs[r], model);
   }
 }
 
@@ -317,7 +320,7 @@ void Analysis::note_runs() {
 tl::expected<GapAnalysis, GapRefusal> Analysis::run(std::span<const DriveLog> train,
                                                     std::span<const DriveLog> test) {
   if (auto refusal = gather_runs(train, test, gathered_)) return tl::unexpected(*refusal);
-  testability_ = testability(train);
+  testability_ = testability(gathered_.to_learn_from);
   result_.data_faults = gathered_.faults;
   result_.tail_held_out = gathered_.tail_held_out;
   note_runs();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/gap/gyro_turns.hpp"
+
 namespace wheelwright::gap {
 namespace {
 
@@ -146,15 +148,6 @@ void wheel_errors(const GapRun& run, const Path& path, Channel channel, std::vec
   for (std::size_t i = 0; i < series.at.size(); ++i) errors.push_back(series.value[i] - travel(series.at[i]));
 }
 
-// So much earlier on the grid.
-GridTime earlier(const GapRun& run, const GridTime& at, double by_s) {
-  if (by_s == 0.0) return at;
-  const auto last = static_cast<double>(run.commands_m_s.size());
-  const double time = std::clamp(static_cast<double>(at.period) + at.share - by_s / run.period_s, 0.0, last);
-  const double whole = std::floor(time);
-  return {static_cast<std::size_t>(whole), time - whole};
-}
-
 void motion_errors(const GapRun& run, const ModelSimulation& simulation, const Path& path, double lag_s,
                    RunErrors& errors) {
   const auto& at = run[Channel::turn].at;
@@ -179,6 +172,36 @@ void motion_errors(const GapRun& run, const ModelSimulation& simulation, const P
     add(Channel::forward, sum.forward);
     add(Channel::aside, sum.aside);
   }
+}
+
+double at(const std::vector<double>& turned_rad, const GridTime& when) {
+  const double a = turned_rad[when.period];
+  return when.share == 0.0 ? a : between(a, turned_rad[when.period + 1], when.share);
+}
+
+std::vector<double> turned_by(const std::vector<OdometryStep>& steps) {
+  std::vector<double> turned_rad{0.0};
+  turned_rad.reserve(steps.size() + 1);
+  for (const OdometryStep& step : steps) turned_rad.push_back(turned_rad.back() + step.turn_rad);
+  return turned_rad;
+}
+
+// A gyro too large by its scale says so much more of the whole turn: of the model's, since counts are
+// rounded, and what is rounded in two places at once would look like a scale.
+void gyro_errors(const GapRun& run, const Path& path, const TrialModel& model, RunErrors& errors) {
+  const auto own_rad = turned_by(path.odometry);
+  const auto body_rad = turned_by(path.body);
+  const Series& series = run[Channel::turn];
+  std::vector<double> all;
+  all.reserve(series.at.size());
+  for (std::size_t i = 0; i < series.at.size(); ++i) {
+    const GridTime& when = series.at[i];
+    const double turned = at(body_rad, earlier(run, when, model.reference_lag_s()));
+    all.push_back(series.value[i] - (turned - at(own_rad, when)) - model.gyro_scale() * turned);
+  }
+  GyroErrors found = without_drift(run, std::move(all));
+  errors.series[static_cast<std::size_t>(Channel::turn)] = std::move(found.errors_rad);
+  errors.gyro_drift_rad_s = found.drift_rad_s;
 }
 
 // Odometry, with what the model adds to it, from one reference to the next.
@@ -239,7 +262,10 @@ RunErrors free_run_errors(const TrialModel& model, const GapRun& run, Part part)
       errors.stretches.push_back(stretch_error(run, simulation, path, model.reference_lag_s(),
                                                run.references[i - 1], run.references[i]));
     }
-  } else if (!run[Channel::turn].empty()) {
+  }
+  if (run.by_gyro) {
+    gyro_errors(run, path, model, errors);
+  } else if (!run.sparse && !run[Channel::turn].empty()) {
     motion_errors(run, simulation, path, model.reference_lag_s(), errors);
   }
   return errors;

@@ -21,6 +21,7 @@ struct StretchError {
 struct RunErrors {
   std::array<std::vector<double>, channel_count> series;  // one per reading
   std::vector<StretchError> stretches;                    // of a sparse run
+  double gyro_drift_rad_s = 0.0;                          // taken out of `turn` where that is a gyro's
 };
 
 // Fills the measured values of the channels forward, aside and turn. They are what the references have beyond

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "model/command_timeline.hpp"
+#include "model/gap/gyro_turns.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -179,7 +180,39 @@ bool far_apart(const GapRun& run) {
   return between[between.size() / 2] > sparse_from_s;
 }
 
+// What the gyro says that the robot turned beyond its counts.
+void lay_gyro(const DriveLog& log, const RowFlags& flags, GapRun& run) {
+  const auto flagged = [](const std::vector<char>& rows, std::size_t i) {
+    return !rows.empty() && rows[i] != 0;
+  };
+  const ExpectedTurn counted(run);
+  Series& turn = run[Channel::turn];
+  std::size_t row = 0;
+  bool lost = false;
+  for (const GyroTurn& gyro : gyro_turns(log)) {
+    bool anew = lost;
+    lost = false;
+    for (; row <= gyro.row; ++row) {
+      lost = lost || flagged(flags.counts, row);
+      anew = anew || lost || flagged(flags.restart, row);
+    }
+    const GridTime at = grid_time(run, log.samples[gyro.row].t_s);
+    turn.restarts.push_back(anew && !turn.at.empty() ? 1 : 0);
+    turn.at.push_back(at);
+    turn.value.push_back(gyro.turned_rad - counted.until(at));
+  }
+  run.by_gyro = !turn.empty();
+}
+
 }  // namespace
+
+GridTime earlier(const GapRun& run, const GridTime& at, double by_s) {
+  if (by_s == 0.0) return at;
+  const auto last = static_cast<double>(run.commands_m_s.size());
+  const double time = std::clamp(static_cast<double>(at.period) + at.share - by_s / run.period_s, 0.0, last);
+  const double whole = std::floor(time);
+  return {static_cast<std::size_t>(whole), time - whole};
+}
 
 GapRun make_gap_run(const DriveLog& log, const RowFlags& flags, double period_s) {
   GapRun run;
@@ -201,6 +234,8 @@ GapRun make_gap_run(const DriveLog& log, const RowFlags& flags, double period_s)
         run[channel].restarts.push_back(reference.anew ? 1 : 0);
       }
     }
+  } else if (run.has_counts) {
+    lay_gyro(log, flags, run);
   }
   return run;
 }

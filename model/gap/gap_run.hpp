@@ -7,6 +7,7 @@
 //                 direction halfway through the turn. Where there are counts too, this is what the motion has
 //                 beyond odometry: slip and geometry, without the motors.
 // Where references tell the heading alone, there is no other channel of motion than `turn`.
+// Where there are counts and a gyro, but no dense references, the gyro tells of `turn` (gyro_turns.hpp).
 // References that lie far apart (`sparse`) are not summed: each stretch between two of them is one reading,
 // and odometry is integrated along it together with what the model adds.
 #pragma once
@@ -63,6 +64,7 @@ struct GapRun {
   bool heading_alone = false;         // of the references; then they say nothing of x and y
   bool has_counts = false;
   bool sparse = false;                 // references are far apart
+  bool by_gyro = false;                // `turn` is what a gyro says, with its drift and scale
   std::vector<OdometryStep> odometry;  // one per period, where there are counts
 
   const Series& operator[](Channel channel) const { return series[static_cast<std::size_t>(channel)]; }
@@ -75,6 +77,9 @@ struct RowFlags {
   std::vector<char> counts;   // the counts of this row are not to be trusted
   std::vector<char> restart;  // counts or references jumped before this row
 };
+
+// So much earlier on a run's grid; not before its start.
+GridTime earlier(const GapRun& run, const GridTime& at, double by_s);
 
 // `flags` may be empty. The grid's period is `period_s`.
 GapRun make_gap_run(const DriveLog& log, const RowFlags& flags, double period_s);

@@ -219,6 +219,19 @@ std::string gains_in_words(const TrialModel& model) {
   return words;
 }
 
+// Beyond what gyros err, relative: the wheel base is not what it was said to be, or the gyro's unit.
+constexpr double usual_gyro_scale = 0.05;
+
+std::string gyro_scale_in_words(double scale) {
+  std::ostringstream words;
+  words << "The gyro tells of " << std::setprecision(2) << 100.0 * std::abs(scale) << " % "
+        << (scale > 0.0 ? "more" : "less")
+        << " turn than the counts: the wheel base or the gyro's scale is off by that, and only turns against "
+           "an "
+           "outside mark tell which.";
+  return words.str();
+}
+
 // What was found holds for a run whose wheels begin at a known angle: that has to be said.
 bool wheels_began_apart(const GapSearch& search) {
   const bool rippling = std::ranges::any_of(
@@ -304,6 +317,14 @@ void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Left
   if (wheels_began_apart(analysis.search)) {
     analysis.summary +=
         " The wheels began each run at another angle; the figures take the angles that each run showed.";
+  }
+  const double gyro_scale = analysis.search.final.model.gyro_scale();
+  constexpr double worth_saying = 0.005;
+  if (analysis.verdict == Verdict::nothing_missing && std::abs(gyro_scale) > usual_gyro_scale) {
+    analysis.verdict = Verdict::unnamed;
+    analysis.summary = gyro_scale_in_words(gyro_scale);
+  } else if (std::abs(gyro_scale) > worth_saying) {
+    analysis.summary += " " + gyro_scale_in_words(gyro_scale);
   }
   if (!leftovers.counted) analysis.summary += gains_in_words(analysis.search.final.model);
   const Excess left = what_is_left(analysis);

@@ -118,6 +118,7 @@ std::optional<GapRefusal> gather_runs(std::span<const DriveLog> train, std::span
   if (auto refusal = repetition(all)) return refusal;
   const std::vector<GatedLog> gated = gate_together(all);
   add_gated(std::span(gated).first(train.size()), gathered.train, gathered);
+  gathered.to_learn_from = gathered.train.logs;
   add_gated(std::span(gated).subspan(train.size()), gathered.test, gathered);
   return test.empty() ? hold_out(gathered) : std::nullopt;
 }

@@ -31,7 +31,8 @@ struct RunSet {
 struct GatheredRuns {
   RunSet train;
   RunSet test;
-  bool tail_held_out = false;  // a single run: its last third stands in for a run of its own
+  std::vector<DriveLog> to_learn_from;  // all that were given for it, those held out of them among them
+  bool tail_held_out = false;           // a single run: its last third stands in for a run of its own
   std::vector<DataFault> faults;
   std::vector<Dropout> dropouts;
   double watched_s = 0.0;  // all runs together

@@ -14,8 +14,9 @@ CoreShape shape_for(const GapProblem& train) {
   // First and last references alone, at rest, tell of any moment.
   constexpr std::size_t while_it_drives = 10;
   shape.reference_lag = std::ranges::all_of(train.runs(), [](const GapRun& run) {
-    return run.has_counts && run.references.size() > while_it_drives;
+    return run.has_counts && (run.by_gyro || run.references.size() > while_it_drives);
   });
+  shape.gyro_scaled = std::ranges::any_of(train.runs(), &GapRun::by_gyro);
   // A core that reaches back 90 ms holds what delay is usual of a serial line and a motor; more of it is an
   // effect.
   const double period_s = train.runs().front().period_s;

@@ -7,6 +7,7 @@
 
 #include "model/effect_library.hpp"
 #include "model/gap/decoys.hpp"
+#include "model/gap/gyro_turns.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -26,6 +27,7 @@ struct Contents {
   bool dense_reference = false;
   bool reference = false;
   bool place = false;
+  bool gyro = false;
   double reverse_s = 0.0;
   double forward_s = 0.0;
   double turning_s = 0.0;
@@ -37,6 +39,7 @@ Contents contents_of(std::span<const DriveLog> logs) {
   Contents contents;
   for (const auto& log : logs) {
     if (log.has_ticks()) contents.counts = true;
+    if (log.has_ticks() && has_gyro(log)) contents.gyro = true;
     std::size_t references = 0;
     for (std::size_t i = 0; i < log.samples.size(); ++i) {
       const auto& sample = log.samples[i];
@@ -65,7 +68,10 @@ Contents contents_of(std::span<const DriveLog> logs) {
 std::string missing_for(const EffectInfo& info, const Contents& contents) {
   const EffectNeeds& needs = info.needs;
   if (needs.encoders && !contents.counts) return "the logs hold no encoder counts";
-  if (needs.reference && !contents.reference) return "the logs hold no reference poses";
+  if (needs.reference && !contents.reference && !(needs.or_gyro && contents.gyro)) {
+    return contents.gyro ? "the logs hold no reference poses, and a gyro alone does not show it"
+                         : "the logs hold no reference poses";
+  }
   if (needs.place && !contents.place) return "the logs hold no reference positions";
   if (needs.battery && !(contents.highest_v > 0.0)) return "the logs hold no battery voltage";
   if (needs.battery && contents.highest_v < (1.0 + least_voltage_change) * contents.lowest_v) {

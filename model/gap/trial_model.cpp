@@ -9,6 +9,7 @@ namespace wheelwright::gap {
 namespace {
 
 constexpr double largest_pole_allowed = 0.995;
+constexpr double largest_gyro_scale = 0.15;  // beside an effect of turns, more would be its mirror image
 
 // Of a motor that creeps up to its speed.
 double slow_pole(double period_s) {
@@ -99,7 +100,8 @@ double TrialModel::parameter(std::size_t index) const {
 
 void TrialModel::set_parameter(std::size_t index, double value) {
   if (index < core.size()) {
-    core[index] = value;
+    const bool of_gyro = shape.gyro_scaled && index == shape.gyro_index();
+    core[index] = of_gyro ? std::clamp(value, -largest_gyro_scale, largest_gyro_scale) : value;
     return;
   }
   index -= core.size();
@@ -220,6 +222,7 @@ TrialModel TrialModel::with_parted_core() const {
   add(as_one.left.from_own_past, as_one.left.from_left, as_one.left.from_right);
   add(as_one.right.from_own_past, as_one.right.from_right, as_one.right.from_left);
   if (shape.reference_lag) parted.core.push_back(reference_lag_s());
+  if (shape.gyro_scaled) parted.core.push_back(gyro_scale());
   return parted;
 }
 

@@ -29,6 +29,7 @@ struct TrialEffect {
 // no effect. `skewed`: a shared core all the same gives one wheel's motor more lag, and the other's less.
 // `reference_lag`: the references may tell of a moment other than the counts do, by a clock that is off or a
 // tyre that yields; how much is found beside the core, or the loss at each reversal would look like play.
+// `gyro_scaled`: so is by how much the gyro says too much.
 enum class Crossing {
   none,
   share,  // each wheel also feels a share of the other's command, as it feels its own
@@ -42,6 +43,7 @@ struct CoreShape {
   Crossing crossing = Crossing::none;
   bool skewed = false;  // only where shared
   bool reference_lag = false;
+  bool gyro_scaled = false;
 
   std::size_t crossing_size() const {
     return crossing == Crossing::none ? 0 : crossing == Crossing::share ? 1 : weights;
@@ -49,7 +51,9 @@ struct CoreShape {
   std::size_t per_wheel() const { return poles + weights + crossing_size(); }
   std::size_t of_responses() const { return shared ? per_wheel() : 2 * per_wheel(); }
   std::size_t of_wheels() const { return of_responses() + (shared ? 1 : 0); }
-  std::size_t size() const { return of_wheels() + (skewed ? 1 : 0) + (reference_lag ? 1 : 0); }
+  std::size_t lag_index() const { return of_wheels() + (skewed ? 1 : 0); }
+  std::size_t gyro_index() const { return lag_index() + (reference_lag ? 1 : 0); }
+  std::size_t size() const { return gyro_index() + (gyro_scaled ? 1 : 0); }
 };
 
 struct TrialModel {
@@ -58,7 +62,7 @@ struct TrialModel {
   double wheel_base_m = 0.235;
   // a, b, share or weights of the other's command; left, then right where not shared, or else by how much the
   // right wheel's gain exceeds the left's, relative; periods by which the right wheel lags behind the left;
-  // lag of the references, s
+  // lag of the references, s; by how much the gyro says too much, relative
   std::vector<double> core;
   std::vector<TrialEffect> effects;
 
@@ -69,7 +73,8 @@ struct TrialModel {
   }
   // Of the right wheel's gain over the left's, relative; 0 where each has a response of its own.
   double excess_of_right() const { return shape.shared ? core[shape.per_wheel()] : 0.0; }
-  double reference_lag_s() const { return shape.reference_lag ? core.back() : 0.0; }
+  double reference_lag_s() const { return shape.reference_lag ? core[shape.lag_index()] : 0.0; }
+  double gyro_scale() const { return shape.gyro_scaled ? core[shape.gyro_index()] : 0.0; }
   ModelSimulation simulation() const;
   // Core and effect parameters, one after the other.
   std::size_t parameter_count() const;

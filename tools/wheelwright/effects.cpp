@@ -50,7 +50,8 @@ std::vector<std::string> needs_of(const EffectNeeds& needs) {
   if (needs.place) {
     list.emplace_back("reference positions");
   } else if (needs.reference) {
-    list.emplace_back(needs.heading ? "reference headings" : "reference poses");
+    list.push_back(std::string(needs.heading ? "reference headings" : "reference poses") +
+                   (needs.or_gyro ? " or a gyro" : ""));
   }
   if (needs.battery) list.emplace_back("the battery's voltage");
   if (needs.reversal) list.emplace_back("drives forward and backward");

@@ -26,8 +26,9 @@ bool has_reference(Channels channels) {
 std::optional<std::string> why_not(const HiddenEffect& effect, const GapCaseSpec& spec, bool moves_encoders) {
   const Needs& needs = effect.needs;
   const bool ticks = has_ticks(spec.channels);
-  const bool reference = has_reference(spec.channels);
-  const bool many_poses = reference && spec.channels != Channels::ticks_ends;
+  const bool by_gyro = ticks && spec.gyro && needs.turns_it;
+  const bool reference = has_reference(spec.channels) || by_gyro;
+  const bool many_poses = reference && (spec.channels != Channels::ticks_ends || by_gyro);
   const bool turns = spec.program == Program::mixed || spec.program == Program::forward_only;
   const bool reversals = spec.program == Program::mixed || spec.program == Program::straight_only;
   if (needs.ticks && !ticks) return "no encoder counts";

@@ -25,6 +25,7 @@ struct Needs {
   bool both = false;        // counts and poses side by side: of poses alone a linear core takes it up
   bool many_poses = false;  // more of them than the first and the last
   bool speeds = false;      // more than one speed
+  bool turns_it = false;    // beside counts, a gyro shows it as poses do
   bool battery = false;     // else nobody can tell it from a drift with time
 };
 

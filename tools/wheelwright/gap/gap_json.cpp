@@ -137,6 +137,8 @@ std::string gap_to_json(const gap::GapAnalysis& analysis, const std::optional<ga
   json["search"] = {{"rounds", rounds_to_json(analysis.search.rounds)},
                     {"checks", rounds_to_json(analysis.search.checks)},
                     {"references_late_s", analysis.search.final.model.reference_lag_s()}};
+  if (analysis.search.final.model.shape.gyro_scaled)
+    json["search"]["gyro_scale"] = analysis.search.final.model.gyro_scale();
   return json.dump(2) + "\n";
 }
 

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "model/gap/data_gate.hpp"
+#include "model/gap/gap_run.hpp"
+#include "model/gap/noted_references.hpp"
 #include "model/gap/residual_table.hpp"
 #include "model/open_loop_runs.hpp"
 #include "tools/wheelwright/gap/gap_text.hpp"
@@ -22,7 +24,10 @@ std::vector<gap::GatedLog> gated(std::span<const DriveLog> train, std::span<cons
   std::vector<DriveLog> all(train.begin(), train.end());
   all.insert(all.end(), test.begin(), test.end());
   std::vector<gap::GatedLog> result = gap::gate_together(all);
-  for (auto& one : result) one.log.references_late_s = analysis.search.final.model.reference_lag_s();
+  for (auto& one : result) {
+    const gap::GapRun run = gap::make_gap_run(one.log, one.flags, one.log.period_s);
+    gap::note_references(one.log, run, analysis.search.final.model);
+  }
   return result;
 }
 
