@@ -81,7 +81,7 @@ EffectInfo acceleration_slip() {
         {0.03, 0.08, 0.2, 0.5, 1.0, 1.6},
         0.003},
        {"grip", "m/s^2", "acceleration without slip", 0.0, 5.0, {0.0, 0.3, 0.7}, 0.0, false}},
-      {.reference = true, .or_gyro = true},
+      {.reference = true},
       [](const EffectArguments& arguments) { return std::make_unique<AccelerationSlip>(arguments); }};
 }
 

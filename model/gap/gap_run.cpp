@@ -63,19 +63,15 @@ void lay_counts(const DriveLog& log, const RowFlags& flags, GapRun& run) {
   run.has_counts = !run[Channel::left].empty();
 }
 
-double grid_s(const GapRun& run, const GridTime& at) {
-  return run.period_s * (static_cast<double>(at.period) + at.share);
-}
-
 // Travel of a counted wheel at any grid time, linear between readings.
 class Travel {
  public:
   explicit Travel(const GapRun& run, const Series& series) : run_(run), series_(series) {}
   double at(double time_s) {
-    while (next_ + 1 < series_.at.size() && grid_s(run_, series_.at[next_]) < time_s) ++next_;
+    while (next_ + 1 < series_.at.size() && seconds_at(run_, series_.at[next_]) < time_s) ++next_;
     if (next_ == 0) return series_.value.front();
-    const double t0 = grid_s(run_, series_.at[next_ - 1]);
-    const double t1 = grid_s(run_, series_.at[next_]);
+    const double t0 = seconds_at(run_, series_.at[next_ - 1]);
+    const double t1 = seconds_at(run_, series_.at[next_]);
     const double share = std::clamp((time_s - t0) / (t1 - t0), 0.0, 1.0);
     return series_.value[next_ - 1] + share * (series_.value[next_] - series_.value[next_ - 1]);
   }
@@ -126,10 +122,11 @@ std::optional<Pose> reference_of(const DriveSample& sample, bool heading_alone) 
   return Pose{0.0, 0.0, *sample.reference_theta_rad};
 }
 
+bool flagged(const std::vector<char>& rows, std::size_t i) {
+  return !rows.empty() && rows[i] != 0;
+}
+
 void collect_references(const DriveLog& log, const RowFlags& flags, GapRun& run) {
-  const auto flagged = [](const std::vector<char>& rows, std::size_t i) {
-    return !rows.empty() && rows[i] != 0;
-  };
   run.heading_alone = !log.references_tell_places();
   const ExpectedTurn expected(run);
   bool anew = false;
@@ -162,9 +159,9 @@ void lay_passed(GapRun& run) {
   std::size_t next = 1;
   for (std::size_t k = 0; k <= run.commands_m_s.size(); ++k) {
     const double time_s = run.period_s * static_cast<double>(k);
-    while (next + 1 < run.references.size() && grid_s(run, run.references[next].at) < time_s) ++next;
-    const double from_s = grid_s(run, run.references[next - 1].at);
-    const double to_s = grid_s(run, run.references[next].at);
+    while (next + 1 < run.references.size() && seconds_at(run, run.references[next].at) < time_s) ++next;
+    const double from_s = seconds_at(run, run.references[next - 1].at);
+    const double to_s = seconds_at(run, run.references[next].at);
     const double share = to_s > from_s ? std::clamp((time_s - from_s) / (to_s - from_s), 0.0, 1.0) : 1.0;
     run.passed.push_back(between(run.references[next - 1], run.references[next], share));
   }
@@ -174,7 +171,7 @@ bool far_apart(const GapRun& run) {
   if (run.references.size() < 2) return true;
   std::vector<double> between;
   for (std::size_t i = 1; i < run.references.size(); ++i) {
-    between.push_back(grid_s(run, run.references[i].at) - grid_s(run, run.references[i - 1].at));
+    between.push_back(seconds_at(run, run.references[i].at) - seconds_at(run, run.references[i - 1].at));
   }
   std::ranges::nth_element(between, between.begin() + static_cast<std::ptrdiff_t>(between.size() / 2));
   return between[between.size() / 2] > sparse_from_s;
@@ -182,9 +179,6 @@ bool far_apart(const GapRun& run) {
 
 // What the gyro says that the robot turned beyond its counts.
 void lay_gyro(const DriveLog& log, const RowFlags& flags, GapRun& run) {
-  const auto flagged = [](const std::vector<char>& rows, std::size_t i) {
-    return !rows.empty() && rows[i] != 0;
-  };
   const ExpectedTurn counted(run);
   Series& turn = run[Channel::turn];
   std::size_t row = 0;
@@ -205,6 +199,10 @@ void lay_gyro(const DriveLog& log, const RowFlags& flags, GapRun& run) {
 }
 
 }  // namespace
+
+double seconds_at(const GapRun& run, const GridTime& at) {
+  return run.period_s * (static_cast<double>(at.period) + at.share);
+}
 
 GridTime earlier(const GapRun& run, const GridTime& at, double by_s) {
   if (by_s == 0.0) return at;

@@ -78,6 +78,9 @@ struct RowFlags {
   std::vector<char> restart;  // counts or references jumped before this row
 };
 
+// Since the start of the run.
+double seconds_at(const GapRun& run, const GridTime& at);
+
 // So much earlier on a run's grid; not before its start.
 GridTime earlier(const GapRun& run, const GridTime& at, double by_s);
 

@@ -224,11 +224,10 @@ constexpr double usual_gyro_scale = 0.05;
 
 std::string gyro_scale_in_words(double scale) {
   std::ostringstream words;
-  words << "The gyro tells of " << std::setprecision(2) << 100.0 * std::abs(scale) << " % "
-        << (scale > 0.0 ? "more" : "less")
-        << " turn than the counts: the wheel base or the gyro's scale is off by that, and only turns against "
-           "an "
-           "outside mark tell which.";
+  words << "The gyro tells of " << (std::abs(scale) < largest_gyro_scale ? "" : "at least ")
+        << std::setprecision(2) << 100.0 * std::abs(scale) << " % " << (scale > 0.0 ? "more" : "less")
+        << " turn than the counts: the wheel base or the gyro's scale is off, and only turns against an "
+        << "outside mark tell which.";
   return words.str();
 }
 

@@ -8,10 +8,6 @@ namespace {
 constexpr double nearly_all = 0.95;     // of the rows
 constexpr double longest_gap_s = 0.25;  // over which a rate may be carried on
 
-double seconds_at(const GapRun& run, const GridTime& at) {
-  return run.period_s * (static_cast<double>(at.period) + at.share);
-}
-
 }  // namespace
 
 bool has_gyro(const DriveLog& log) {

@@ -9,7 +9,6 @@ namespace wheelwright::gap {
 namespace {
 
 constexpr double largest_pole_allowed = 0.995;
-constexpr double largest_gyro_scale = 0.15;  // beside an effect of turns, more would be its mirror image
 
 // Of a motor that creeps up to its speed.
 double slow_pole(double period_s) {

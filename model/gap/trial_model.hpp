@@ -56,6 +56,9 @@ struct CoreShape {
   std::size_t size() const { return gyro_index() + (gyro_scaled ? 1 : 0); }
 };
 
+// Relative, either way: beside an effect of turns, more would be its mirror image.
+constexpr double largest_gyro_scale = 0.15;
+
 struct TrialModel {
   CoreShape shape;
   double period_s = 0.018;

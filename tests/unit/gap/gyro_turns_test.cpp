@@ -14,11 +14,12 @@ using namespace wheelwright::gap;
 
 namespace {
 
-std::vector<DriveLog> logs_with_gyro(const std::string& hidden, double scale = 0.0) {
+std::vector<DriveLog> logs_with_gyro(const std::string& hidden, double scale = 0.0,
+                                     test::Channels channels = test::Channels::ticks) {
   test::GapCaseSpec spec;
   spec.name = hidden;
   spec.severity = test::Severity::large;
-  spec.channels = test::Channels::ticks;
+  spec.channels = channels;
   spec.gyro = true;
   spec.runs = 3;
   spec.seconds = 60.0;
@@ -112,6 +113,14 @@ TEST_CASE("A wheel base that is far off is seen by a gyro, and not told from the
   CHECK(analysis.verdict == Verdict::unnamed);
   CHECK(analysis.found.empty());
   CHECK_THAT(analysis.summary, Catch::Matchers::Contains("wheel base or the gyro's scale"));
+}
+
+TEST_CASE("First and last headings tell a wheel base that is off from the scale of a gyro between them") {
+  const auto logs = logs_with_gyro("effective_track", 0.02, test::Channels::ticks_ends);
+  const GapAnalysis analysis = analysed(logs);
+  REQUIRE(analysis.verdict == Verdict::named);
+  CHECK(analysis.found.front().setting.name == "effective_track");
+  CHECK_THAT(analysis.search.final.model.gyro_scale(), WithinAbs(0.02, 0.005));
 }
 
 TEST_CASE("A gyro in degrees or of the other sign is a fault, and left out") {
