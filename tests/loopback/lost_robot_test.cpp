@@ -57,7 +57,7 @@ TEST_CASE("A robot that is switched off and on again stands until it is armed, t
   check_odometry_has_no_jump(bench.pose_log());
 }
 
-TEST_CASE("A cable that is pulled out costs the run; put in again, the robot is stopped, not followed") {
+TEST_CASE("A cable that is pulled out costs the run, and put in again, the robot is stopped, not followed") {
   Bench bench;
   const auto robot = bench.start_robot("perfect");
   LineTap tap(bench.device(), bench.folder() / "tapped");

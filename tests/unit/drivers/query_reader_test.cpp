@@ -190,7 +190,7 @@ TEST_CASE("Displaced bytes give no wrong reading, and the next reply comes throu
   CHECK(wrong <= replies / 100'000);
 }
 
-TEST_CASE("A flipped bit in a mark costs the sample; behind it the next reply comes through unharmed") {
+TEST_CASE("A flipped bit in a mark costs the sample, and behind it the next reply comes through unharmed") {
   Random random(18);
   QueryReader reader;
   int spoilt = 0;

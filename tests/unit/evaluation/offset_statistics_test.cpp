@@ -26,7 +26,7 @@ TEST_CASE("Offsets that are all alike leave intervals of no width") {
   CHECK_THAT(statistics.mean_ci95_m->high, WithinAbs(0.25, 1e-12));
 }
 
-TEST_CASE("A single attempt has a mean, and neither deviation nor interval; two show no interval") {
+TEST_CASE("A single attempt has a mean, and neither deviation nor interval, and two show no interval") {
   const std::vector<double> offsets{0.3};
   const auto statistics = offset_statistics(offsets, 1);
   CHECK(statistics.mean_m == 0.3);

@@ -135,7 +135,7 @@ TEST_CASE("A dead zone takes its threshold from all commands, from some above it
   CHECK_THAT(speed(1.0, 0.05), WithinAbs(0.03, 1e-12));
 }
 
-TEST_CASE("Play is lost on reversal; where little brakes the wheel, on starting again") {
+TEST_CASE("Play is lost on reversal, and where little brakes the wheel, on starting again") {
   const auto way_m = [](ModelSimulation& simulation, double command_m_s, int periods) {
     double sum = 0.0;
     for (int k = 0; k < periods; ++k) sum += period_s * simulation.step({command_m_s, 0.0}).wheel_m_s.left;

@@ -21,7 +21,7 @@ Verdict verdict_of(GapAnalysis analysis, double over_quick_noise = 0.0) {
 
 }  // namespace
 
-TEST_CASE("A name stands from a probability of 0.9 on; below it the answer is ambiguous") {
+TEST_CASE("A name stands from a probability of 0.9 on, and below it the answer is ambiguous") {
   CHECK(verdict_of(analysis_with({finding("backlash", 50.0, 0.95)}, position(3.0, 1.0))) == Verdict::named);
   CHECK(verdict_of(analysis_with({finding("backlash", 50.0, 0.95), finding("stiction", 50.0, 0.6)},
                                  position(3.0, 1.0))) == Verdict::ambiguous);
@@ -165,7 +165,8 @@ TEST_CASE("A wheel that is late on starting and runs freely then may only have h
 }
 
 TEST_CASE(
-    "A gain that falls evenly may be the battery, of which the logs say nothing; one that settles is not") {
+    "A gain that falls evenly may be the battery, of which the logs say nothing, and one that settles is "
+    "not") {
   const std::vector<Untestable> no_voltage{{"voltage_sag", "no voltage"}};
   std::vector<Finding> found{finding("gain_drift", 500.0), finding("gain_drift", 500.0)};
   found[0].setting.parameters = {-0.2, 600.0};

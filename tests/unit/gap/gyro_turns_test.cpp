@@ -99,7 +99,8 @@ TEST_CASE("By counts and a gyro a caster that swings round is found") {
   CHECK(analysis.found.front().setting.name == "caster_kick");
 }
 
-TEST_CASE("By counts and a gyro a sound robot lacks nothing; the wheel base and places are not to be told") {
+TEST_CASE(
+    "By counts and a gyro a sound robot lacks nothing, and the wheel base and places are not testable") {
   const GapAnalysis analysis = analysed(logs_with_gyro("clean", 0.02));
   CHECK(analysis.verdict == Verdict::nothing_missing);
   CHECK_THAT(analysis.search.final.model.gyro_scale(), WithinAbs(0.02, 0.003));

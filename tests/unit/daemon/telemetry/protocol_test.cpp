@@ -114,7 +114,7 @@ TEST_CASE("A subscription that cannot be is named and changes nothing else") {
   CHECK(client.subscriptions() == 1);
 }
 
-TEST_CASE("The service stops the robot and says so; another service does not exist") {
+TEST_CASE("The service stops the robot and says so, and another service does not exist") {
   auto client = conversation();
   const Reply reply = client.take_binary(stop_call);
   CHECK(reply.stop);

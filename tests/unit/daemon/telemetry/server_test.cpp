@@ -173,7 +173,7 @@ TEST_CASE("A WebSocket frame that breaks the rules ends that connection only") {
   CHECK(http_request(service.port(), "/").status == 200);
 }
 
-TEST_CASE("A client that reads nothing is dropped once its queue is full; the others miss nothing") {
+TEST_CASE("A client that reads nothing is dropped once its queue is full, and the others miss nothing") {
   Service service;
   LiveViewClient sleeper(service.port());
   LiveViewClient reader(service.port());
@@ -193,7 +193,7 @@ TEST_CASE("A client that reads nothing is dropped once its queue is full; the ot
 }
 
 TEST_CASE(
-    "A client that is behind is told the end first; what was said and what others get is not forgotten") {
+    "A client that is behind is told the end first, and what was said and what others get is not forgotten") {
   constexpr int count = 240;
   const std::string pose(4 * 1024, ' ');  // all of them: less than makes the server drop a client
   Service service;
