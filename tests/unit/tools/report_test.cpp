@@ -10,6 +10,7 @@
 #include "tools/wheelwright/report/calibration_section.hpp"
 #include "tools/wheelwright/report/plot.hpp"
 #include "tools/wheelwright/report/true_path.hpp"
+#include "tools/wheelwright/report/wheel_plots.hpp"
 
 using namespace wheelwright;
 using tools::ExitStatus;
@@ -110,6 +111,25 @@ TEST_CASE(
   CHECK_THAT(given.script(), !ContainsSubstring("chosen"));
   const auto chosen = tools::order_plot(sweep, 2);
   CHECK_THAT(chosen.script(), ContainsSubstring("'chosen: 2' at first 2") && !ContainsSubstring("given"));
+}
+
+TEST_CASE("The picture of a heading counts full turns, and begins at the first heading that was measured") {
+  DriveLog log;
+  std::vector<PredictedMotion> motion;
+  for (int second = 0; second <= 40; ++second) {
+    DriveSample sample;
+    sample.t_s = second;
+    if (second > 0) sample.reference_theta_rad = wrap_angle(1.5 * second);
+    log.samples.push_back(sample);
+    PredictedMotion predicted;
+    predicted.t_s = sample.t_s;
+    predicted.pose.theta_rad = 0.3 + 1.6 * second;
+    motion.push_back(predicted);
+  }
+  REQUIRE(tools::has_headings(log));
+  const tools::DrawnRun run{"model", tools::Ink::accent, &motion};
+  CHECK_THAT(tools::heading_error_plot(log, {&run, 1}).script(),
+             ContainsSubstring("\n1 0\n") && ContainsSubstring("\n40 3900\n"));
 }
 
 TEST_CASE("The report of a log from elsewhere shows what is in it") {

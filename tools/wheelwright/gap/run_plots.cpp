@@ -15,6 +15,7 @@ std::vector<Plot> run_plots(const RobotModel& before, const std::optional<RobotM
     std::vector<DrawnRun> drawn{{after ? "before" : "model", after ? Ink::other : Ink::accent, &without}};
     if (after) drawn.push_back({"after", Ink::accent, &with});
     if (run.has_ticks()) plots.push_back(travel_error_plot(run, drawn));
+    if (has_headings(run)) plots.push_back(heading_error_plot(run, drawn));
     if (has_path(run)) plots.push_back(path_plot(run, drawn));
   }
   return plots;

@@ -11,8 +11,9 @@
 
 namespace wheelwright::tools {
 
-// For each run: the error of each wheel's travel over time where it has counts; the path on the floor,
-// measured and by both models, where it has reference positions. Without `after` there is one model.
+// For each run: the error of each wheel's travel over time where it has counts, and of the heading where it
+// has headings of a reference; the path on the floor, measured and by both models, where it has reference
+// positions. Without `after` there is one model.
 std::vector<Plot> run_plots(const RobotModel& before, const std::optional<RobotModel>& after,
                             std::span<const DriveLog> runs);
 

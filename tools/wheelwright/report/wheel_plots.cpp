@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace wheelwright::tools {
 namespace {
@@ -111,6 +112,34 @@ Plot path_plot(const DriveLog& log, std::span<const DrawnRun> runs) {
     plot.line(run.name, run.ink, points);
   }
   return plot;
+}
+
+// From one heading to the next, errors are taken to change by less than half a turn.
+Plot heading_error_plot(const DriveLog& log, std::span<const DrawnRun> runs) {
+  Plot plot(log.name + ": predicted minus measured heading");
+  plot.axes("time [s]", "error of heading [mrad]").height(280);
+  for (const DrawnRun& run : runs) {
+    PlotPoints points;
+    std::optional<double> first_rad;
+    double error_rad = 0.0;
+    for (std::size_t i = 0; i < log.samples.size(); ++i) {
+      const auto& measured_rad = log.samples[i].reference_theta_rad;
+      if (!measured_rad) continue;
+      const double apart_rad = (*run.motion)[i].pose.theta_rad - *measured_rad;
+      if (!first_rad) first_rad = apart_rad;
+      error_rad += wrap_angle(apart_rad - *first_rad - error_rad);
+      points.push_back({log.samples[i].t_s, 1e3 * error_rad});
+    }
+    plot.line(run.name, run.ink, thinned(points));
+  }
+  return plot;
+}
+
+bool has_headings(const DriveLog& log) {
+  constexpr int enough_for_a_line = 10;
+  return std::ranges::count_if(log.samples, [](const DriveSample& sample) {
+           return sample.reference_theta_rad.has_value();
+         }) >= enough_for_a_line;
 }
 
 bool has_path(const DriveLog& log) {

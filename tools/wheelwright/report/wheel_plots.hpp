@@ -1,4 +1,4 @@
-// Commands, wheel speeds and wheel travel of a drive log, beside what models make of it.
+// Commands, wheel speeds, wheel travel, path and heading of a drive log, beside what models make of it.
 #pragma once
 
 #include <span>
@@ -28,6 +28,12 @@ Plot travel_error_plot(const DriveLog& log, std::span<const DrawnRun> runs);
 
 // The path on the floor by each model, beside the reference poses of the log.
 Plot path_plot(const DriveLog& log, std::span<const DrawnRun> runs);
+
+// Predicted minus measured heading, both since the first one that was measured.
+Plot heading_error_plot(const DriveLog& log, std::span<const DrawnRun> runs);
+
+// Whether a log has enough headings of a reference for a line.
+bool has_headings(const DriveLog& log);
 
 // Whether a log has enough reference poses for a path.
 bool has_path(const DriveLog& log);
