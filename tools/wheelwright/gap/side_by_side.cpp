@@ -1,60 +1,110 @@
 #include "tools/wheelwright/gap/side_by_side.hpp"
 
+#include <malloc.h>
+
 #include <algorithm>
-#include <atomic>
+#include <condition_variable>
 #include <exception>
+#include <memory>
 #include <mutex>
+#include <optional>
+#include <stop_token>
 #include <thread>
 #include <vector>
 
 namespace wheelwright::tools {
 namespace {
 
-thread_local bool at_work = false;
-
-// One call of for-each: threads take the next number until there is none.
-class Jobs {
+// Threads that share all batches of jobs, also those that a job itself hands out: whoever is through with its
+// own, or waits for the last ones of its batch, takes one of the newest batch that has any.
+class Crew {
  public:
-  Jobs(std::size_t count, const std::function<void(std::size_t)>& job) : count_(count), job_(job) {}
+  explicit Crew(std::size_t helpers) {
+    for (std::size_t i = 0; i < helpers; ++i) {
+      helpers_.emplace_back([this](const std::stop_token& stop) { help(stop); });
+    }
+  }
 
-  void work() {
-    at_work = true;
-    for (std::size_t i = next_++; i < count_; i = next_++) {
-      try {
-        job_(i);
-      } catch (...) {
-        const std::lock_guard lock(mutex_);
-        if (!failure_) failure_ = std::current_exception();
+  void run(std::size_t count, const std::function<void(std::size_t)>& job) {
+    Batch batch{count, job};
+    std::unique_lock lock(mutex_);
+    open_.push_back(&batch);
+    changed_.notify_all();
+    while (batch.done < batch.count) {
+      if (const auto next = take()) {
+        work(*next, lock);
+      } else {
+        changed_.wait(lock, [&] { return batch.done == batch.count || !open_.empty(); });
       }
     }
-    at_work = false;
-  }
-  void rethrow() const {
-    if (failure_) std::rethrow_exception(failure_);
+    if (batch.failure) std::rethrow_exception(batch.failure);
   }
 
  private:
-  std::size_t count_;
-  const std::function<void(std::size_t)>& job_;
-  std::atomic<std::size_t> next_{0};
+  struct Batch {
+    std::size_t count;
+    const std::function<void(std::size_t)>& job;
+    std::size_t taken = 0;
+    std::size_t done = 0;
+    std::exception_ptr failure{};
+  };
+  struct Job {
+    Batch* batch;
+    std::size_t number;
+  };
+
+  void help(const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    while (changed_.wait(lock, stop, [&] { return !open_.empty(); })) work(*take(), lock);
+  }
+
+  // With the mutex held. A batch is open as long as it has jobs that nobody has taken.
+  std::optional<Job> take() {
+    if (open_.empty()) return std::nullopt;
+    Batch* batch = open_.back();
+    const Job job{batch, batch->taken++};
+    if (batch->taken == batch->count) open_.pop_back();
+    return job;
+  }
+
+  // The mutex is held but for the work itself. Once its last job is done, a batch may be gone.
+  void work(const Job& job, std::unique_lock<std::mutex>& lock) {
+    lock.unlock();
+    std::exception_ptr failure;
+    try {
+      job.batch->job(job.number);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    lock.lock();
+    if (failure && !job.batch->failure) job.batch->failure = failure;
+    if (++job.batch->done == job.batch->count) changed_.notify_all();
+  }
+
   std::mutex mutex_;
-  std::exception_ptr failure_;
+  std::condition_variable_any changed_;
+  std::vector<Batch*> open_;
+  std::vector<std::jthread> helpers_;
 };
+
+// Every free run takes and frees the same long arrays: had the system them back each time, a part of all time
+// would go into that.
+void keep_freed_memory() {
+  constexpr int most_of_one_array = 32 << 20;  // more is refused
+  constexpr int most_at_rest = 1 << 30;
+  mallopt(M_MMAP_THRESHOLD, most_of_one_array);
+  mallopt(M_TRIM_THRESHOLD, most_at_rest);
+}
 
 }  // namespace
 
 gap::ForEach side_by_side() {
+  keep_freed_memory();
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  return [cores](std::size_t count, const std::function<void(std::size_t)>& job) {
-    const std::size_t threads = std::min(cores, count);
-    if (threads < 2 || at_work) return gap::for_each_in_turn(count, job);
-    Jobs jobs(count, job);
-    {
-      std::vector<std::jthread> others;
-      for (std::size_t i = 1; i < threads; ++i) others.emplace_back([&jobs] { jobs.work(); });
-      jobs.work();
-    }
-    jobs.rethrow();
+  const auto crew = std::make_shared<Crew>(cores - 1);
+  return [crew, cores](std::size_t count, const std::function<void(std::size_t)>& job) {
+    if (cores < 2 || count < 2) return gap::for_each_in_turn(count, job);
+    crew->run(count, job);
   };
 }
 
