@@ -16,6 +16,7 @@ class AtTheWheels final : public Effect {
     inner_->body(twist, now);
     speed_m_s = wheels_of_twist(twist, around.wheel_base_m);
   }
+  EffectHooks hooks() const override { return {.wheel = true}; }
   void reset() override { inner_->reset(); }
   std::unique_ptr<Effect> clone() const override { return at_the_wheels(inner_->clone()); }
   void assign(const Effect& other) override {

@@ -2,7 +2,9 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <utility>
 
 namespace wheelwright {
 namespace {
@@ -11,8 +13,28 @@ double sum(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
+// In four sums, none of which waits for another.
 double dot(const std::vector<double>& weights, const double* history) {
-  return std::inner_product(weights.begin(), weights.end(), history, 0.0);
+  std::array<double, 4> sums{};
+  const std::size_t size = weights.size();
+  std::size_t i = 0;
+  for (; i + 4 <= size; i += 4) {
+    for (std::size_t part = 0; part < 4; ++part) sums[part] += weights[i + part] * history[i + part];
+  }
+  for (; i < size; ++i) sums[i % 4] += weights[i] * history[i];
+  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
+double take_first(std::vector<double>& weights) {
+  if (weights.empty()) return 0.0;
+  const double first = weights.front();
+  weights.erase(weights.begin());
+  return first;
+}
+
+std::size_t longest_history(const std::vector<double>& one, const std::vector<double>& other) {
+  const std::size_t longest = std::max(one.size(), other.size());
+  return longest == 0 ? 0 : longest - 1;
 }
 
 // Most wheels know nothing of the other one's command: a row of zeros need not be summed in every sample.
@@ -58,10 +80,11 @@ double largest_pole(const WheelResponse& response) {
   return companion.eigenvalues().cwiseAbs().maxCoeff();
 }
 
-LinearPredictor::History::History(std::size_t length)
-    : length_(length), at_(length), values_(2 * length + 1, 0.0) {}
-
 // Values are written from the back of the buffer to its front; at the front the live part moves to the back.
+// Short histories have room enough that this is seldom.
+LinearPredictor::History::History(std::size_t length)
+    : length_(length), at_(length), values_(length + std::max<std::size_t>(length + 1, 64), 0.0) {}
+
 void LinearPredictor::History::push(double value) {
   if (length_ == 0) return;
   if (at_ == 0) {
@@ -77,21 +100,30 @@ void LinearPredictor::History::clear() {
 }
 
 LinearPredictor::LinearPredictor(const LinearModel& model)
-    : left_commands_(std::max(model.left.from_left.size(), model.right.from_left.size())),
-      right_commands_(std::max(model.left.from_right.size(), model.right.from_right.size())),
-      left_{without_idle_weights(model.left), History(model.left.from_own_past.size())},
-      right_{without_idle_weights(model.right), History(model.right.from_own_past.size())} {}
+    : left_commands_(longest_history(model.left.from_left, model.right.from_left)),
+      right_commands_(longest_history(model.left.from_right, model.right.from_right)),
+      left_(wheel_of(model.left)),
+      right_(wheel_of(model.right)) {}
 
-WheelPair LinearPredictor::step(const WheelPair& command) {
-  left_commands_.push(command.left);
-  right_commands_.push(command.right);
-  return {output(left_), output(right_)};
+LinearPredictor::Wheel LinearPredictor::wheel_of(WheelResponse response) {
+  response = without_idle_weights(std::move(response));
+  const WheelPair from_command{take_first(response.from_left), take_first(response.from_right)};
+  const std::size_t length = response.from_own_past.size();
+  return {from_command, std::move(response), History(length)};
 }
 
-double LinearPredictor::output(Wheel& wheel) {
-  const double y = dot(wheel.response.from_left, left_commands_.newest()) +
-                   dot(wheel.response.from_right, right_commands_.newest()) +
-                   dot(wheel.response.from_own_past, wheel.past.newest());
+WheelPair LinearPredictor::step(const WheelPair& command) {
+  const WheelPair speed{output(left_, command), output(right_, command)};
+  left_commands_.push(command.left);
+  right_commands_.push(command.right);
+  return speed;
+}
+
+double LinearPredictor::output(Wheel& wheel, const WheelPair& command) {
+  const double of_now = wheel.from_command.left * command.left + wheel.from_command.right * command.right;
+  const double of_commands = dot(wheel.from_history.from_left, left_commands_.newest()) +
+                             dot(wheel.from_history.from_right, right_commands_.newest());
+  const double y = of_now + of_commands + dot(wheel.from_history.from_own_past, wheel.past.newest());
   wheel.past.push(y);
   return y;
 }

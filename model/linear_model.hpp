@@ -83,12 +83,15 @@ class LinearPredictor {
     std::vector<double> values_;
   };
 
+  // Weights of the command in force, and of what is in the histories.
   struct Wheel {
-    WheelResponse response;
+    WheelPair from_command;
+    WheelResponse from_history;
     History past;
   };
 
-  double output(Wheel& wheel);
+  static Wheel wheel_of(WheelResponse response);
+  double output(Wheel& wheel, const WheelPair& command);
 
   History left_commands_;
   History right_commands_;

@@ -22,12 +22,14 @@ ModelSimulation::ModelSimulation(const LinearModel& core, std::vector<std::uniqu
     : core_(core), effects_(std::move(effects)) {
   around_.period_s = core.period_s;
   around_.wheel_base_m = core.wheel_base_m;
+  sort_by_hook();
   reset({});
 }
 
 ModelSimulation::ModelSimulation(const ModelSimulation& other)
     : core_(other.core_), around_(other.around_), motion_(other.motion_), with_place_(other.with_place_) {
   for (const auto& effect : other.effects_) effects_.push_back(effect->clone());
+  sort_by_hook();
 }
 
 ModelSimulation& ModelSimulation::operator=(const ModelSimulation& other) {
@@ -41,19 +43,30 @@ ModelSimulation& ModelSimulation::operator=(const ModelSimulation& other) {
   return *this;
 }
 
+void ModelSimulation::sort_by_hook() {
+  for (const auto& effect : effects_) {
+    const EffectHooks has = effect->hooks();
+    if (has.command) with_hook_.command.push_back(effect.get());
+    if (has.wheel) with_hook_.wheel.push_back(effect.get());
+    if (has.floor) with_hook_.floor.push_back(effect.get());
+    if (has.body) with_hook_.body.push_back(effect.get());
+    if (has.observed) with_hook_.observed.push_back(effect.get());
+  }
+}
+
 const ModelSimulation::Motion& ModelSimulation::step(const WheelPair& command_m_s, double battery_v) {
   around_.command_m_s = command_m_s;
   around_.battery_v = battery_v;
   WheelPair u = command_m_s;
-  for (const auto& effect : effects_) effect->command(u, around_);
+  for (Effect* effect : with_hook_.command) effect->command(u, around_);
   WheelPair speed = core_.step(u);
-  for (const auto& effect : effects_) effect->wheel(speed, around_);
+  for (Effect* effect : with_hook_.wheel) effect->wheel(speed, around_);
   around_.next_speed_m_s = speed;
   motion_.wheel_m_s = speed;
-  for (const auto& effect : effects_) effect->floor(speed, around_);
+  for (Effect* effect : with_hook_.floor) effect->floor(speed, around_);
   motion_.floor_m_s = speed;
   motion_.twist = twist_of_wheels(speed, around_.wheel_base_m);
-  for (const auto& effect : effects_) effect->body(motion_.twist, around_);
+  for (Effect* effect : with_hook_.body) effect->body(motion_.twist, around_);
 
   const double period_s = around_.period_s;
   if (with_place_) {
@@ -70,7 +83,7 @@ const ModelSimulation::Motion& ModelSimulation::step(const WheelPair& command_m_
 
 Pose ModelSimulation::observed(const Pose& axle) const {
   Pose pose = axle;
-  for (const auto& effect : effects_) pose = effect->observed(pose);
+  for (const Effect* effect : with_hook_.observed) pose = effect->observed(pose);
   return pose;
 }
 

@@ -49,8 +49,8 @@ class ModelSimulation {
   // Rolled by the wheels since the start (and before it, as reset was told), as the encoders see it.
   const WheelPair& distance_m() const { return around_.distance_m; }
 
-  // From here on x and y of the pose stay where they are, which saves time: for those who look at wheels
-  // only, of a model in which no effect acts by place.
+  // From here on x and y of the pose stay where they are, which saves time: for those who look at each
+  // period's motion only, of a model in which no effect acts by place.
   void leave_out_place() { with_place_ = false; }
 
   // Sets the pose, not the motion.
@@ -63,8 +63,19 @@ class ModelSimulation {
   void take_over(const ModelSimulation& before);
 
  private:
+  // Those that have a hook, in the order in which they act.
+  struct ByHook {
+    std::vector<Effect*> command;
+    std::vector<Effect*> wheel;
+    std::vector<Effect*> floor;
+    std::vector<Effect*> body;
+    std::vector<Effect*> observed;
+  };
+  void sort_by_hook();
+
   LinearPredictor core_;
   std::vector<std::unique_ptr<Effect>> effects_;  // in the order in which they act
+  ByHook with_hook_;
   Surroundings around_;
   Motion motion_;
   bool with_place_ = true;

@@ -22,14 +22,21 @@ double sine_over_angle(double x) {
 
 }  // namespace
 
+// A series, too, is exact to the last digit there.
+Direction direction_of(double angle_rad) {
+  const double squared = angle_rad * angle_rad;
+  if (squared > 0.0025) return {std::cos(angle_rad), std::sin(angle_rad)};
+  return {1.0 - squared / 2.0 * (1.0 - squared / 12.0 * (1.0 - squared / 30.0 * (1.0 - squared / 56.0))),
+          angle_rad * (1.0 - squared / 6.0 * (1.0 - squared / 20.0 * (1.0 - squared / 42.0)))};
+}
+
 Pose move_along_arc(const Pose& pose, const Twist& twist, double duration_s) {
   const double turned = twist.w_rad_s * duration_s;
   const double half = 0.5 * turned;
   // The chord of an arc is its length times sin(half)/half, in the direction halfway through the turn.
   const double chord = twist.v_m_s * duration_s * sine_over_angle(half);
-  const double direction = pose.theta_rad + half;
-  return {pose.x_m + chord * std::cos(direction), pose.y_m + chord * std::sin(direction),
-          pose.theta_rad + turned};
+  const auto [cosine, sine] = direction_of(pose.theta_rad + half);
+  return {pose.x_m + chord * cosine, pose.y_m + chord * sine, pose.theta_rad + turned};
 }
 
 Pose relative_to(const Pose& origin, const Pose& pose) {

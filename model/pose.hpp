@@ -26,6 +26,13 @@ struct WheelPair {
 // The angle that differs from `angle_rad` by full turns and lies in (-pi, pi].
 double wrap_angle(double angle_rad);
 
+// Where an angle points. Small ones, of which a run seen from its own beginning has many, are quick.
+struct Direction {
+  double cosine;
+  double sine;
+};
+Direction direction_of(double angle_rad);
+
 // The pose after moving for `duration_s` with a constant twist, that is, along an arc (PAPER.md eq. 11).
 Pose move_along_arc(const Pose& pose, const Twist& twist, double duration_s);
 

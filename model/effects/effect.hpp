@@ -14,6 +14,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "model/pose.hpp"
@@ -36,6 +37,15 @@ struct Surroundings {
   double battery_v = std::numeric_limits<double>::quiet_NaN();  // where it was measured
 };
 
+// Which hooks an effect overrides: the others need not be called.
+struct EffectHooks {
+  bool command = false;
+  bool wheel = false;
+  bool floor = false;
+  bool body = false;
+  bool observed = false;
+};
+
 // One effect at work. Holds its own state; never allocates after it was made.
 class Effect {
  public:
@@ -51,6 +61,7 @@ class Effect {
   virtual void body(Twist& /*twist*/, const Surroundings&) {}
   // The pose of the point that an outside reference measures.
   virtual Pose observed(const Pose& axle) const { return axle; }
+  virtual EffectHooks hooks() const = 0;
 
   // To rest, at the start of a run.
   virtual void reset() {}
@@ -60,10 +71,25 @@ class Effect {
   virtual void assign(const Effect& other) = 0;
 };
 
-// Gives an effect its copies.
+// The class that declares a member, by the type of a pointer to it.
+template <typename Member>
+struct DeclaredBy;
+template <typename Class, typename Member>
+struct DeclaredBy<Member Class::*> {
+  using type = Class;
+};
+template <typename Hook>
+constexpr bool is_overridden = !std::is_same_v<typename DeclaredBy<Hook>::type, Effect>;
+
+// Gives an effect its copies, and tells its hooks.
 template <typename Derived>
 class EffectOf : public Effect {
  public:
+  EffectHooks hooks() const override {
+    return {is_overridden<decltype(&Derived::command)>, is_overridden<decltype(&Derived::wheel)>,
+            is_overridden<decltype(&Derived::floor)>, is_overridden<decltype(&Derived::body)>,
+            is_overridden<decltype(&Derived::observed)>};
+  }
   std::unique_ptr<Effect> clone() const override {
     return std::make_unique<Derived>(static_cast<const Derived&>(*this));
   }

@@ -11,7 +11,6 @@ namespace {
 struct Path {
   std::vector<WheelPair> distance_m;  // of the wheels at each grid point
   // Of the motion; left out where only the wheels' part is asked for.
-  std::vector<Pose> axle;              // at each grid point
   std::vector<OdometryStep> odometry;  // what the model's own counts would say, per period
   std::vector<OdometryStep> body;      // what the model's body does, per period
 };
@@ -27,13 +26,13 @@ struct Known {
   bool travel = false;  // of the wheels, by counts
 };
 
+bool any_hangs_on(bool EffectInfo::*what, const TrialModel& model) {
+  return std::ranges::any_of(model.effects, [&](const TrialEffect& effect) { return effect.info->*what; });
+}
+
 Known known_of(const TrialModel& model, const GapRun& run) {
-  const auto any = [&](bool EffectInfo::*hangs_on) {
-    return std::ranges::any_of(model.effects,
-                               [&](const TrialEffect& effect) { return effect.info->*hangs_on; });
-  };
-  return {!run.passed.empty() && any(&EffectInfo::by_pose),
-          run.has_counts && any(&EffectInfo::by_wheel_angle)};
+  return {!run.passed.empty() && any_hangs_on(&EffectInfo::by_pose, model),
+          run.has_counts && any_hangs_on(&EffectInfo::by_wheel_angle, model)};
 }
 
 Path simulate(ModelSimulation& simulation, const GapRun& run, const Known& known, Part part) {
@@ -41,13 +40,11 @@ Path simulate(ModelSimulation& simulation, const GapRun& run, const Known& known
   Path path;
   path.distance_m.reserve(periods + 1);
   if (part != Part::wheels) {
-    path.axle.reserve(periods + 1);
     path.odometry.reserve(periods);
     path.body.reserve(periods);
   }
   simulation.reset(first_pose(run, simulation), run.rolled_before_m);
   path.distance_m.push_back(run.rolled_before_m);
-  path.axle.push_back(simulation.pose());
   const double t = run.period_s;
   WheelPair counted_m = run.rolled_before_m;
   for (std::size_t k = 0; k < periods; ++k) {
@@ -63,7 +60,6 @@ Path simulate(ModelSimulation& simulation, const GapRun& run, const Known& known
       counted_m = {counted_m.left + forward_m - half_m, counted_m.right + forward_m + half_m};
     }
     if (part == Part::wheels) continue;
-    path.axle.push_back(known.poses ? move_along_arc(path.axle.back(), now.twist, t) : simulation.pose());
     const Twist counted = twist_of_wheels(now.wheel_m_s, run.wheel_base_m);
     path.odometry.push_back({counted.v_m_s * t, counted.w_rad_s * t});
     path.body.push_back({now.twist.v_m_s * t, now.twist.w_rad_s * t});
@@ -73,27 +69,6 @@ Path simulate(ModelSimulation& simulation, const GapRun& run, const Known& known
 
 double between(double a, double b, double share) {
   return a + share * (b - a);
-}
-
-Pose pose_at(const std::vector<Pose>& poses, const GridTime& at) {
-  const Pose& a = poses[at.period];
-  if (at.share == 0.0 || at.period + 1 >= poses.size()) return a;
-  const Pose& b = poses[at.period + 1];
-  return {between(a.x_m, b.x_m, at.share), between(a.y_m, b.y_m, at.share),
-          between(a.theta_rad, b.theta_rad, at.share)};
-}
-
-struct Direction {
-  double cosine;
-  double sine;
-};
-
-// Turns within a few periods are small: then series are exact to the last digit, and faster.
-Direction direction(double angle_rad) {
-  const double q = angle_rad * angle_rad;
-  if (q > 0.0025) return {std::cos(angle_rad), std::sin(angle_rad)};
-  return {1.0 - q / 2.0 * (1.0 - q / 12.0 * (1.0 - q / 30.0 * (1.0 - q / 56.0))),
-          angle_rad * (1.0 - q / 6.0 * (1.0 - q / 20.0 * (1.0 - q / 42.0)))};
 }
 
 struct Increment {
@@ -107,7 +82,7 @@ Increment increment(const Pose& from, const Pose& to) {
   const double middle = 0.5 * (from.theta_rad + to.theta_rad);
   const double dx = to.x_m - from.x_m;
   const double dy = to.y_m - from.y_m;
-  const auto [c, s] = direction(middle);
+  const auto [c, s] = direction_of(middle);
   return {c * dx + s * dy, -s * dx + c * dy, to.theta_rad - from.theta_rad};
 }
 
@@ -121,17 +96,13 @@ void for_each_period(const GridTime& from, const GridTime& to, Step step) {
   }
 }
 
-// The same for the sum of odometry steps between two grid times.
-Increment increment(const std::vector<OdometryStep>& steps, const GridTime& from, const GridTime& to) {
+// The pose after the steps between two grid times, seen from the one before them.
+Pose passed(const std::vector<OdometryStep>& steps, const GridTime& from, const GridTime& to) {
   Pose pose;
   for_each_period(from, to, [&](std::size_t k, double share) {
-    if (k >= steps.size()) return;
-    const double half = 0.5 * share * steps[k].turn_rad;
-    const auto [c, s] = direction(pose.theta_rad + half);
-    pose = {pose.x_m + share * steps[k].forward_m * c, pose.y_m + share * steps[k].forward_m * s,
-            pose.theta_rad + 2.0 * half};
+    if (k < steps.size()) pose = move_along_arc(pose, {steps[k].forward_m, steps[k].turn_rad}, share);
   });
-  return increment({}, pose);
+  return pose;
 }
 
 void wheel_errors(const GapRun& run, const Path& path, Channel channel, std::vector<double>& errors) {
@@ -151,19 +122,18 @@ void wheel_errors(const GapRun& run, const Path& path, Channel channel, std::vec
 void motion_errors(const GapRun& run, const ModelSimulation& simulation, const Path& path, double lag_s,
                    RunErrors& errors) {
   const auto& at = run[Channel::turn].at;
+  const Pose at_first = simulation.observed({});
   Increment sum;
-  Pose before;
   for (std::size_t i = 0; i < at.size(); ++i) {
-    const Pose now = simulation.observed(pose_at(path.axle, earlier(run, at[i], lag_s)));
     if (i > 0) {
-      Increment step = increment(before, now);
+      const Pose body = passed(path.body, earlier(run, at[i - 1], lag_s), earlier(run, at[i], lag_s));
+      Increment step = increment(at_first, simulation.observed(body));
       if (run.has_counts) {
-        const Increment counted = increment(path.odometry, at[i - 1], at[i]);
+        const Increment counted = increment({}, passed(path.odometry, at[i - 1], at[i]));
         step = {step.forward - counted.forward, step.aside - counted.aside, step.turn - counted.turn};
       }
       sum = {sum.forward + step.forward, sum.aside + step.aside, sum.turn + step.turn};
     }
-    before = now;
     const auto add = [&](Channel channel, double predicted) {
       errors.series[static_cast<std::size_t>(channel)].push_back(run[channel].value[i] - predicted);
     };
@@ -233,7 +203,8 @@ void measure_motion(GapRun& run) {
     if (i > 0) {
       Increment step = increment(run.references[i - 1].pose, run.references[i].pose);
       if (run.has_counts) {
-        const Increment counted = increment(run.odometry, run.references[i - 1].at, run.references[i].at);
+        const Increment counted =
+            increment({}, passed(run.odometry, run.references[i - 1].at, run.references[i].at));
         step = {step.forward - counted.forward, step.aside - counted.aside, step.turn - counted.turn};
       }
       sum = {sum.forward + step.forward, sum.aside + step.aside, sum.turn + step.turn};
@@ -247,9 +218,8 @@ void measure_motion(GapRun& run) {
 
 RunErrors free_run_errors(const TrialModel& model, const GapRun& run, Part part) {
   ModelSimulation simulation = model.simulation();
-  const Known known = known_of(model, run);
-  if (!known.poses && part == Part::wheels) simulation.leave_out_place();
-  const Path path = simulate(simulation, run, known, part);
+  if (!any_hangs_on(&EffectInfo::by_pose, model)) simulation.leave_out_place();
+  const Path path = simulate(simulation, run, known_of(model, run), part);
   RunErrors errors;
   for (const Channel channel : {Channel::left, Channel::right}) {
     if (!run[channel].empty() && part != Part::motion) {

@@ -136,14 +136,22 @@ void GapProblem::fill_columns(const TrialModel& model, const std::vector<double>
   const Part touched = part_of_parameter(model, at_once.front().parameter);
   const std::vector<double> there = residuals_of(run, changed, touched);
   const std::size_t begin = run_range_[run].first;
-  for (const auto& moved : at_once) {
-    const double step = step_for(model, moved.parameter);
-    for (std::size_t i = 0; i < there.size(); ++i) {
-      const bool elsewhere = moved.shows_in && places_[begin + i].channel != moved.shows_in;
-      if (elsewhere || !in_part(begin + i, touched)) continue;
-      columns(static_cast<Eigen::Index>(begin + i), static_cast<Eigen::Index>(moved.parameter)) =
-          (there[i] - residuals[begin + i]) / step;
+  const auto fill = [&](std::size_t first, std::size_t count, const std::optional<Channel>& channel) {
+    if (!is_of(touched, channel)) return;
+    for (const auto& moved : at_once) {
+      if (moved.shows_in && channel != moved.shows_in) continue;
+      const double step = step_for(model, moved.parameter);
+      auto column = columns.col(static_cast<Eigen::Index>(moved.parameter));
+      for (std::size_t i = first; i < first + count; ++i) {
+        column(static_cast<Eigen::Index>(i)) = (there[i - begin] - residuals[i]) / step;
+      }
     }
+  };
+  for (const auto& block : blocks_) {
+    if (block.run == run) fill(block.offset, block.times_s.size(), static_cast<Channel>(block.channel));
+  }
+  for (const auto& block : stretches_) {
+    if (block.run == run) fill(block.offset, 3, std::nullopt);
   }
 }
 

@@ -147,8 +147,11 @@ Part GapProblem::part_of_parameter(const TrialModel& model, std::size_t paramete
 }
 
 bool GapProblem::in_part(std::size_t residual, Part part) const {
+  return is_of(part, places_[residual].channel);
+}
+
+bool GapProblem::is_of(Part part, const std::optional<Channel>& channel) {
   if (part == Part::all) return true;
-  const auto& channel = places_[residual].channel;
   const bool of_wheels = channel == Channel::left || channel == Channel::right;
   return of_wheels == (part == Part::wheels);
 }

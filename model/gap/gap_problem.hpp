@@ -121,6 +121,7 @@ class GapProblem {
   void fill_columns(const TrialModel& model, const std::vector<double>& residuals, const MovedAtOnce& at_once,
                     std::size_t run, Eigen::MatrixXd& columns) const;
   bool shows_only_in(const Eigen::MatrixXd& columns, std::size_t column, Channel channel) const;
+  static bool is_of(Part part, const std::optional<Channel>& channel);
   Part part_of_parameter(const TrialModel& model, std::size_t parameter) const;
 
   std::vector<GapRun> runs_;

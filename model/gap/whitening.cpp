@@ -84,7 +84,7 @@ Whitener::Step Whitener::advance(Spread& spread, const WanderStep& wander, const
 }
 
 Whitener::Whitener(std::span<const double> times_s, std::span<const char> restarts, const TravelNoise& noise)
-    : tracked_(noise.tracker > 0.0) {
+    : lasting_(noise.lasts_s > 0.0), tracked_(noise.tracker > 0.0) {
   const double reading = noise.reading * noise.reading;
   const double alike = noise.tracker * noise.tracker;
   WanderStep wander(noise, 0.0);
@@ -122,10 +122,15 @@ Whitener::Whitener(std::span<const double> times_s, std::span<const char> restar
 }
 
 void Whitener::apply(std::span<const double> errors, double* innovations) const {
-  tracked_ ? apply_to<true>(errors, innovations) : apply_to<false>(errors, innovations);
+  if (tracked_) {
+    lasting_ ? apply_to<true, true>(errors, innovations) : apply_to<false, true>(errors, innovations);
+  } else {
+    lasting_ ? apply_to<true, false>(errors, innovations) : apply_to<false, false>(errors, innovations);
+  }
 }
 
-template <bool tracked>
+// Most noise needs neither a speed nor a tracker, and each reading waits for the one before.
+template <bool lasting, bool tracked>
 void Whitener::apply_to(std::span<const double> errors, double* innovations) const {
   double begin = 0.0;  // where the series began
   double travel = 0.0;
@@ -140,13 +145,15 @@ void Whitener::apply_to(std::span<const double> errors, double* innovations) con
     for (const std::size_t end = next + readings; next < end; ++next) {
       const double error = errors[next] - begin;
       const auto sum = [&](const Known& of) {
-        const double known = of.from_travel * travel + (of.from_speed * speed + of.from_error * error);
-        if constexpr (tracked) return known + of.from_tracker * tracker;
+        double known = of.from_error * error;
+        if constexpr (lasting) known += of.from_speed * speed;
+        known += of.from_travel * travel;
+        if constexpr (tracked) known += of.from_tracker * tracker;
         return known;
       };
       innovations[next] = (error - sum(step.expected)) * step.scale;
       const double travel_now = sum(step.travel);
-      const double speed_now = sum(step.speed);
+      const double speed_now = lasting ? sum(step.speed) : 0.0;
       if constexpr (tracked) tracker = sum(step.tracker);
       travel = travel_now;
       speed = speed_now;

@@ -84,7 +84,7 @@ class Whitener {
     double variance;
   };
   static Step advance(Spread& spread, const WanderStep& wander, const TrackerStep& tracker, double reading);
-  template <bool tracked>
+  template <bool lasting, bool tracked>
   void apply_to(std::span<const double> errors, double* innovations) const;
 
   // The same step for so many readings.
@@ -93,6 +93,7 @@ class Whitener {
     std::size_t readings;
   };
   std::vector<Stretch> stretches_;
+  bool lasting_ = false;
   bool tracked_ = false;
   double log_determinant_ = 0.0;
   std::size_t count_ = 0;
