@@ -25,32 +25,37 @@ bool leaves_what_hangs_together(const Finding& found, double largest_nats) {
                       : found.inflation > inflation_of_noise;
 }
 
+bool some_is_sure_by(const GapAnalysis& analysis, double nats) {
+  return std::ranges::any_of(analysis.found, [nats](const Finding& found) {
+    return found.heldout_gain_nats > nats && found.posterior > sure;
+  });
+}
+
 }  // namespace
 
 Excess what_is_left(const GapAnalysis& analysis) {
   return largest_excess(analysis.train, analysis.tail_held_out ? analysis.train : analysis.test);
 }
 
-bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out) {
+bool is_beyond_chance(const GapAnalysis& analysis) {
   constexpr double not_by_chance_nats = 25.0;
+  return some_is_sure_by(analysis, not_by_chance_nats);
+}
+
+bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out) {
   const GapFigures& figures = analysis.tail_held_out ? analysis.train : analysis.test;
   const auto& effects = analysis.search.final.model.effects;
   const bool linear = linear_left_out || std::ranges::all_of(effects, [](const TrialEffect& effect) {
                         return effect.info->linear;
                       });
   if (linear) return shows(figures);
-  const auto speaks_for_it = [&](double nats) {
-    return std::ranges::any_of(analysis.found, [nats](const Finding& found) {
-      return found.heldout_gain_nats > nats && found.posterior > sure;
-    });
-  };
   // Where no figure lies above the noise, or one becomes worse, a small regularity of the robot is not a gap,
   // and a figure may fall by chance.
   const GapFigures turned_round{figures.after, figures.before, figures.floor};
   const bool some_rises = some_figure_falls(turned_round, 0.1, 0.0);
   const bool little_is_enough = some_figure_above_noise(figures) && !some_rises;
-  if (speaks_for_it(little_is_enough ? 30.0 : beyond_doubt_nats)) return true;
-  return some_figure_falls(figures, least_fall, speaks_for_it(not_by_chance_nats) ? 0.0 : 1.0);
+  if (some_is_sure_by(analysis, little_is_enough ? 30.0 : beyond_doubt_nats)) return true;
+  return some_figure_falls(figures, least_fall, is_beyond_chance(analysis) ? 0.0 : 1.0);
 }
 
 bool is_less_than_a_decoy_adds(const GapAnalysis& analysis) {

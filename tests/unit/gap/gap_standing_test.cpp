@@ -21,6 +21,15 @@ TEST_CASE(
   CHECK(closes_the_gap(analysis_with({finding("turn_scrub", 120.0)}, position(0.9, 0.9)), false));
 }
 
+TEST_CASE("What is not sure, or explains no more than chance may, is not beyond chance") {
+  CHECK_FALSE(is_beyond_chance(analysis_with({finding("caster_kick", 10.0)}, position(1.1, 0.9))));
+  CHECK(is_beyond_chance(
+      analysis_with({finding("caster_kick", 10.0), finding("turn_scrub", 40.0)}, position(1.1, 0.9))));
+  Finding doubtful = finding("turn_scrub", 40.0);
+  doubtful.posterior = 0.6;
+  CHECK_FALSE(is_beyond_chance(analysis_with({doubtful}, position(1.1, 0.9))));
+}
+
 TEST_CASE("What makes a figure of free runs worse needs to be beyond doubt") {
   CHECK(closes_the_gap(analysis_with({finding("turn_speed_loss", 44.0)}, position(1.5, 1.5)), false));
   CHECK_FALSE(closes_the_gap(analysis_with({finding("turn_speed_loss", 44.0)}, position(1.5, 1.8)), false));
