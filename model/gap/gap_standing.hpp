@@ -17,7 +17,8 @@ Excess what_is_left(const GapAnalysis& analysis);
 // (`linear_left_out`).
 bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out);
 
-// Whether one effect at least, of those that are sure, explains more of held-out runs than chance is believed to.
+// Whether one effect at least, of those that are sure, explains more of held-out runs than chance is
+// believed to.
 bool is_beyond_chance(const GapAnalysis& analysis);
 
 // Whatever helps a little is not what is missing, where free runs stay far off all the same. What explains a
