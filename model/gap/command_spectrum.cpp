@@ -32,7 +32,8 @@ std::vector<Outlet> outlets_of(const GapRun& run) {
   return {{Channel::forward, {0.5, 0.5}}, {Channel::turn, {-turned, turned}}};
 }
 
-// What the linear core makes of changed commands: travel of the wheel at the end of each period.
+// What the linear core, behind a delay, makes of changed commands: travel of the wheel at the end of each
+// period.
 std::vector<Complex> travel_m(const WheelResponse& wheel, const std::vector<double>& own,
                               const std::vector<Complex>& changes, double period_s) {
   std::vector<Complex> speed(changes.size());
@@ -65,7 +66,7 @@ struct Patterns {
 class CoreResponse {
  public:
   CoreResponse(const GapProblem& problem, const TrialModel& model)
-      : problem_(problem), core_(model.linear()) {}
+      : problem_(problem), core_(model.with_delay_in_core().linear()) {}
 
   Patterns to(const Change& change) const {
     const auto size = static_cast<Eigen::Index>(problem_.readings());

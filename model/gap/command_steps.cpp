@@ -13,9 +13,9 @@ namespace {
 constexpr double smallest_step_m_s = 0.0025;
 constexpr double largest_step_m_s = 0.1;
 constexpr double largest_shift_of_phase =
-    0.1;                            // of a step, at the fastest command, between two that are tried
-constexpr double stands_out = 6.0;  // standard deviations of what wrong steps show
-constexpr std::size_t response_periods = 80;
+    0.1;                                      // of a step, at the fastest command, between two that are tried
+constexpr double stands_out = 6.0;            // standard deviations of what wrong steps show
+constexpr std::size_t response_periods = 80;  // beyond the weights
 constexpr std::size_t farthest_readings_periods = 3;
 
 // All periods of a wheel in which it was told the same.
@@ -69,14 +69,12 @@ std::array<std::vector<double>, 2> residual_speeds(const GapRun& run, const Tria
   return wheels;
 }
 
-std::vector<double> impulse_response(const TrialModel& model, bool right) {
-  const double* a = model.core.data() + (right && !model.shape.shared ? model.shape.per_wheel() : 0);
-  const double* b = a + model.shape.poles;
-  std::vector<double> response(response_periods, 0.0);
+std::vector<double> impulse_response(const WheelResponse& wheel, const std::vector<double>& own) {
+  std::vector<double> response(own.size() + response_periods, 0.0);
   for (std::size_t k = 0; k < response.size(); ++k) {
-    if (k < model.shape.weights) response[k] = b[k];
-    for (std::size_t i = 1; i <= std::min(k, model.shape.poles); ++i)
-      response[k] += a[i - 1] * response[k - i];
+    if (k < own.size()) response[k] = own[k];
+    for (std::size_t i = 1; i <= std::min(k, wheel.from_own_past.size()); ++i)
+      response[k] += wheel.from_own_past[i - 1] * response[k - i];
   }
   return response;
 }
@@ -110,13 +108,16 @@ using WheelCommands = std::vector<std::vector<Commanded>>;  // of each wheel in 
 
 WheelCommands gathered(const GapProblem& problem, const TrialModel& model) {
   WheelCommands all;
+  const LinearModel core = model.with_delay_in_core().linear();
+  const auto of_left = impulse_response(core.left, core.left.from_left);
+  const auto of_right = impulse_response(core.right, core.right.from_right);
   for (const auto& run : problem.runs()) {
     if (!run.has_counts && run.sparse) continue;
     const auto residuals = residual_speeds(run, model);
     for (const bool right : {false, true}) {
       const auto& of_wheel = residuals[right ? 1 : 0];
       if (of_wheel.empty()) continue;
-      all.push_back(by_command(run, right, turned_round(of_wheel, impulse_response(model, right))));
+      all.push_back(by_command(run, right, turned_round(of_wheel, right ? of_right : of_left)));
     }
   }
   return all;

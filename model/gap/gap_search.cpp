@@ -86,11 +86,12 @@ std::vector<TrialModel> Search::richer_cores(const TrialModel& present) const {
     if (!present.shape.skewed) richer.push_back(present.with_skewed_core());
     richer.push_back(present.with_parted_core());
   }
-  // Without counts a core that is crossed turns with another gain than it drives: let_turns_have_a_gain.
-  if (train_.has_counts()) {
-    for (const Crossing crossing : {Crossing::share, Crossing::free}) {
-      if (crossing > present.shape.crossing) richer.push_back(present.with_crossed_core(crossing));
-    }
+  // A body is not turned as it is pushed. That it also turns with another gain than it drives is for counts
+  // to tell, or for let_turns_have_a_gain.
+  const auto crossings =
+      train_.has_counts() ? std::vector{Crossing::share, Crossing::free} : std::vector{Crossing::balanced};
+  for (const Crossing crossing : crossings) {
+    if (crossing > present.shape.crossing) richer.push_back(present.with_crossed_core(crossing));
   }
   return richer;
 }
@@ -263,7 +264,8 @@ void Search::grow_on(GapSearch& result) {
 void Search::let_turns_have_a_gain(GapSearch& result) {
   const TrialModel& found = result.final.model;
   if (train_.has_counts() || found.effects.empty()) return;
-  GapFit crossed = train_.fit(found.with_crossed_core(Crossing::share), steps_of_a_refit);
+  const Crossing with_gain = found.shape.crosses_by_weights() ? Crossing::free : Crossing::share;
+  GapFit crossed = train_.fit(found.with_crossed_core(with_gain), steps_of_a_refit);
   if (contest_.advantage(crossed, result.final) < limits_.least_core_nats) return;
   if (free_runs_.closer(found, crossed.model)) result.final = std::move(crossed);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <numeric>
 
 namespace wheelwright::gap {
 namespace {
@@ -36,6 +37,20 @@ std::vector<double> times_a_pole(const std::vector<double>& polynomial, double p
   return product;
 }
 
+// The weights of the other wheel's command, where they are its own.
+std::vector<double> crossing_weights(const CoreShape& shape, const double* values) {
+  std::vector<double> weights(values, values + shape.crossing_size());
+  if (shape.crossing == Crossing::balanced) {
+    weights.push_back(-std::accumulate(weights.begin(), weights.end(), 0.0));
+  }
+  return weights;
+}
+
+// As parameters of a core of that crossing.
+void add_crossing_weights(std::vector<double>& core, Crossing crossing, const std::vector<double>& weights) {
+  core.insert(core.end(), weights.begin(), weights.end() - (crossing == Crossing::balanced ? 1 : 0));
+}
+
 // How one wheel departs from a response that both share.
 struct OfOneWheel {
   double gain = 1.0;
@@ -51,8 +66,9 @@ WheelResponse response(const CoreShape& shape, const double* values, bool left, 
   for (double& weight : own) weight *= of.gain;
   std::vector<double>& other = left ? wheel.from_right : wheel.from_left;
   const double* crossing = values + shape.poles + shape.weights;
-  if (shape.crossing == Crossing::free) {
-    other.assign(crossing, crossing + shape.weights);
+  if (shape.crosses_by_weights()) {
+    other = crossing_weights(shape, crossing);
+    other.resize(own.size(), 0.0);
   } else {
     const double share = shape.crossing == Crossing::share ? *crossing : 0.0;
     for (const double weight : own) other.push_back(share * weight);
@@ -145,9 +161,8 @@ TrialModel TrialModel::with_larger_core(double pole) const {
     std::transform(past.begin() + 1, past.end(), std::back_inserter(larger.core), std::negate<>{});
     std::ranges::copy(times_a_pole({weights, rest}, pole), std::back_inserter(larger.core));
     if (shape.crossing == Crossing::share) larger.core.push_back(*rest);
-    if (shape.crossing == Crossing::free) {
-      const auto end = rest + static_cast<std::ptrdiff_t>(shape.weights);
-      std::ranges::copy(times_a_pole({rest, end}, pole), std::back_inserter(larger.core));
+    if (shape.crosses_by_weights()) {
+      add_crossing_weights(larger.core, shape.crossing, times_a_pole(crossing_weights(shape, &*rest), pole));
     }
   }
   larger.core.insert(larger.core.end(), core.begin() + static_cast<std::ptrdiff_t>(shape.of_responses()),
@@ -163,6 +178,10 @@ TrialModel TrialModel::with_crossed_core(Crossing crossing) const {
     const auto begin = core.begin() + static_cast<std::ptrdiff_t>(wheel);
     const auto crossings = begin + static_cast<std::ptrdiff_t>(shape.poles + shape.weights);
     crossed.core.insert(crossed.core.end(), begin, crossings);
+    if (shape.crosses_by_weights()) {
+      add_crossing_weights(crossed.core, crossing, crossing_weights(shape, &*crossings));
+      continue;
+    }
     const double share = shape.crossing == Crossing::share ? *crossings : 0.0;
     for (std::size_t i = 0; i < crossed.shape.crossing_size(); ++i) {
       crossed.core.push_back(share * begin[static_cast<std::ptrdiff_t>(shape.poles + i)]);
@@ -179,22 +198,33 @@ TrialModel TrialModel::with_later_core(double delay_s) const {
   TrialModel later = *this;
   later.shape.weights += whole + 1;
   later.core.clear();
-  const auto put_off = [&](auto first) {
-    later.core.insert(later.core.end(), whole, 0.0);
-    const std::vector<double> weights(first, first + static_cast<std::ptrdiff_t>(shape.weights));
-    std::ranges::copy(delayed(weights, rest), std::back_inserter(later.core));
+  const auto put_off = [&](const std::vector<double>& weights) {
+    std::vector<double> put(whole, 0.0);
+    std::ranges::copy(delayed(weights, rest), std::back_inserter(put));
+    return put;
   };
   for (std::size_t wheel = 0; wheel < shape.of_responses(); wheel += shape.per_wheel()) {
     const auto begin = core.begin() + static_cast<std::ptrdiff_t>(wheel);
     const auto weights = begin + static_cast<std::ptrdiff_t>(shape.poles);
     const auto crossing = weights + static_cast<std::ptrdiff_t>(shape.weights);
     later.core.insert(later.core.end(), begin, weights);
-    put_off(weights);
+    std::ranges::copy(put_off({weights, crossing}), std::back_inserter(later.core));
     if (shape.crossing == Crossing::share) later.core.push_back(*crossing);
-    if (shape.crossing == Crossing::free) put_off(crossing);
+    if (shape.crosses_by_weights()) {
+      add_crossing_weights(later.core, shape.crossing, put_off(crossing_weights(shape, &*crossing)));
+    }
   }
   later.core.insert(later.core.end(), core.begin() + static_cast<std::ptrdiff_t>(shape.of_responses()),
                     core.end());
+  return later;
+}
+
+TrialModel TrialModel::with_delay_in_core() const {
+  const auto delay = std::ranges::find(effects, "transport_delay",
+                                       [](const TrialEffect& effect) { return effect.info->name; });
+  if (delay == effects.end()) return *this;
+  TrialModel later = with_later_core(delay->parameters[0]);
+  later.effects.erase(later.effects.begin() + (delay - effects.begin()));
   return later;
 }
 
@@ -216,7 +246,7 @@ TrialModel TrialModel::with_parted_core() const {
     std::ranges::copy(past, std::back_inserter(parted.core));
     std::ranges::copy(own, std::back_inserter(parted.core));
     if (shape.crossing == Crossing::share) parted.core.push_back(share_of_other_wheel());
-    if (shape.crossing == Crossing::free) std::ranges::copy(other, std::back_inserter(parted.core));
+    if (shape.crosses_by_weights()) add_crossing_weights(parted.core, shape.crossing, other);
   };
   add(as_one.left.from_own_past, as_one.left.from_left, as_one.left.from_right);
   add(as_one.right.from_own_past, as_one.right.from_right, as_one.right.from_left);

@@ -32,8 +32,9 @@ struct TrialEffect {
 // `gyro_scaled`: so is by how much the gyro says too much.
 enum class Crossing {
   none,
-  share,  // each wheel also feels a share of the other's command, as it feels its own
-  free    // with as many weights of its own as its own command has
+  share,     // each wheel also feels a share of the other's command, as it feels its own
+  balanced,  // with weights of its own whose sum is 0: turns answer otherwise than travel, by the same gain
+  free       // with as many weights of its own as its own command has
 };
 
 struct CoreShape {
@@ -46,8 +47,19 @@ struct CoreShape {
   bool gyro_scaled = false;
 
   std::size_t crossing_size() const {
-    return crossing == Crossing::none ? 0 : crossing == Crossing::share ? 1 : weights;
+    switch (crossing) {
+      case Crossing::none:
+        return 0;
+      case Crossing::share:
+        return 1;
+      case Crossing::balanced:
+        return weights - 1;  // the last one makes up for the others
+      case Crossing::free:
+        break;
+    }
+    return weights;
   }
+  bool crosses_by_weights() const { return crossing >= Crossing::balanced; }
   std::size_t per_wheel() const { return poles + weights + crossing_size(); }
   std::size_t of_responses() const { return shared ? per_wheel() : 2 * per_wheel(); }
   std::size_t of_wheels() const { return of_responses() + (shared ? 1 : 0); }
@@ -92,6 +104,8 @@ struct TrialModel {
   TrialModel with_crossed_core(Crossing crossing) const;
   // The same model with a core that answers so much later, by as many more weights as that takes.
   TrialModel with_later_core(double delay_s) const;
+  // The same model, whose transport_delay, if it has one, is a part of the core.
+  TrialModel with_delay_in_core() const;
   // The same model with a core that is skewed.
   TrialModel with_skewed_core() const;
   // The same model with a response of its own for each wheel.

@@ -46,7 +46,9 @@ TEST_CASE("A richer core begins with the answer of the one that it came from") {
   check_same(answer(core.with_larger_core()), answer(core));
   check_same(answer(core.with_larger_core(0.98)), answer(core));
   check_same(answer(share), answer(core));
-  check_same(answer(core.with_crossed_core(Crossing::free).with_larger_core(0.98)), answer(core));
+  for (const Crossing crossing : {Crossing::balanced, Crossing::free}) {
+    check_same(answer(core.with_crossed_core(crossing).with_larger_core(0.98)), answer(core));
+  }
   if (!shared) return;
   CHECK(core.excess_of_right() != 0.0);
   TrialModel skewed = core.with_skewed_core();
@@ -57,13 +59,15 @@ TEST_CASE("A richer core begins with the answer of the one that it came from") {
 }
 
 TEST_CASE("A core that is later answers as its own does behind a delay") {
-  const Crossing crossing = GENERATE(Crossing::none, Crossing::share, Crossing::free);
+  const Crossing crossing = GENERATE(Crossing::none, Crossing::share, Crossing::balanced, Crossing::free);
   const TrialModel core = some_core(false).with_crossed_core(crossing);
   const EffectInfo* info = find_effect("transport_delay");
   for (const double delay_s : {0.005, 0.04, 0.077}) {
     TrialModel behind_delay = core;
     behind_delay.effects = {{info, 0, {delay_s}}};
     check_same(answer(core.with_later_core(delay_s)), answer(behind_delay));
+    check_same(answer(behind_delay.with_delay_in_core()), answer(behind_delay));
+    CHECK(behind_delay.with_delay_in_core().effects.empty());
   }
 }
 
@@ -76,6 +80,24 @@ TEST_CASE("A core that feels the other wheel by a share feels as much by weights
   CHECK(free.core.size() == share.core.size() + 2 * (share.shape.weights - 1));
   check_same(answer(free), answer(share));
   check_same(answer(free.with_larger_core(0.9)), answer(share));
+}
+
+TEST_CASE("A core whose crossing is balanced turns otherwise than it travels, by the same gain") {
+  const auto shared = GENERATE(false, true);
+  const TrialModel core = some_core(shared);
+  TrialModel balanced = core.with_crossed_core(Crossing::balanced);
+  balanced.core[core.shape.per_wheel()] = 0.05;
+  balanced.core[core.shape.per_wheel() + 2] = -0.02;
+  const LinearModel linear = balanced.linear();
+  CHECK_THAT(dc_gain(linear.left).from_right, WithinAbs(0.0, 1e-12));
+  CHECK_THAT(dc_gain(linear.left).from_left, WithinAbs(dc_gain(core.linear().left).from_left, 1e-12));
+  CHECK(answer(balanced) != answer(core));
+  check_same(answer(balanced.with_larger_core(0.9)), answer(balanced));
+  check_same(answer(balanced.with_crossed_core(Crossing::free)), answer(balanced));
+  if (!shared) return;
+  TrialModel skewed = balanced.with_skewed_core();
+  skewed.core.back() = 0.3;
+  check_same(answer(skewed.with_parted_core()), answer(skewed));
 }
 
 TEST_CASE("A skewed core answers later with the right wheel by what it says, and further by its excess") {
