@@ -75,7 +75,7 @@ EffectInfo backlash() {
             "rate at which a wheel that no tooth touches loses its speed",
             0.0,
             300.0,
-            {0.5, 6.0, 25.0, 300.0},
+            {0.5, 2.0, 6.0, 25.0, 300.0},
             0.0,
             false},
            {"start",

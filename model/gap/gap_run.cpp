@@ -11,7 +11,7 @@
 namespace wheelwright::gap {
 namespace {
 
-constexpr double sparse_from_s = 1.0;  // median distance of references
+constexpr double sparse_from_s = 1.5;  // median distance of references: "once a second" is not always
 
 GridTime grid_time(const GapRun& run, double t_s) {
   const double periods = std::max(0.0, (t_s - run.start_s) / run.period_s);
