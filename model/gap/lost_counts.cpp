@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "model/gap/commanded_stillness.hpp"
 #include "model/gap/thinned_counts.hpp"
@@ -49,6 +50,40 @@ bool moved_as_counted(const GateState& gate, std::size_t first, std::size_t end,
       std::hypot(*to.reference_x_m - *from.reference_x_m, *to.reference_y_m - *from.reference_y_m);
   return std::abs(turned) * log.wheel_base_m < within_m &&
          std::abs(2.0 * moved_m - std::abs(left_m + right_m)) < within_m;
+}
+
+// How far a reference saw a wheel roll from the first row to the last; nothing where it saw one of them not.
+std::optional<double> rolled_by_reference_m(const DriveLog& log, const Freeze& freeze) {
+  const DriveSample& from = log.samples[freeze.first];
+  const DriveSample& to = log.samples[freeze.end];
+  if (!from.reference_pose() || !to.reference_pose()) return std::nullopt;
+  const double turned = wrap_angle(*to.reference_theta_rad - *from.reference_theta_rad);
+  const double heading = *from.reference_theta_rad + 0.5 * turned;
+  const double forward_m = (*to.reference_x_m - *from.reference_x_m) * std::cos(heading) +
+                           (*to.reference_y_m - *from.reference_y_m) * std::sin(heading);
+  return forward_m + (freeze.left ? -0.5 : 0.5) * turned * log.wheel_base_m;
+}
+
+// Counts that may be lost, and the travel that would be lost with them, with its sign.
+struct Suspect {
+  Freeze freeze;
+  double lost_m = 0.0;
+};
+
+// Whether references saw, of all of it together, that the wheels did not turn: they err by too much to tell
+// of each short stop by itself.
+bool stood_indeed(const GateState& gate, const std::vector<Suspect>& suspects) {
+  constexpr double enough_to_tell_m = 0.015;
+  double found_m = 0.0;
+  double suspected_m = 0.0;
+  for (const auto& [freeze, lost_m] : suspects) {
+    const auto rolled_m = rolled_by_reference_m(gate.result.log, freeze);
+    if (!rolled_m || !std::isfinite(lost_m)) continue;
+    const double counted_m = gate.travel(freeze.end, freeze.left) - gate.travel(freeze.first, freeze.left);
+    found_m += std::copysign(1.0, lost_m) * (*rolled_m - counted_m);
+    suspected_m += std::abs(lost_m);
+  }
+  return suspected_m >= enough_to_tell_m && found_m < 0.5 * suspected_m;
 }
 
 std::string held(bool left, double duration_s) {
@@ -157,11 +192,16 @@ void find_frozen_at_turns(GateState& gate, bool left) {
 void find_frozen_counts(GateState& gate) {
   const std::vector<Freeze> frozen = frozen_counts(gate);
   if (stand_by_command(gate.result.log, frozen)) return;
-  std::size_t& lost = gate.result.surely_frozen;
+  std::vector<Suspect> suspects;
   for (const Freeze& freeze : frozen) {
     const auto [before, after] = speeds_around(gate, freeze);
-    const double least_m = std::min(std::abs(before), std::abs(after)) * duration_s(gate, freeze);
-    if (moved_as_counted(gate, freeze.first, freeze.end, 0.5 * least_m)) {
+    const double slower_m_s = std::min(std::abs(before), std::abs(after));
+    suspects.push_back({freeze, std::copysign(slower_m_s, before) * duration_s(gate, freeze)});
+  }
+  const bool all_stood = stood_indeed(gate, suspects);
+  std::size_t& lost = gate.result.surely_frozen;
+  for (const auto& [freeze, lost_m] : suspects) {
+    if (all_stood || moved_as_counted(gate, freeze.first, freeze.end, 0.5 * std::abs(lost_m))) {
       gate.event(freeze.first + 1, held(freeze.left, duration_s(gate, freeze)));
       continue;
     }
@@ -192,12 +232,17 @@ void find_missed_edges(GateState& gate) {
     }
   }
   if (stand_by_command(gate.result.log, stretches)) return;
+  std::vector<Suspect> suspects;
+  for (std::size_t i = 0; i < thinned.size(); ++i) {
+    const auto [first, end, left] = stretches[i];
+    const double counted_m = gate.travel(end, left) - gate.travel(first, left);
+    suspects.push_back({stretches[i], counted_m * thinned[i].lost / (1.0 - thinned[i].lost)});
+  }
+  const bool all_stood = stood_indeed(gate, suspects);
   std::vector<std::size_t> lost;
   for (std::size_t i = 0; i < thinned.size(); ++i) {
     const auto [first, end, left] = stretches[i];
-    const double counted_m = std::abs(gate.travel(end, left) - gate.travel(first, left));
-    const double lost_m = counted_m * thinned[i].lost / (1.0 - thinned[i].lost);
-    if (moved_as_counted(gate, first, end, 0.5 * lost_m)) {
+    if (all_stood || moved_as_counted(gate, first, end, 0.5 * std::abs(suspects[i].lost_m))) {
       gate.event(thinned[i].first_row, held(left, duration_s(gate, stretches[i])));
     } else {
       lost.push_back(i);

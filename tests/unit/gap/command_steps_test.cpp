@@ -43,8 +43,10 @@ test::GapCaseSpec drives(const std::string& hidden, test::Severity severity = te
   return spec;
 }
 
-// Of two sines, so that hardly a command is given twice; with a robot that has these effects.
-std::optional<TrialEffect> steps_in_sines(const std::vector<TrialEffect>& effects) {
+// Of two sines, so that hardly a command is given twice; with a robot that has these effects, of which some
+// are known.
+std::optional<TrialEffect> steps_in_sines(const std::vector<TrialEffect>& effects,
+                                          const std::vector<TrialEffect>& known = {}) {
   TrialModel robot = test::counted_robot();
   robot.effects = effects;
   const auto command_m_s = [](int period) {
@@ -54,7 +56,9 @@ std::optional<TrialEffect> steps_in_sines(const std::vector<TrialEffect>& effect
   };
   GapProblem problem({test::counted_run(robot, 3000, command_m_s)}, {test::counted_metres_per_tick},
                      for_each_in_turn);
-  return steps_beside_linear_model(problem, test::counted_robot());
+  TrialModel guess = test::counted_robot();
+  guess.effects = known;
+  return steps_beside_linear_model(problem, guess);
 }
 
 }  // namespace
@@ -85,6 +89,14 @@ TEST_CASE("A step is found in commands that change all the time, and where it ri
     CHECK_THAT(found->parameters[0], WithinRel(0.02, 0.01));
     CHECK_THAT(found->parameters[1], WithinAbs(rises_at, 0.1));
   }
+}
+
+TEST_CASE("A step is found behind a delay") {
+  const TrialEffect delay{find_effect("transport_delay"), 0, {0.3}};
+  const auto found = steps_in_sines({{find_effect("command_quantization"), 0, {0.02, 0.5}}, delay}, {delay});
+  REQUIRE(found);
+  CHECK_THAT(found->parameters[0], WithinRel(0.02, 0.01));
+  CHECK_THAT(found->parameters[1], WithinAbs(0.5, 0.1));
 }
 
 TEST_CASE("Commands that change all the time and act as they are show no step") {

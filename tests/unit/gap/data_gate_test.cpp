@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <stdexcept>
 #include <vector>
 
@@ -168,6 +169,29 @@ TEST_CASE("A wheel that stood is no dropout where a reference saw the robot move
   const auto uncounted = gate(log);
   CHECK(uncounted.dropouts.size() == 1);
   CHECK_FALSE(uncounted.faults.front().happened);
+}
+
+TEST_CASE("Stops that are too short for one reference to tell are told by all of them together") {
+  auto log = clean_log();
+  const std::size_t last = moving_row(log);
+  const auto seen_turning = by_counts(log);
+  for (const std::size_t back : {45u, 32u, 19u}) lose_counts(log, last - back, 8);
+  const auto seen_standing = by_counts(log);
+  const auto by_a_poor_tracker = [&](const DriveLog& reference) {
+    DriveLog seen = log;
+    std::mt19937 random(1);
+    std::normal_distribution<double> errs_m(0.0, 0.003);
+    for (std::size_t i = 0; i < seen.samples.size(); ++i) {
+      seen.samples[i].reference_x_m = *reference.samples[i].reference_x_m + errs_m(random);
+      seen.samples[i].reference_y_m = *reference.samples[i].reference_y_m + errs_m(random);
+      seen.samples[i].reference_theta_rad = reference.samples[i].reference_theta_rad;
+    }
+    return gate(seen);
+  };
+  const auto stood = by_a_poor_tracker(seen_standing);
+  CHECK(stood.dropouts.empty());
+  CHECK(std::ranges::count_if(stood.faults, &DataFault::happened) == 3);
+  CHECK(by_a_poor_tracker(seen_turning).dropouts.size() >= 3);
 }
 
 TEST_CASE("Counts that were lost while driving are looked for at stops, too") {

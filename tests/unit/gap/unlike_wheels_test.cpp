@@ -1,4 +1,5 @@
-// Wheels that answer unlike each other, seen by poses alone: a linear core holds that, and it is no effect.
+// Wheels that answer unlike each other, or to the other's command too, seen by poses alone: a linear core
+// holds that, and it is no effect.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -68,4 +69,28 @@ TEST_CASE("By poses alone unlike wheels are held by the linear core, which is sa
   CHECK(std::ranges::count(analysis->not_testable, "wheel_scale_mismatch", &Untestable::effect) == 1);
   const GapFigures& held_out = analysis->test;
   CHECK(held_out.after.heading_rms_rad->value < 1.5 * held_out.floor.heading_rms_rad->value);
+}
+
+TEST_CASE("By poses alone a body that turns sooner than it travels is held by the linear core") {
+  const double pushed = std::exp(-period_s / 0.2);
+  const double turned = std::exp(-period_s / 0.08);
+  // Of a wheel, from the commands of both: half of their sum, pushed, and half of their difference, turned.
+  const std::vector<double> by_sum{0.0, 0.0, 0.5 * (1.0 - pushed), -0.5 * (1.0 - pushed) * turned};
+  const std::vector<double> by_difference{0.0, 0.0, 0.5 * (1.0 - turned), -0.5 * (1.0 - turned) * pushed};
+  WheelResponse left;
+  left.from_own_past = {pushed + turned, -pushed * turned};
+  for (std::size_t i = 0; i < by_sum.size(); ++i) {
+    left.from_left.push_back(by_sum[i] + by_difference[i]);
+    left.from_right.push_back(by_sum[i] - by_difference[i]);
+  }
+  WheelResponse right = left;
+  std::swap(right.from_left, right.from_right);
+  const LinearModel robot{ModelType::arma, period_s, wheel_base_m, left, right};
+  std::vector<DriveLog> logs;
+  for (unsigned seed = 1; seed <= 3; ++seed) logs.push_back(driven(robot, seed));
+  const auto analysis = analyse_gap(std::span(logs).first(2), std::span(logs).last(1), {}, for_each_in_turn,
+                                    [](const std::string&, double) {});
+  REQUIRE(analysis);
+  CHECK(analysis->verdict == Verdict::nothing_missing);
+  CHECK(analysis->test.after.position_rms_m->value < 1.3 * analysis->test.floor.position_rms_m->value);
 }
