@@ -92,5 +92,6 @@ TEST_CASE("By poses alone a body that turns sooner than it travels is held by th
                                     [](const std::string&, double) {});
   REQUIRE(analysis);
   CHECK(analysis->verdict == Verdict::nothing_missing);
-  CHECK(analysis->test.after.position_rms_m->value < 1.3 * analysis->test.floor.position_rms_m->value);
+  CHECK(analysis->test.after.position_rms_m->value <
+        0.004);  // 0.015 by a core of two wheels that do not feel each other
 }
