@@ -259,3 +259,13 @@ TEST_CASE("A figure is above the noise where it was larger than its floor before
   figures.floor.position_rms_m = AtHorizon{10.0, 0.007};
   CHECK(gap::some_figure_above_noise(figures));
 }
+
+TEST_CASE("Motors that are mounted as in a mirror are stronger one forward and the other in reverse") {
+  ModelSimulation simulation = only({"direction_gain", "each_wheel", {0.05, -0.03}});
+  const WheelPair forward = simulation.step({0.2, 0.2}).wheel_m_s;
+  CHECK_THAT(forward.left, WithinAbs(0.2, 1e-12));
+  CHECK_THAT(forward.right, WithinAbs(0.2, 1e-12));
+  const WheelPair reverse = simulation.step({-0.2, -0.2}).wheel_m_s;
+  CHECK_THAT(reverse.left, WithinAbs(-0.21, 1e-12));
+  CHECK_THAT(reverse.right, WithinAbs(-0.194, 1e-12));
+}
