@@ -53,21 +53,26 @@ DriveLog driven(const LinearModel& robot, unsigned seed) {
   return log;
 }
 
+GapAnalysis analysis_of(const LinearModel& robot) {
+  std::vector<DriveLog> logs;
+  for (unsigned seed = 1; seed <= 3; ++seed) logs.push_back(driven(robot, seed));
+  const auto analysis = analyse_gap(std::span(logs).first(2), std::span(logs).last(1), {}, for_each_in_turn,
+                                    [](const std::string&, double) {});
+  REQUIRE(analysis);
+  return *analysis;
+}
+
 }  // namespace
 
 TEST_CASE("By poses alone unlike wheels are held by the linear core, which is said, and have no name") {
   const double lag_of_right_s = GENERATE(0.08, 0.16);
   const LinearModel robot{ModelType::arma, period_s, wheel_base_m, lag(0.96, 0.08, true),
                           lag(1.0, lag_of_right_s, false)};
-  std::vector<DriveLog> logs;
-  for (unsigned seed = 1; seed <= 3; ++seed) logs.push_back(driven(robot, seed));
-  const auto analysis = analyse_gap(std::span(logs).first(2), std::span(logs).last(1), {}, for_each_in_turn,
-                                    [](const std::string&, double) {});
-  REQUIRE(analysis);
-  CHECK(analysis->verdict == Verdict::nothing_missing);
-  CHECK(analysis->summary.find("The right wheel rolls 4.1 % more than the left") != std::string::npos);
-  CHECK(std::ranges::count(analysis->not_testable, "wheel_scale_mismatch", &Untestable::effect) == 1);
-  const GapFigures& held_out = analysis->test;
+  const GapAnalysis analysis = analysis_of(robot);
+  CHECK(analysis.verdict == Verdict::nothing_missing);
+  CHECK(analysis.summary.find("The right wheel rolls 4.1 % more than the left") != std::string::npos);
+  CHECK(std::ranges::count(analysis.not_testable, "wheel_scale_mismatch", &Untestable::effect) == 1);
+  const GapFigures& held_out = analysis.test;
   CHECK(held_out.after.heading_rms_rad->value < 1.5 * held_out.floor.heading_rms_rad->value);
 }
 
@@ -86,12 +91,8 @@ TEST_CASE("By poses alone a body that turns sooner than it travels is held by th
   WheelResponse right = left;
   std::swap(right.from_left, right.from_right);
   const LinearModel robot{ModelType::arma, period_s, wheel_base_m, left, right};
-  std::vector<DriveLog> logs;
-  for (unsigned seed = 1; seed <= 3; ++seed) logs.push_back(driven(robot, seed));
-  const auto analysis = analyse_gap(std::span(logs).first(2), std::span(logs).last(1), {}, for_each_in_turn,
-                                    [](const std::string&, double) {});
-  REQUIRE(analysis);
-  CHECK(analysis->verdict == Verdict::nothing_missing);
-  CHECK(analysis->test.after.position_rms_m->value <
-        0.004);  // 0.015 by a core of two wheels that do not feel each other
+  const GapAnalysis analysis = analysis_of(robot);
+  CHECK(analysis.verdict == Verdict::nothing_missing);
+  // 0.015 by a core of two wheels that do not feel each other.
+  CHECK(analysis.test.after.position_rms_m->value < 0.004);
 }
