@@ -8,11 +8,13 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <new>
-#include <system_error>
+#include <string>
 #include <utility>
 
+#include "daemon/exit_status.hpp"
 #include "daemon/guardian_process.hpp"
 
 namespace wheelwright::daemon {
@@ -20,9 +22,15 @@ namespace {
 
 constexpr double patience_periods = 3.0;
 constexpr std::chrono::milliseconds shortest_patience{50};
+constexpr std::chrono::milliseconds response_patience{500};
+constexpr std::chrono::milliseconds longest_interval{
+    100};  // between two questions: beyond it the machine stood still
+constexpr useconds_t end_look_us = 10'000;
+constexpr int looks_in_order = 50;
+constexpr int looks_while_braking = 150;
 
-[[noreturn]] void fail(const char* what) {
-  throw std::system_error(errno, std::generic_category(), what);
+[[noreturn]] void fail(const std::string& what) {
+  throw StartFailure(EndCause::internal, what + ": " + std::strerror(errno));
 }
 
 GuardianBoard* shared_board() {
@@ -67,16 +75,23 @@ Guardian::Guardian(const GuardianConfig& config) : board_(shared_board()) {
     fail("no socket for the guardian");
   }
   process_ = ::fork();
-  if (process_ < 0) fail("no process for the guardian");
+  if (process_ < 0) fail("no process for the guardian; raise the limit of processes (ulimit -u, TasksMax=)");
   if (process_ == 0) guard(config, ends[1], *board_);
   ::close(ends[1]);
   socket_ = ends[0];
 }
 
 Guardian::~Guardian() {
-  send_order(socket_, GuardianOrder::farewell);
-  ::close(socket_);
-  while (!ended_ && ::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) continue;
+  const int looks = socket_ >= 0 ? looks_in_order : looks_while_braking;
+  if (socket_ >= 0) {
+    send_order(socket_, GuardianOrder::farewell);
+    ::close(socket_);
+  }
+  for (int look = 0; look < looks && alive(); ++look) ::usleep(end_look_us);
+  if (alive()) {
+    ::kill(process_, SIGKILL);
+    while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) continue;
+  }
   ::munmap(board_, sizeof(GuardianBoard));
 }
 
@@ -100,6 +115,20 @@ bool Guardian::has_acted() {
 bool Guardian::alive() {
   ended_ = ended_ || ::waitpid(process_, nullptr, WNOHANG) == process_;
   return !ended_;
+}
+
+bool Guardian::responds() {
+  const auto now = std::chrono::steady_clock::now();
+  const auto since_last = std::min<std::chrono::nanoseconds>(now - asked_, longest_interval);
+  asked_ = now;
+  const std::uint64_t looks = board_->looks.load(std::memory_order_relaxed);
+  unheard_for_ = looks == looks_seen_ ? unheard_for_ + since_last : std::chrono::nanoseconds(0);
+  looks_seen_ = looks;
+  return unheard_for_ < response_patience;
+}
+
+void Guardian::leave_wheels_to_guardian() {
+  ::close(std::exchange(socket_, -1));
 }
 
 }  // namespace wheelwright::daemon

@@ -8,6 +8,9 @@
 // until the wheels stand, leaves the robot in Passive mode, and ends. A daemon that goes on finds has_acted()
 // true and stops the run.
 //
+// The daemon hears the guardian as the guardian hears the daemon: a guardian that was stopped, or hangs,
+// protects nobody, and the daemon stops the robot (responds()).
+//
 // Its patience counts the time between two of its own looks at the counter only up to 20 ms: a machine that
 // stood still as a whole, the guardian with it, is no silence.
 #pragma once
@@ -39,18 +42,20 @@ std::chrono::milliseconds guardian_patience(const roomba::LinkConfig& link, bool
 struct GuardianBoard {
   std::atomic<std::uint64_t> beats{0};
   std::atomic<std::uint64_t> acts{0};
+  std::atomic<std::uint64_t> looks{0};  // of the guardian at the beats
   std::atomic<std::int64_t> patience_ms{0};
 };
 static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
 
 class Guardian final : public roomba::PortGuard {
  public:
-  // Starts the process. Call it before any thread is started and before memory is locked. Throws
-  // std::system_error where the system has no process or socket left.
+  // Starts the process. Call it before memory is locked. Throws StartFailure where the system has no process
+  // or socket left.
   explicit Guardian(const GuardianConfig& config);
   Guardian(const Guardian&) = delete;
   Guardian& operator=(const Guardian&) = delete;
-  // The daemon ends in order: so does the guardian, without touching the wheels.
+  // The daemon ends in order: so does the guardian, without touching the wheels. One that does not within
+  // half a second is killed.
   ~Guardian() override;
 
   void port_opened(int descriptor) override;
@@ -63,6 +68,11 @@ class Guardian final : public roomba::PortGuard {
 
   // False once the process has ended by itself or was ended by somebody.
   bool alive();
+  // False where it has not looked at the beats for half a second, though the caller, who asks several times
+  // in that time, went on.
+  bool responds();
+  // The daemon cannot end in order: the guardian is to stop the wheels as if the daemon were gone.
+  void leave_wheels_to_guardian();
 
  private:
   GuardianBoard* board_;
@@ -70,6 +80,9 @@ class Guardian final : public roomba::PortGuard {
   pid_t process_ = -1;
   bool ended_ = false;
   std::uint64_t acts_seen_ = 0;
+  std::uint64_t looks_seen_ = 0;
+  std::chrono::steady_clock::time_point asked_{};
+  std::chrono::nanoseconds unheard_for_{0};
 };
 
 }  // namespace wheelwright::daemon

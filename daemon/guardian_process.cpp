@@ -6,6 +6,7 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -50,9 +51,34 @@ void leave_the_daemon(const GuardianConfig& config, int socket) {
   }
 }
 
-void say(std::string_view line) {
-  if (::write(STDERR_FILENO, line.data(), line.size()) < 0) return;  // nobody listens any more
-}
+// Standard error, written to without ever waiting for who reads it. A pipe or a terminal is opened once more
+// for that, since a flag of the descriptor would be one for all processes that share it. A line that is not
+// taken is lost.
+class Voice {
+ public:
+  Voice() {
+    struct stat about {};
+    if (::fstat(STDERR_FILENO, &about) != 0) return;
+    is_socket_ = S_ISSOCK(about.st_mode);
+    if (S_ISREG(about.st_mode) || is_socket_) {
+      descriptor_ = STDERR_FILENO;
+    } else {
+      descriptor_ = ::open("/proc/self/fd/2", O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    }
+  }
+
+  void say(std::string_view line) const {
+    if (descriptor_ < 0) return;
+    const ssize_t taken = is_socket_
+                              ? ::send(descriptor_, line.data(), line.size(), MSG_DONTWAIT | MSG_NOSIGNAL)
+                              : ::write(descriptor_, line.data(), line.size());
+    if (taken < 0) return;
+  }
+
+ private:
+  int descriptor_ = -1;
+  bool is_socket_ = false;
+};
 
 class Process {
  public:
@@ -61,6 +87,7 @@ class Process {
 
   [[noreturn]] void run() {
     while (true) {
+      board_.looks.fetch_add(1, std::memory_order_relaxed);
       std::array<pollfd, 2> watched{{{socket_, POLLIN, 0}, {port_, 0, 0}}};
       const int ready = ::poll(watched.data(), port_ < 0 ? 1 : 2, static_cast<int>(look_every.count()));
       if (watched[0].revents != 0) obey();
@@ -109,7 +136,7 @@ class Process {
     last_look_ = now;
     const std::uint64_t beats = board_.beats.load(std::memory_order_relaxed);
     if (beats != last_beats_ || beats == 0) {
-      if (acts_ > 0) say("<4>guardian: the sensor loop goes on\n");
+      if (acts_ > 0) voice_.say("<4>guardian: the sensor loop goes on\n");
       last_beats_ = beats;
       silent_for_ = 0ns;
       acts_ = 0;
@@ -119,16 +146,16 @@ class Process {
     if (port_ < 0 || acts_ == acts_on_a_stall) return;
     const std::chrono::milliseconds patience(board_.patience_ms.load(std::memory_order_relaxed));
     if (silent_for_ < patience + acts_ * say_again_every) return;
-    if (acts_ == 0) say("<3>guardian: the sensor loop stands still; the wheels are told to stand\n");
-    ++acts_;
     board_.acts.fetch_add(1, std::memory_order_relaxed);
     write_whole(rest_.bytes());
+    if (acts_ == 0) voice_.say("<3>guardian: the sensor loop stands still; the wheels are told to stand\n");
+    ++acts_;
   }
 
   [[noreturn]] void outlive_the_daemon() {
     if (port_ < 0) ::_exit(0);
     write_whole(rest_.bytes());
-    say("<3>guardian: the daemon is gone; the wheels are told to stand\n");
+    voice_.say("<3>guardian: the daemon is gone; the wheels are told to stand\n");
     for (auto waited = 0ms; waited < std::chrono::duration<double>(roomba::longest_braking_s);
          waited += say_again_every) {
       ::poll(nullptr, 0, static_cast<int>(say_again_every.count()));
@@ -151,6 +178,7 @@ class Process {
 
   int socket_;
   GuardianBoard& board_;
+  Voice voice_;
   open_interface::CommandBytes rest_;
   int port_ = -1;
   std::uint64_t last_beats_ = 0;

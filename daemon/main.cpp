@@ -1,20 +1,18 @@
 // wheelwrightd: a robot on a serial port that calibrates a model of itself and drives from it.
-#include <spdlog/sinks/stdout_color_sinks.h>
-#include <spdlog/sinks/stdout_sinks.h>
-#include <spdlog/spdlog.h>
+#include <unistd.h>
 #include <CLI/CLI.hpp>
 
+#include <chrono>
 #include <cstdlib>
 #include <exception>
-#include <iostream>
-#include <memory>
 #include <string>
 
 #include "config/load/daemon_config.hpp"
 #include "daemon/exit_status.hpp"
-#include "daemon/journal_sink.hpp"
+#include "daemon/message_output.hpp"
 #include "daemon/plan.hpp"
 #include "daemon/process.hpp"
+#include "daemon/real_time.hpp"
 #include "daemon/rest.hpp"
 
 namespace {
@@ -54,24 +52,12 @@ void describe(CLI::App& app, Options& options) {
   app.footer("Example:\n  wheelwrightd --config config/wheelwright.yaml --device /dev/ttyUSB0");
 }
 
-int refuse(const Options& options, EndCause cause, const std::string& why) {
-  std::cerr << (options.as_service ? "<3>" : "") << "wheelwrightd: " << why << '\n';
-  return exit_status(cause, options.as_service);
-}
+constexpr auto print_patience = std::chrono::seconds(1);
 
-void set_up_messages(const Options& options, const wheelwright::config::DaemonConfig& config) {
-  if (options.as_service) {
-    if (auto journal = daemon::make_journal_sink(
-            {{"WHEELWRIGHT_ROBOT", config.robot_name}, {"WHEELWRIGHT_DEVICE", config.device.string()}})) {
-      spdlog::set_default_logger(std::make_shared<spdlog::logger>("wheelwrightd", std::move(journal)));
-      return;
-    }
-  }
-  const char* no_colour = std::getenv("NO_COLOR");
-  const bool plain = no_colour != nullptr && *no_colour != '\0';
-  spdlog::set_default_logger(plain ? spdlog::stderr_logger_mt("wheelwrightd")
-                                   : spdlog::stderr_color_mt("wheelwrightd"));
-  spdlog::set_pattern("%H:%M:%S.%e %^%l%$ %v");
+int refuse(const Options& options, EndCause cause, const std::string& why) {
+  const std::string line = (options.as_service ? "<3>" : "") + ("wheelwrightd: " + why) + "\n";
+  daemon::print_within(print_patience, STDERR_FILENO, line);
+  return exit_status(cause, options.as_service);
 }
 
 daemon::ProcessOptions process_options(const Options& options) {
@@ -84,19 +70,42 @@ daemon::ProcessOptions process_options(const Options& options) {
   return result;
 }
 
+// Nothing but the device has to be known, and a mistake in the configuration is no reason to let the wheels
+// turn.
+EndCause rest(const Options& options) {
+  const char* folder = std::getenv("RUNTIME_DIRECTORY");
+  const auto targets =
+      daemon::rest_targets(folder == nullptr ? "" : folder, options.config_file, options.device);
+  // An adapter that was unplugged has ended the service, and is nothing to report.
+  if (daemon::rest_wheels(targets) || options.as_service) return EndCause::done;
+  throw daemon::StartFailure(EndCause::no_device,
+                             targets.front().device.string() +
+                                 ": no such device, and so no robot to put to rest; name it with --device");
+}
+
 EndCause run(const Options& options) {
+  if (options.only_rest) return rest(options);
   const daemon::ProcessOptions process = process_options(options);
   const auto config = daemon::load_configuration(process);
-  set_up_messages(options, config);
-  if (options.only_rest) {
-    daemon::rest_wheels(config);
-    return EndCause::done;
-  }
   if (options.only_check) {
     daemon::make_plan(config, daemon::known_model(config));
     return EndCause::done;
   }
+  daemon::set_up_allocation();
+  daemon::set_up_messages(config, options.as_service);
   return daemon::run_process(process);
+}
+
+int run_and_explain(const Options& options) {
+  try {
+    return exit_status(run(options), options.as_service);
+  } catch (const daemon::StartFailure& failure) {
+    return refuse(options, failure.cause(), failure.what());
+  } catch (const std::bad_alloc&) {
+    return refuse(options, EndCause::internal, "no memory left; raise its limit (ulimit -v, MemoryMax=)");
+  } catch (const std::exception& error) {
+    return refuse(options, EndCause::configuration, error.what());
+  }
 }
 
 }  // namespace
@@ -112,11 +121,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return refuse(options, EndCause::usage, std::string(error.what()) + "; see wheelwrightd --help");
   }
-  try {
-    return exit_status(run(options), options.as_service);
-  } catch (const daemon::StartFailure& failure) {
-    return refuse(options, failure.cause(), failure.what());
-  } catch (const std::exception& error) {
-    return refuse(options, EndCause::configuration, error.what());
-  }
+  const int status = run_and_explain(options);
+  if (!daemon::drain_messages()) ::_exit(status);
+  return status;
 }

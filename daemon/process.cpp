@@ -1,15 +1,20 @@
 #include "daemon/process.hpp"
 
+#include <fcntl.h>
 #include <pthread.h>
 #include <spdlog/spdlog.h>
 #include <sys/signal.h>
 #include <time.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstdlib>
 
+#include "config/load/atomic_file.hpp"
 #include "config/load/commands_file.hpp"
 #include "config/load/model_file.hpp"
+#include "config/load/rest_target.hpp"
+#include "daemon/rest.hpp"
 #include "daemon/run.hpp"
 
 namespace wheelwright::daemon {
@@ -19,9 +24,11 @@ namespace {
 sigset_t block_signals() {
   sigset_t signals{};
   ::sigemptyset(&signals);
-  for (const int signal : {SIGTERM, SIGINT, SIGUSR1, SIGUSR2, SIGHUP}) ::sigaddset(&signals, signal);
+  for (const int signal : {SIGTERM, SIGINT, SIGUSR1, SIGUSR2, SIGHUP, SIGXCPU}) ::sigaddset(&signals, signal);
   ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  // What they tell of comes as an error of the write that they belong to.
   ::signal(SIGPIPE, SIG_IGN);
+  ::signal(SIGXFSZ, SIG_IGN);
   return signals;
 }
 
@@ -42,9 +49,40 @@ bool wait_out(Service& service, const sigset_t& signals) {
   return true;
 }
 
-std::filesystem::path runtime_folder(const ProcessOptions& options) {
-  const char* folder = std::getenv("RUNTIME_DIRECTORY");
-  return options.as_service && folder != nullptr ? folder : "";
+// A variable of the service manager that names a folder, or several with colons in between.
+std::filesystem::path folder_in(const char* variable) {
+  const char* value = std::getenv(variable);
+  const std::string names = value == nullptr ? "" : value;
+  return names.substr(0, names.find(':'));
+}
+
+std::optional<ServiceFolders> service_folders(const ProcessOptions& options) {
+  if (!options.as_service) return std::nullopt;
+  return ServiceFolders{folder_in("RUNTIME_DIRECTORY"), folder_in("STATE_DIRECTORY")};
+}
+
+// Under nohup the process is to outlive its terminal.
+bool started_from_terminal(const ProcessOptions& options) {
+  struct sigaction hang_up {};
+  ::sigaction(SIGHUP, nullptr, &hang_up);
+  const int terminal = ::open("/dev/tty", O_RDWR | O_NOCTTY | O_CLOEXEC);
+  if (terminal >= 0) ::close(terminal);
+  return terminal >= 0 && !options.as_service && hang_up.sa_handler != SIG_IGN;
+}
+
+// For `wheelwrightd --rest`, which may find the configuration changed or gone.
+void keep_rest_target(const config::DaemonConfig& config, const std::optional<ServiceFolders>& folders) {
+  if (!folders || folders->runtime.empty()) return;
+  const auto text = config::rest_target_to_yaml(config::rest_target(config));
+  const auto error = config::write_file_atomically(folders->runtime / rest_target_file_name, text);
+  if (error) spdlog::error("{}", *error);
+}
+
+// What the next process may do by itself depends on how this one ended.
+void note_end(Restarts& restarts, const RunOutcome& outcome) {
+  // Without its robot the run was not ended in order: nobody knows what the wheels do.
+  if (outcome.cause == EndCause::robot_silent || outcome.cause == EndCause::internal) return;
+  outcome.interrupted ? restarts.ended_in_drive() : restarts.ended_in_order();
 }
 
 }  // namespace
@@ -69,28 +107,23 @@ std::optional<RobotModel> known_model(const config::DaemonConfig& config) {
 
 EndCause run_process(const ProcessOptions& options) {
   const sigset_t signals = block_signals();
-  Service service{{}, Restarts(runtime_folder(options)), true, {}};
-  if (service.restarts.was_armed()) {
-    service.may_arm = false;
-    service.why_not = "the process before this one was killed while the robot was armed";
-  }
+  const auto folders = service_folders(options);
+  Service service{{}, Restarts(folders), {}, started_from_terminal(options)};
+  service.hold = service.restarts.hold();
   auto config = load_configuration(options);
   if (!wait_out(service, signals)) return EndCause::asked;
   while (true) {
+    keep_rest_target(config, folders);
     RunOutcome outcome = Run(config, options, service).drive(signals);
     if (!outcome.reload) {
       std::error_code ignored;
       std::filesystem::remove(options.status_file, ignored);
-      // Without its robot the run was not ended in order: nobody knows what the wheels do.
-      if (outcome.cause != EndCause::robot_silent && outcome.cause != EndCause::internal) {
-        service.restarts.ended_in_order();
-      }
+      note_end(service.restarts, outcome);
       return outcome.cause;
     }
     spdlog::info("{}: loaded anew", options.config_file.string());
     config = std::move(*outcome.reload);
-    service.may_arm = false;
-    service.why_not = "the configuration was loaded anew";
+    service.hold = "the configuration was loaded anew";
   }
 }
 

@@ -27,8 +27,8 @@ struct ProcessOptions {
 struct Service {
   ServiceNotifier notifier;
   Restarts restarts;
-  bool may_arm = true;  // by itself, where the configuration says so
-  std::string why_not;
+  std::optional<std::string> hold;  // why the robot is not armed by itself, though the configuration says so
+  bool from_terminal = false;       // whose hang-up (SIGHUP) is the end of the operator
 };
 
 // Reads the configuration that the options name. Throws config::ConfigError.
@@ -44,7 +44,9 @@ std::optional<RobotModel> known_model(const config::DaemonConfig& config);
 // SIGUSR1          arm: clears a latched stop and starts the mission (again)
 // SIGUSR2          stop: wheels to rest, the process stays
 // SIGHUP           reload the configuration, all of it, unless the robot drives or there is a mistake in it;
-//                  the robot is not armed by it
+//                  the robot is not armed by it. A daemon that was started from a terminal ends as by
+//                  SIGTERM, since the terminal was closed
+// SIGXCPU          a limit of processor time is reached: as SIGTERM
 EndCause run_process(const ProcessOptions& options);
 
 }  // namespace wheelwright::daemon

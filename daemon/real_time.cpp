@@ -36,9 +36,7 @@ bool is_real_time_kernel() {
   return std::filesystem::exists("/sys/kernel/realtime", ignored);
 }
 
-RealTimeStatus set_up_process(const config::RealTimeConfig& config) {
-  RealTimeStatus status;
-  status.real_time_kernel = is_real_time_kernel();
+void set_up_allocation() {
   pthread_attr_t attributes{};
   if (::pthread_attr_init(&attributes) == 0) {
     ::pthread_attr_setstacksize(&attributes, stack_bytes);
@@ -50,6 +48,11 @@ RealTimeStatus set_up_process(const config::RealTimeConfig& config) {
   ::mallopt(M_TRIM_THRESHOLD, -1);
   ::mallopt(M_MMAP_MAX, 0);
   ::mallopt(M_ARENA_MAX, 1);
+}
+
+RealTimeStatus set_up_process(const config::RealTimeConfig& config) {
+  RealTimeStatus status;
+  status.real_time_kernel = is_real_time_kernel();
   if (config.policy == config::RealTimePolicy::off || !config.lock_memory) return status;
   status.memory_locked = ::mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
   if (!status.memory_locked) {

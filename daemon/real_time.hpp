@@ -19,8 +19,10 @@ struct RealTimeStatus {
 // Whether the kernel is a PREEMPT_RT one.
 bool is_real_time_kernel();
 
-// For the whole process, before any thread starts: small stacks, memory locked, no heap given back to the
-// system.
+// For the whole process, before any thread starts: small stacks, and no heap given back to the system.
+void set_up_allocation();
+
+// For the whole process: memory locked, where it is asked for.
 RealTimeStatus set_up_process(const config::RealTimeConfig& config);
 
 // For the calling thread, which is the sensor loop. Adds to `status` what it got.

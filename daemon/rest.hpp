@@ -1,16 +1,33 @@
 // wheelwrightd --rest: puts the wheels of a robot to rest whose daemon is gone.
+//
+// It is the last line of defence (ExecStopPost= of the unit), so it needs nothing of the configuration but
+// how to reach the robot, and looks for that in several places.
 #pragma once
 
-#include "config/load/daemon_config.hpp"
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/load/rest_target.hpp"
 
 namespace wheelwright::daemon {
 
-// Orders the robot on config.device to stand and, once it does, to leave its driving mode. Returns without a
-// word where there is no such device: then there is no way to the robot. Throws StartFailure where the device
-// cannot be opened for another reason.
+inline constexpr auto rest_target_file_name = "rest.yaml";  // in the runtime folder of the service
+
+// Where the robot may be, most likely first: as the daemon that ran kept it in `runtime_folder` (empty: there
+// is none), as the configuration says as far as it can be read, at /dev/roomba with 115200 baud. A `device`
+// that is given replaces those of all.
+std::vector<config::RestTarget> rest_targets(const std::filesystem::path& runtime_folder,
+                                             const std::filesystem::path& config_file,
+                                             const std::filesystem::path& device);
+
+// Orders the robot on the first device that can be opened to stand and, once it does, to leave its driving
+// mode. False where none of the devices is there: then there is no way to the robot. Throws StartFailure
+// where there is one, but none can be opened.
 //
-// As the service's ExecStopPost= it is told by $EXIT_CODE that the daemon ended by itself, which is always in
+// As the service's ExecStopPost= it knows from $EXIT_CODE that the daemon ended by itself, which is always in
 // order; then the robot is in Off mode, and is left there.
-void rest_wheels(const config::DaemonConfig& config);
+bool rest_wheels(const std::vector<config::RestTarget>& targets);
 
 }  // namespace wheelwright::daemon

@@ -2,14 +2,20 @@
 
 #include <spdlog/spdlog.h>
 
-#include <cstdio>
+#include <unistd.h>
+
+#include <chrono>
+#include <exception>
+#include <functional>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include "config/load/atomic_file.hpp"
 #include "config/load/model_file.hpp"
+#include "daemon/exit_status.hpp"
 #include "daemon/lateness_file.hpp"
+#include "daemon/message_output.hpp"
 #include "daemon/predictor_thread.hpp"
 #include "daemon/summary.hpp"
 
@@ -39,6 +45,22 @@ GuardianConfig guardian_config(const config::DaemonConfig& config) {
   const bool real_time = config.real_time.policy != config::RealTimePolicy::off;
   return {config.link.drive_mode, guardian_patience(config.link, false),
           real_time ? config.real_time.priority + 1 : 0, real_time && config.real_time.lock_memory};
+}
+
+constexpr auto summary_patience = std::chrono::seconds(2);
+constexpr auto loop_patience =
+    std::chrono::seconds(3);  // braking, and some commands that the port does not take
+
+// A thread whose exception ends the run, not the process.
+std::thread start_thread(const char* name, Wiring& wiring, std::function<void()> body) {
+  return std::thread([name, &wiring, body = std::move(body)] {
+    name_thread(name);
+    try {
+      body();
+    } catch (const std::exception& error) {
+      wiring.failure.report(std::string("the thread ") + name + " has ended: " + error.what());
+    }
+  });
 }
 
 std::string ending_of(const RunOutcome& outcome) {
@@ -78,24 +100,42 @@ void Run::keep_inputs() const {
 }
 
 RunOutcome Run::drive(const sigset_t& signals) {
-  start_loop();
-  tell_how_it_is_set_up();
-  start_threads();
-  RunOutcome outcome =
-      Supervisor({config_, options_, session_, guardian_, *wiring_, board_, real_time_, folder_}, service_)
-          .run(signals);
-  end_threads(outcome);
+  start_all();
+  RunOutcome outcome = supervise(signals);
+  if (!outcome.reload) service_.notifier.stopping();
+  end_threads(ending_of(outcome));
+  outcome.interrupted = outcome.interrupted || session_.link().state() != roomba::LinkState::running;
 
   LogReport logs = log_.report();
   write_lateness(logs);
-  std::fputs(
-      summary(config_, outcome, calibrator_.report(), logs, session_, real_time_, wiring_->dropped.load())
-          .c_str(),
-      stdout);
-  std::fflush(stdout);
+  print_within(
+      summary_patience, STDOUT_FILENO,
+      summary(config_, outcome, calibrator_.report(), logs, session_, real_time_, wiring_->dropped.load()));
   const bool complete = logs.errors.empty() && !calibrator_.report().file_error;
   if (outcome.cause == EndCause::done && !complete) outcome.cause = EndCause::files_lost;
   return outcome;
+}
+
+void Run::start_all() {
+  try {
+    start_loop();
+    tell_how_it_is_set_up();
+    start_threads();
+  } catch (const std::system_error& error) {
+    end_threads("not started");
+    throw StartFailure(EndCause::internal, std::string("no thread left: ") + error.what() +
+                                               "; raise the limit of threads (ulimit -u, TasksMax=)");
+  }
+}
+
+RunOutcome Run::supervise(const sigset_t& signals) {
+  try {
+    return Supervisor({config_, options_, session_, guardian_, *wiring_, board_, real_time_, folder_},
+                      service_)
+        .run(signals);
+  } catch (const std::exception& error) {
+    return {EndCause::internal, std::string("the supervisor has ended: ") + error.what(), {}, true};
+  }
 }
 
 // The real-time rights are settled before anything moves.
@@ -107,7 +147,13 @@ void Run::start_loop() {
         config_.real_time.policy == config::RealTimePolicy::require && !real_time_.shortfall.empty();
     scheduled_.store(refused ? -1 : 1);
     scheduled_.notify_one();
-    if (!refused) session_.run();
+    try {
+      if (!refused) session_.run();
+    } catch (const std::exception& error) {
+      loop_failed_.store(true);
+      wiring_->failure.report(std::string("the sensor loop has ended: ") + error.what());
+    }
+    loop_ended_.store(true);
   });
   scheduled_.wait(0);
   if (scheduled_.load() > 0) return;
@@ -128,34 +174,48 @@ void Run::tell_how_it_is_set_up() {
 }
 
 void Run::start_threads() {
-  threads_.emplace_back([this] {
-    name_thread("ww-predict");
+  threads_.push_back(start_thread("ww-predict", *wiring_, [this] {
     set_up_predictor_thread(real_time_);
     run_predictor(brain_, *wiring_);
-  });
-  threads_.emplace_back([this] {
-    name_thread("ww-calibrate");
-    calibrator_.run();
-  });
-  threads_.emplace_back([this] {
-    name_thread("ww-log");
-    log_.run();
-  });
-  live_view_thread_ = std::thread([this] {
-    name_thread("ww-live-view");
-    live_view_.run();
-  });
+  }));
+  threads_.push_back(start_thread("ww-calibrate", *wiring_, [this] { calibrator_.run(); }));
+  threads_.push_back(start_thread("ww-log", *wiring_, [this] { log_.run(); }));
+  live_view_thread_ = start_thread("ww-live-view", *wiring_, [this] { live_view_.run(); });
 }
 
-void Run::end_threads(const RunOutcome& outcome) {
-  if (!outcome.reload) service_.notifier.stopping();
+// Those that were started; the loop first, since it holds the wheels.
+void Run::end_threads(const std::string& result) {
   session_.request_end();
-  loop_.join();
+  if (loop_.joinable()) {
+    if (!loop_ends()) abandon_loop();
+    loop_.join();
+  }
+  if (loop_failed_.load()) guardian_.leave_wheels_to_guardian();
   wiring_->ending.store(true);
   wiring_->frame_arrived.release();
   for (std::thread& thread : threads_) thread.join();
-  live_view_.end(ending_of(outcome));
+  if (!live_view_thread_.joinable()) return;
+  live_view_.end(result);
   live_view_thread_.join();
+}
+
+bool Run::loop_ends() const {
+  const auto until = std::chrono::steady_clock::now() + loop_patience;
+  while (!loop_ended_.load() && std::chrono::steady_clock::now() < until) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return loop_ended_.load();
+}
+
+// Nothing can be ended in order any more but the logs.
+void Run::abandon_loop() {
+  guardian_.leave_wheels_to_guardian();
+  spdlog::critical("the sensor loop hangs and does not end; the guardian puts the wheels to rest");
+  wiring_->ending.store(true);
+  wiring_->frame_arrived.release();
+  if (!threads_.empty()) threads_.back().join();
+  drain_messages();
+  ::_exit(exit_status(EndCause::internal, options_.as_service));
 }
 
 // The same text in the folder of the run and, where one was asked for, in a file elsewhere.

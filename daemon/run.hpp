@@ -34,7 +34,9 @@ class Run {
   Run(const config::DaemonConfig& config, const ProcessOptions& options, Service& service);
 
   // Starts the threads, waits for the end, ends them, and prints the summary. Throws StartFailure where
-  // real-time scheduling is required and not to be had. `signals` are blocked in every thread.
+  // real-time scheduling is required and not to be had, or the system has no thread left. Where the sensor
+  // loop hangs at the end, the process ends here, and its guardian puts the wheels to rest. `signals` are
+  // blocked in every thread.
   RunOutcome drive(const sigset_t& signals);
 
  private:
@@ -42,7 +44,11 @@ class Run {
   void start_loop();
   void tell_how_it_is_set_up();
   void start_threads();
-  void end_threads(const RunOutcome& outcome);
+  void start_all();
+  RunOutcome supervise(const sigset_t& signals);
+  void end_threads(const std::string& result);
+  bool loop_ends() const;
+  [[noreturn]] void abandon_loop();
   void write_lateness(LogReport& logs) const;
 
   // In the order in which they come; they go the other way round.
@@ -63,6 +69,8 @@ class Run {
   LogThread log_;
   telemetry::LiveView live_view_;
   std::atomic<int> scheduled_{0};  // the loop: 0 not yet, 1 goes, -1 may not
+  std::atomic<bool> loop_ended_{false};
+  std::atomic<bool> loop_failed_{false};
   std::thread loop_;
   std::vector<std::thread> threads_;  // predictor, calibrator, log
   std::thread live_view_thread_;

@@ -41,17 +41,18 @@ std::optional<RunOutcome> Supervisor::obey(int signal) {
   switch (signal) {
     case SIGTERM:
     case SIGINT:
-      if (parts_.wiring.finished.load()) return RunOutcome{};
-      return RunOutcome{EndCause::asked, "ended by a signal", {}};
+      return ended_by_signal("ended by a signal");
+    case SIGXCPU:
+      return ended_by_signal("a limit of processor time is reached (ulimit -t, LimitCPU=)");
     case SIGUSR1:
-      service_.restarts.armed();
       armed_once_ = true;
-      parts_.session.request_arm();
+      arm();
       return std::nullopt;
     case SIGUSR2:
       parts_.session.request_stop(StopReason::requested);
       return std::nullopt;
     case SIGHUP:
+      if (service_.from_terminal) return ended_by_signal("the terminal was closed");
       return reload();
     default:
       return std::nullopt;
@@ -71,7 +72,7 @@ std::optional<RunOutcome> Supervisor::reload() {
     return std::nullopt;
   }
   try {
-    RunOutcome outcome{EndCause::asked, "the configuration is loaded anew", {}};
+    RunOutcome outcome{EndCause::asked, "the configuration is loaded anew", {}, false};
     outcome.reload = load_configuration(parts_.options);
     make_plan(*outcome.reload, known_model(*outcome.reload));
     return outcome;
@@ -83,12 +84,22 @@ std::optional<RunOutcome> Supervisor::reload() {
 
 RunOutcome Supervisor::ended_early() const {
   const StopReason reason = parts_.wiring.stop.load();
-  return {cause_of(reason), std::string(name_of(reason)), {}};
+  return {cause_of(reason), std::string(name_of(reason)), {}, false};
+}
+
+RunOutcome Supervisor::ended_by_signal(const std::string& why) const {
+  if (parts_.wiring.finished.load() && !moves()) return {};
+  return {EndCause::asked, why, {}, moves()};
 }
 
 std::optional<RunOutcome> Supervisor::end_of_run() {
   const auto now = Clock::now();
-  if (!parts_.guardian.alive()) return RunOutcome{EndCause::internal, "the guardian process has ended", {}};
+  if (!parts_.guardian.alive())
+    return RunOutcome{EndCause::internal, "the guardian process has ended", {}, true};
+  if (!parts_.guardian.responds()) {
+    return RunOutcome{EndCause::internal, "the guardian process stands still", {}, true};
+  }
+  if (auto failure = parts_.wiring.failure.what()) return RunOutcome{EndCause::internal, *failure, {}, true};
   if (parts_.config.at_end == config::AtEnd::stay) return std::nullopt;
   const bool finished = parts_.wiring.finished.load();
   const bool over = finished || parts_.wiring.stop.load() != StopReason::none;
@@ -99,7 +110,8 @@ std::optional<RunOutcome> Supervisor::end_of_run() {
     return RunOutcome{
         EndCause::robot_silent,
         "the robot does not answer on " + parts_.config.device.string() + "; try 'wheelwright doctor'",
-        {}};
+        {},
+        true};
   }
   return std::nullopt;
 }
@@ -107,11 +119,19 @@ std::optional<RunOutcome> Supervisor::end_of_run() {
 void Supervisor::arm_when_ready() {
   if (armed_once_ || !parts_.config.arm_at_start || !parts_.wiring.robot_answers.load()) return;
   armed_once_ = true;
-  if (!service_.may_arm) {
-    spdlog::warn("not armed: {}; SIGUSR1 arms the robot", service_.why_not);
+  if (service_.hold) {
+    spdlog::warn("not armed: {}; SIGUSR1 arms the robot", *service_.hold);
     return;
   }
-  service_.restarts.armed();
+  arm();
+}
+
+// Not before the note of it is on the disk: a process that comes after a power cut has nothing else to go by.
+void Supervisor::arm() {
+  if (const auto error = service_.restarts.armed()) {
+    spdlog::error("not armed: {}", *error);
+    return;
+  }
   parts_.session.request_arm();
 }
 

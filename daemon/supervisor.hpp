@@ -25,6 +25,7 @@ struct RunOutcome {
   EndCause cause = EndCause::done;
   std::string stopped;                         // why, where it did not finish
   std::optional<config::DaemonConfig> reload;  // go on with this one, in the same process
+  bool interrupted = false;                    // the robot drove, or could not be reached at the end
 
   bool finished() const { return cause == EndCause::done; }
 };
@@ -55,6 +56,8 @@ class Supervisor {
   std::optional<RunOutcome> end_of_run();
   std::optional<RunOutcome> reload();
   RunOutcome ended_early() const;
+  RunOutcome ended_by_signal(const std::string& why) const;
+  void arm();
   bool moves() const;
   void arm_when_ready();
   void tell(Clock::time_point now);

@@ -16,6 +16,7 @@
 
 #include <boost/lockfree/spsc_queue.hpp>
 
+#include "daemon/thread_failure.hpp"
 #include "drivers/roomba/session.hpp"
 #include "model/brain/brain.hpp"
 #include "model/brain/calibrator.hpp"
@@ -74,6 +75,7 @@ struct Wiring {
   std::atomic<bool> finished{false};  // the mission came to its end
   std::atomic<StopReason> stop{StopReason::none};
   std::atomic<std::uint64_t> dropped{0};  // items that found their ring full
+  ThreadFailure failure;
 
   template <typename Queue, typename Item>
   void push(Queue& queue, const Item& item) {

@@ -6,6 +6,7 @@
 #include "tests/loopback/bench/bench.hpp"
 #include "tests/loopback/bench/held_thread.hpp"
 #include "tests/loopback/bench/line_tap.hpp"
+#include "tests/loopback/bench/wheel_rest.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace wheelwright::bench;
@@ -17,37 +18,6 @@ constexpr double longest_ms = 300.0;
 // Without real-time scheduling the guardian waits for as long as the robot may drive blind, 250 ms by
 // default.
 constexpr double longest_without_real_time_ms = 550.0;
-
-double unix_ms_now() {
-  const auto now = std::chrono::system_clock::now().time_since_epoch();
-  return std::chrono::duration<double, std::milli>(now).count();
-}
-
-bool moves(const Table& truth, std::size_t row) {
-  return std::abs(truth.number(row, "speed_left")) > 0.001 ||
-         std::abs(truth.number(row, "speed_right")) > 0.001;
-}
-
-double unix_ms(const Table& truth, std::size_t row) {
-  return std::stod(truth.metadata("started_unix_ms")) + 1e3 * truth.number(row, "t");
-}
-
-// Milliseconds from a moment until both wheels are slower than 1 mm/s, if they do not move again until
-// `until_unix_ms`.
-double ms_to_rest(const Table& truth, double from_unix_ms, double until_unix_ms = 1e30) {
-  double last_moving_ms = from_unix_ms;
-  for (std::size_t row = 0; row < truth.rows() && unix_ms(truth, row) < until_unix_ms; ++row) {
-    if (moves(truth, row)) last_moving_ms = unix_ms(truth, row);
-  }
-  return last_moving_ms - from_unix_ms;
-}
-
-// Mean speed of the wheels at a moment.
-double speed_at(const Table& truth, double at_unix_ms) {
-  std::size_t row = 0;
-  while (row + 1 < truth.rows() && unix_ms(truth, row) < at_unix_ms) ++row;
-  return 0.5 * (truth.number(row, "speed_left") + truth.number(row, "speed_right"));
-}
 
 void check_rest(const std::string& after, double ms, double limit_ms = longest_ms) {
   WARN("wheels at rest " << std::lround(ms) << " ms after " << after);
@@ -121,17 +91,50 @@ TEST_CASE("A sensor loop that hangs loses the wheels within 300 ms") {
 
 TEST_CASE("A daemon whose guardian is killed stops the wheels itself and ends") {
   Drive drive;
-  const std::string pid = std::to_string(drive.daemon->pid());
-  std::ifstream children("/proc/" + pid + "/task/" + pid + "/children");
-  pid_t guardian = 0;
-  children >> guardian;
-  if (guardian <= 0) return skip("this kernel does not tell the children of a process");
+  const auto guardian = drive.daemon->child();
+  if (!guardian) return skip("this kernel does not tell the children of a process");
   const double at_ms = unix_ms_now();
-  ::kill(guardian, SIGKILL);
+  ::kill(*guardian, SIGKILL);
   CHECK(drive.daemon->wait(5s) == 1);
   CHECK_THAT(drive.daemon->out(), ContainsSubstring("the guardian process has ended"));
   drive.robot->end();
   check_rest("the guardian was killed", ms_to_rest(drive.bench.truth(), at_ms));
+}
+
+TEST_CASE("A daemon whose guardian is stopped stops the wheels itself, and ends with its guardian") {
+  Drive drive;
+  const auto guardian = drive.daemon->child();
+  if (!guardian) return skip("this kernel does not tell the children of a process");
+  ::kill(*guardian, SIGSTOP);
+  CHECK(drive.daemon->wait(5s) == 1);
+  CHECK_THAT(drive.daemon->out(), ContainsSubstring("the guardian process stands still"));
+  CHECK(::kill(*guardian, 0) != 0);
+  const double ended_ms = unix_ms_now();
+  std::this_thread::sleep_for(500ms);
+  drive.robot->end();
+  CHECK(ms_to_rest(drive.bench.truth(), ended_ms) < 1.0);
+}
+
+TEST_CASE("A daemon with a stopped guardian obeys SIGTERM and ends") {
+  Drive drive;
+  const auto guardian = drive.daemon->child();
+  if (!guardian) return skip("this kernel does not tell the children of a process");
+  ::kill(*guardian, SIGSTOP);
+  const double at_ms = drive.signal(SIGTERM);
+  CHECK(drive.daemon->wait(5s) == 1);
+  drive.robot->end();
+  check_rest("SIGTERM, with a stopped guardian", ms_to_rest(drive.bench.truth(), at_ms));
+}
+
+TEST_CASE("A daemon whose loop hangs for good ends after SIGTERM, and leaves the wheels at rest") {
+  Drive drive;
+  const double at_ms = unix_ms_now();
+  const HeldThread hung(drive.daemon->pid(), "ww-loop");
+  if (!hung) return skip("this system does not let a thread be held");
+  drive.signal(SIGTERM);
+  CHECK(drive.daemon->says("the sensor loop hangs and does not end", 8s));
+  drive.robot->end();
+  check_rest("SIGTERM of a hung loop", ms_to_rest(drive.bench.truth(), at_ms), stall_limit_ms(*drive.daemon));
 }
 
 TEST_CASE("A run that was stopped for less than the guardian's patience goes on") {

@@ -19,14 +19,25 @@ namespace {
 struct ServiceBench : Bench {
   std::unique_ptr<ChildProcess> start_service(const std::filesystem::path& config,
                                               const std::vector<std::string>& options = {}) const {
-    std::filesystem::create_directory(folder() / "runtime");
+    std::filesystem::create_directory(runtime());
+    std::filesystem::create_directory(state());
+    return start_in(config, state(), options);
+  }
+
+  // Without making the folders of the service.
+  std::unique_ptr<ChildProcess> start_in(const std::filesystem::path& config,
+                                         const std::filesystem::path& state_folder,
+                                         const std::vector<std::string>& options = {}) const {
     std::vector<std::string> command{"env", "NOTIFY_SOCKET=" + manager_name,
-                                     "RUNTIME_DIRECTORY=" + (folder() / "runtime").string(),
-                                     "WATCHDOG_USEC=1000000"};
+                                     "RUNTIME_DIRECTORY=" + runtime().string(),
+                                     "STATE_DIRECTORY=" + state_folder.string(), "WATCHDOG_USEC=1000000"};
     command.insert(command.end(), {WHEELWRIGHTD, "--service", "--config", config.string()});
     command.insert(command.end(), options.begin(), options.end());
     return std::make_unique<ChildProcess>(command, folder() / "daemon_said");
   }
+
+  std::filesystem::path runtime() const { return folder() / "runtime"; }
+  std::filesystem::path state() const { return folder() / "state"; }
 
   NotifySocket manager;
   std::string manager_name = manager.name();
@@ -135,11 +146,102 @@ TEST_CASE("A service that takes over from one that was killed while driving does
   first->signal(SIGKILL);
   CHECK(first->wait(5s) == -SIGKILL);
   const auto second = bench.start_service(config);
-  CHECK(second->says("not armed: the process before this one was killed", 6s));
+  CHECK(second->says("not armed: the process before this one ended while the robot was armed", 6s));
   CHECK_FALSE(second->says("route: driving", 1s));
   second->signal(SIGUSR1);
   CHECK(second->says("route: driving", 5s));
   CHECK(second->end() == 0);
+}
+
+TEST_CASE("A service that was killed while driving does not drive off by itself after a power cut") {
+  ServiceBench bench;
+  const auto robot = bench.start_robot("perfect");
+  const auto config = bench.configure({.run = "at_end: stay", .route = "[[3, 0]]"});
+  const auto first = bench.start_service(config);
+  REQUIRE(first->says("route: driving", 10s));
+  first->signal(SIGKILL);
+  CHECK(first->wait(5s) == -SIGKILL);
+  std::filesystem::remove_all(bench.runtime());  // all that a reboot forgets
+  const auto second = bench.start_service(config);
+  CHECK(second->says("not armed: the process before this one ended while the robot was armed", 6s));
+  CHECK_FALSE(second->says("route: driving", 1s));
+  CHECK(second->end() == 0);
+}
+
+TEST_CASE("A service that was ended in mid-drive does not drive off by itself, one that had finished does") {
+  ServiceBench bench;
+  const auto robot = bench.start_robot("perfect");
+  const auto far = bench.configure({.run = "at_end: stay", .route = "[[3, 0]]"});
+  const auto first = bench.start_service(far);
+  REQUIRE(first->says("route: driving", 10s));
+  CHECK(first->end() == 0);
+  const auto second = bench.start_service(bench.configure({.run = "at_end: stay", .route = "[[0.1, 0]]"}));
+  CHECK(second->says("not armed: the process before this one ended while the robot was armed", 6s));
+  second->signal(SIGUSR1);
+  REQUIRE(second->says("finished", 10s));
+  CHECK(second->end() == 0);
+  const auto third = bench.start_service(far);
+  CHECK(third->says("route: driving", 10s));
+}
+
+TEST_CASE(
+    "A service that was armed when its adapter was unplugged does not drive off when it is plugged in") {
+  ServiceBench bench;
+  const auto robot = bench.start_robot("perfect");
+  LineTap tap(bench.device(), bench.folder() / "tapped");
+  const auto config = bench.configure({.device = "tapped", .run = "at_end: stay", .route = "[[3, 0]]"});
+  const auto first = bench.start_service(config);
+  REQUIRE(first->says("route: driving", 10s));
+  tap.pull_out();
+  REQUIRE(first->says("link lost", 3s));
+  CHECK(first->end() == 0);
+  tap.put_in();
+  const auto second = bench.start_service(config);
+  CHECK(second->says("not armed: the process before this one ended while the robot was armed", 6s));
+}
+
+TEST_CASE("A service that cannot remember that the robot was armed does not arm it") {
+  ServiceBench bench;
+  const auto robot = bench.start_robot("perfect");
+  std::filesystem::create_directory(bench.runtime());
+  const auto daemon =
+      bench.start_in(bench.configure({.run = "at_end: stay"}), bench.folder() / "no_such_folder");
+  CHECK(daemon->says("not armed: " + (bench.folder() / "no_such_folder/hold").string(), 8s));
+  daemon->signal(SIGUSR1);
+  CHECK_FALSE(daemon->says("armed: the robot obeys", 1s));
+  CHECK(daemon->end() == 0);
+}
+
+TEST_CASE("After an upgrade of the package a service does not drive off by itself") {
+  ServiceBench bench;
+  const auto robot = bench.start_robot("perfect");
+  std::filesystem::create_directory(bench.state());
+  std::ofstream(bench.state() / "hold") << "the package was upgraded\n";
+  const auto daemon = bench.start_service(bench.configure({.run = "at_end: stay"}));
+  CHECK(daemon->says("not armed: the package was upgraded; SIGUSR1 arms the robot", 8s));
+  CHECK_FALSE(daemon->says("route: driving", 1s));
+}
+
+TEST_CASE("The option --rest stops the robot though the configuration was spoiled since the start") {
+  for (const std::string mistake : {"lnik: {}\n", "run: {route: gone.yaml}\n", "\t[\n"}) {
+    CAPTURE(mistake);
+    ServiceBench bench;
+    const auto robot = bench.start_robot("default");
+    const auto config = bench.configure({.run = "at_end: stay", .route = "[[3, 0]]"});
+    const auto daemon = bench.start_service(config);
+    REQUIRE(daemon->says("route: driving", 10s));
+    std::this_thread::sleep_for(1s);
+    const auto guardian = daemon->child();
+    if (!guardian) return skip("this kernel does not tell the children of a process");
+    ::kill(*guardian, SIGKILL);
+    daemon->signal(SIGKILL);
+    std::ofstream(config) << mistake;
+    std::filesystem::remove(bench.folder() / "route.yaml");
+    CHECK(bench.start_service(config, {"--rest"})->wait(5s) == 0);
+    robot->end();
+    const Table truth = bench.truth();
+    CHECK(std::abs(truth.number(truth.rows() - 1, "speed_left")) < 0.001);
+  }
 }
 
 TEST_CASE("The option --rest stops a robot whose daemon and guardian are both gone") {

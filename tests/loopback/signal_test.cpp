@@ -1,9 +1,9 @@
 // The daemon is told to end, or to stop.
-#include <cmath>
 #include <csignal>
 
 #include "tests/loopback/bench/bench.hpp"
 #include "tests/loopback/bench/line_tap.hpp"
+#include "tests/loopback/bench/wheel_rest.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace wheelwright::bench;
@@ -11,23 +11,6 @@ using namespace wheelwright::bench;
 namespace {
 
 constexpr auto long_way = "[[3, 0]]";
-
-double unix_ms_now() {
-  const auto now = std::chrono::system_clock::now().time_since_epoch();
-  return std::chrono::duration<double, std::milli>(now).count();
-}
-
-// Milliseconds from `unix_ms` until both wheels are slower than 1 mm/s for good.
-double ms_until_standing(const Table& truth, double unix_ms) {
-  const double started_unix_ms = std::stod(truth.metadata("started_unix_ms"));
-  double last_moving_s = 0.0;
-  for (std::size_t row = 0; row < truth.rows(); ++row) {
-    const bool moves = std::abs(truth.number(row, "speed_left")) > 0.001 ||
-                       std::abs(truth.number(row, "speed_right")) > 0.001;
-    if (moves) last_moving_s = truth.number(row, "t");
-  }
-  return started_unix_ms + 1e3 * last_moving_s - unix_ms;
-}
 
 }  // namespace
 
@@ -50,7 +33,7 @@ TEST_CASE(
   std::this_thread::sleep_for(500ms);
   robot->end();
   const double order_ms = std::chrono::duration<double, std::milli>(*orders.first_standing - at).count();
-  const double stands_ms = ms_until_standing(bench.truth(), at_ms);
+  const double stands_ms = ms_to_rest(bench.truth(), at_ms);
   CAPTURE(order_ms, stands_ms);
   CHECK(order_ms < 40.0);
   CHECK(stands_ms < 250.0);

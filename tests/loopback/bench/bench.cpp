@@ -73,9 +73,11 @@ std::filesystem::path Bench::configure(const DaemonSetup& setup) const {
 }
 
 std::unique_ptr<ChildProcess> Bench::start_daemon(const std::filesystem::path& config,
-                                                  const std::vector<std::string>& wrapper) const {
+                                                  const std::vector<std::string>& wrapper,
+                                                  const std::vector<std::string>& options) const {
   std::vector<std::string> command = wrapper;
   command.insert(command.end(), {WHEELWRIGHTD, "--config", config.string()});
+  command.insert(command.end(), options.begin(), options.end());
   return std::make_unique<ChildProcess>(command, folder() / "daemon_said");
 }
 

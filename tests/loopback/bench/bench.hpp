@@ -41,9 +41,10 @@ class Bench {
                                             const std::vector<std::string>& options = {});
   // Writes the daemon's configuration.
   std::filesystem::path configure(const DaemonSetup& setup) const;
-  // Starts wheelwrightd; `wrapper` is put in front of the command.
+  // Starts wheelwrightd; `wrapper` is put in front of the command, `options` behind it.
   std::unique_ptr<ChildProcess> start_daemon(const std::filesystem::path& config,
-                                             const std::vector<std::string>& wrapper = {}) const;
+                                             const std::vector<std::string>& wrapper = {},
+                                             const std::vector<std::string>& options = {}) const;
 
   // Folders of the daemon's runs so far, oldest first.
   std::vector<std::filesystem::path> runs() const;

@@ -85,6 +85,14 @@ int ChildProcess::end() {
   return wait(std::chrono::seconds(5));
 }
 
+std::optional<pid_t> ChildProcess::child() const {
+  const std::string pid = std::to_string(pid_);
+  std::ifstream children("/proc/" + pid + "/task/" + pid + "/children");
+  pid_t first = 0;
+  if (children >> first) return first;
+  return std::nullopt;
+}
+
 double ChildProcess::resident_mb() const {
   long total = 0;
   long resident = 0;

@@ -35,6 +35,8 @@ class ChildProcess {
   // Asks for the end (SIGTERM) and waits for it.
   int end();
 
+  // A process that it has started; nothing where there is none, or the kernel does not say.
+  std::optional<pid_t> child() const;
   // Memory that it has in use, in megabytes.
   double resident_mb() const;
   // What it has printed so far.
