@@ -12,6 +12,8 @@
 #include <mutex>
 #include <string_view>
 
+#include "config/load/printable_text.hpp"
+
 namespace wheelwright::daemon {
 namespace {
 
@@ -21,7 +23,7 @@ constexpr std::string_view journal = "/run/systemd/journal/socket";
 class JournalSink final : public spdlog::sinks::base_sink<std::mutex> {
  public:
   JournalSink(int socket, const JournalFields& fields) : socket_(socket) {
-    for (const auto& [name, value] : fields) fields_ += name + "=" + value + "\n";
+    for (const auto& [name, value] : fields) fields_ += name + "=" + config::printable(value) + "\n";
   }
   JournalSink(const JournalSink&) = delete;
   JournalSink& operator=(const JournalSink&) = delete;
@@ -30,8 +32,7 @@ class JournalSink final : public spdlog::sinks::base_sink<std::mutex> {
  private:
   void sink_it_(const spdlog::details::log_msg& message) override {
     constexpr std::array<char, 7> priorities{'7', '7', '6', '4', '3', '2', '6'};  // of spdlog's levels
-    std::string text(message.payload.data(), message.payload.size());
-    std::replace(text.begin(), text.end(), '\n', ' ');
+    const std::string text = config::printable({message.payload.data(), message.payload.size()});
     const auto level = static_cast<std::size_t>(message.level);
     const std::string entry = fields_ + "SYSLOG_IDENTIFIER=wheelwrightd\nPRIORITY=" + priorities.at(level) +
                               "\nMESSAGE=" + text + "\n";

@@ -11,7 +11,7 @@
 
 namespace wheelwright::daemon {
 
-// Names (capitals, digits, underscores) and values without line breaks, added to every entry.
+// Names (capitals, digits, underscores) and values, added to every entry.
 using JournalFields = std::vector<std::pair<std::string, std::string>>;
 
 // Nothing where the system has no journal, or where standard error does not go to it.

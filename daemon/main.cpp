@@ -8,6 +8,7 @@
 #include <string>
 
 #include "config/load/daemon_config.hpp"
+#include "config/load/printable_text.hpp"
 #include "daemon/exit_status.hpp"
 #include "daemon/message_output.hpp"
 #include "daemon/plan.hpp"
@@ -55,7 +56,8 @@ void describe(CLI::App& app, Options& options) {
 constexpr auto print_patience = std::chrono::seconds(1);
 
 int refuse(const Options& options, EndCause cause, const std::string& why) {
-  const std::string line = (options.as_service ? "<3>" : "") + ("wheelwrightd: " + why) + "\n";
+  const std::string line =
+      (options.as_service ? "<3>" : "") + ("wheelwrightd: " + wheelwright::config::printable(why)) + "\n";
   daemon::print_within(print_patience, STDERR_FILENO, line);
   return exit_status(cause, options.as_service);
 }

@@ -18,6 +18,7 @@
 
 #include "daemon/exit_status.hpp"
 #include "daemon/journal_sink.hpp"
+#include "daemon/printable_formatter.hpp"
 #include "daemon/queued_sink.hpp"
 
 namespace wheelwright::daemon {
@@ -42,7 +43,7 @@ std::shared_ptr<spdlog::sinks::sink> make_sink(const config::DaemonConfig& confi
     if (journal) return journal;
   }
   auto standard_error = standard_error_sink();
-  standard_error->set_pattern("%H:%M:%S.%e %^%l%$ %v");
+  standard_error->set_formatter(make_printable_formatter("%H:%M:%S.%e %^%l%$ %v"));
   return standard_error;
 }
 

@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "config/load/printable_text.hpp"
+
 namespace wheelwright::daemon {
 namespace {
 
@@ -65,7 +67,7 @@ void ServiceNotifier::ready() {
 void ServiceNotifier::status(const std::string& line) {
   if (line == last_status_) return;
   last_status_ = line;
-  send("STATUS=" + line);
+  send("STATUS=" + config::printable(line));  // a line break would begin another assignment
 }
 
 void ServiceNotifier::feed(std::int64_t progress) {

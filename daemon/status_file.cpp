@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "config/load/printable_text.hpp"
 #include "daemon/calibrator_thread.hpp"
 
 namespace wheelwright::daemon {
@@ -102,7 +103,7 @@ std::string status_json(const StatusView& view) {
                       {"theta_rad", known->pose.theta_rad},
                       {"by", known->by}};
   }
-  return status.dump(2) + "\n";
+  return config::printable_json(status.dump(2, ' ', false, nlohmann::json::error_handler_t::replace)) + "\n";
 }
 
 }  // namespace wheelwright::daemon

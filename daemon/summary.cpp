@@ -7,16 +7,19 @@
 #include <cmath>
 #include <numbers>
 
+#include "config/load/printable_text.hpp"
+
 namespace wheelwright::daemon {
 namespace {
 
 class Table {
  public:
-  void title(const std::string& text) { lines_ += "\n" + text + "\n"; }
+  void title(const std::string& text) { lines_ += "\n" + config::printable(text) + "\n"; }
 
   template <typename... Args>
   void row(const std::string& name, fmt::format_string<Args...> format, Args&&... args) {
-    lines_ += fmt::format("  {:<28}{}\n", name, fmt::format(format, std::forward<Args>(args)...));
+    lines_ += fmt::format("  {:<28}{}\n", name,
+                          config::printable(fmt::format(format, std::forward<Args>(args)...)));
   }
 
   const std::string& text() const { return lines_; }

@@ -4,9 +4,11 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <new>
 
 #include "config/load/cut_row.hpp"
 #include "config/load/drive_log_file.hpp"
+#include "config/load/printable_text.hpp"
 #include "config/load/text_file.hpp"
 
 namespace wheelwright::config {
@@ -34,7 +36,11 @@ void for_each_field(std::string_view line, Take take) {
 }  // namespace
 
 CsvTable CsvTable::load(const std::filesystem::path& path) {
-  return parse(read_text_or_throw<LogError>(path), path.string());
+  try {
+    return parse(read_text_or_throw<LogError>(path, log_file), path.string());
+  } catch (const std::bad_alloc&) {
+    throw LogError(path.string() + ": is too large for the free memory of this machine; split the file");
+  }
 }
 
 CsvTable CsvTable::parse(std::string text, std::string name) {
@@ -100,7 +106,7 @@ std::optional<double> CsvTable::number(std::size_t row, std::size_t column) cons
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   const bool is_number = error == std::errc() && end == field.data() + field.size();
   if (!is_number || !(std::abs(value) <= largest_value)) {
-    fail(row, "'" + columns_[column] + "' is '" + std::string(field) + "', but must be a number" +
+    fail(row, "'" + excerpt(columns_[column]) + "' is '" + excerpt(field) + "', but must be a number" +
                   (is_number ? " of at most 1e12 in size" : ""));
   }
   return value;

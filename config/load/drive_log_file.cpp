@@ -5,10 +5,13 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <string_view>
+#include <unordered_set>
 
 #include "config/load/cut_row.hpp"
 #include "config/load/drive_log_columns.hpp"
+#include "config/load/printable_text.hpp"
 #include "config/load/text_file.hpp"
 #include "config/load/text_format.hpp"
 
@@ -22,6 +25,8 @@ constexpr std::size_t absent = std::numeric_limits<std::size_t>::max();
 constexpr double largest_command_m_s = 100.0;
 constexpr double largest_tick_count = 9e15;
 constexpr double restart_below_s = 1.0;
+constexpr std::size_t most_rows = 10'000'000;  // two days of 18 ms
+constexpr std::size_t most_heads = 1'000'000;  // columns and lines of metadata, times runs
 
 string_view trim(string_view text) {
   constexpr string_view blanks = " \t\r";
@@ -48,13 +53,13 @@ class Parser {
       if (line.empty()) continue;
       if (line.front() == '#') {
         metadata_line(line.substr(1));
-      } else if (fields_.empty()) {
+      } else if (column_count_ == 0) {
         header_line(line);
       } else {
         sample_line(line);
       }
     }
-    if (fields_.empty()) fail("the header row 't,cmd_left,cmd_right,...' is missing");
+    if (column_count_ == 0) fail("the header row 't,cmd_left,cmd_right,...' is missing");
     if (runs_.empty()) fail("holds no samples");
     for (auto& run : runs_) complete(run);
     return std::move(runs_);
@@ -78,8 +83,8 @@ class Parser {
   double positive_metadata(string_view key, string_view value, double maximum) const {
     const auto number = to_number(value);
     if (!number || !(*number > 0.0) || *number > maximum) {
-      fail("'" + std::string(key) + "' is '" + std::string(value) +
-           "', but must be a number above 0 and up to " + plain_number(maximum));
+      fail("'" + std::string(key) + "' is '" + excerpt(value) + "', but must be a number above 0 and up to " +
+           plain_number(maximum));
     }
     return *number;
   }
@@ -91,7 +96,7 @@ class Parser {
     const string_view value = trim(text.substr(colon + 1));
     if (key == "wheelwright_drive_log") {
       if (value != "1")
-        fail("this is a drive log of version " + std::string(value) + "; only version 1 is known");
+        fail("this is a drive log of version " + excerpt(value) + "; only version 1 is known");
     } else if (key == "wheel_base_m") {
       header_.wheel_base_m = positive_metadata(key, value, 10.0);
     } else if (key == "period_s") {
@@ -107,20 +112,19 @@ class Parser {
 
   void header_line(string_view line) {
     position_.fill(absent);
+    std::unordered_set<string_view> seen;
     while (true) {
       const auto comma = line.find(',');
       const string_view name = trim(line.substr(0, comma));
-      if (std::find(fields_.begin(), fields_.end(), name) != fields_.end()) {
-        fail("column '" + std::string(name) + "' stands twice");
-      }
+      if (!seen.insert(name).second) fail("column '" + excerpt(name) + "' stands twice");
       const auto* known = std::find(column_names.begin(), column_names.end(), name);
       if (known != column_names.end()) {
-        position_.at(static_cast<std::size_t>(known - column_names.begin())) = fields_.size();
+        position_.at(static_cast<std::size_t>(known - column_names.begin())) = column_count_;
       } else {
-        extra_position_.push_back(fields_.size());
+        extra_position_.push_back(column_count_);
         header_.extra_columns.push_back({std::string(name), {}, {}});
       }
-      fields_.emplace_back(name);
+      ++column_count_;
       if (comma == string_view::npos) break;
       line.remove_prefix(comma + 1);
     }
@@ -143,13 +147,13 @@ class Parser {
       if (comma == string_view::npos) break;
       line.remove_prefix(comma + 1);
     }
-    const bool is_cut = values_.size() < fields_.size() ||
-                        (values_.size() == fields_.size() && has_lost_figures(values_.back(), field_above_));
+    const bool is_cut = values_.size() < column_count_ ||
+                        (values_.size() == column_count_ && has_lost_figures(values_.back(), field_above_));
     if (is_open_ended_ && is_cut) fail(std::string(cut_row_text));
     field_above_ = values_.back();
-    if (values_.size() != fields_.size()) {
+    if (values_.size() != column_count_) {
       fail("has " + std::to_string(values_.size()) + " fields, but the header names " +
-           std::to_string(fields_.size()) + " columns");
+           std::to_string(column_count_) + " columns");
     }
   }
 
@@ -158,7 +162,7 @@ class Parser {
     if (at == absent || values_[at].empty()) return std::nullopt;
     const auto number = to_number(values_[at]);
     if (!number || !std::isfinite(*number) || std::abs(*number) > limit) {
-      fail("'" + std::string(column_names[column]) + "' is '" + std::string(values_[at]) +
+      fail("'" + std::string(column_names[column]) + "' is '" + excerpt(values_[at]) +
            "', but must be a number of at most " + plain_number(limit) + " in size");
     }
     return number;
@@ -170,6 +174,9 @@ class Parser {
     const auto t = field(time, 1e9);
     if (!t) fail("'t' is empty; each row needs its time in seconds");
     sample.t_s = *t;
+    if (++rows_ > most_rows) {
+      fail("holds more than " + std::to_string(most_rows) + " rows; split the file");
+    }
     start_run_if_needed(sample.t_s);
     DriveLog& run = runs_.back();
     const DriveSample* before = run.samples.empty() ? nullptr : &run.samples.back();
@@ -216,8 +223,18 @@ class Parser {
              " s, but must rise (a new run starts below 1 s)");
       }
     }
+    check_run_count();
     runs_.push_back(header_);
     runs_.back().first_line = line_number_;
+  }
+
+  // Each run has the head of the file as its own.
+  void check_run_count() const {
+    const std::size_t of_each = 1 + extra_position_.size() + header_.other_metadata.size();
+    if ((runs_.size() + 1) * of_each <= most_heads) return;
+    fail("here begins run " + std::to_string(runs_.size() + 1) + " of a log with " +
+         std::to_string(of_each - 1) +
+         " further columns and lines of metadata, which is more than fits; split the file");
   }
 
   void complete(DriveLog& run) const {
@@ -248,12 +265,13 @@ class Parser {
   std::size_t line_number_ = 0;
   DriveLog header_;
   WheelPair metres_per_tick_;
-  std::vector<std::string> fields_;
+  std::size_t column_count_ = 0;
   std::array<std::size_t, column_count> position_{};
   std::vector<std::size_t> extra_position_;
   std::vector<string_view> values_;
   string_view field_above_;     // the last of the row above
   bool is_open_ended_ = false;  // no line break behind the line
+  std::size_t rows_ = 0;
   std::vector<DriveLog> runs_;
 };
 
@@ -264,7 +282,11 @@ std::vector<DriveLog> parse_drive_logs(const std::string& text, const std::strin
 }
 
 std::vector<DriveLog> load_drive_logs(const std::filesystem::path& path) {
-  return parse_drive_logs(read_text_or_throw<LogError>(path), path.string());
+  try {
+    return parse_drive_logs(read_text_or_throw<LogError>(path, log_file), path.string());
+  } catch (const std::bad_alloc&) {
+    throw LogError(path.string() + ": is too large for the free memory of this machine; split the file");
+  }
 }
 
 DriveLog load_drive_log(const std::filesystem::path& path) {

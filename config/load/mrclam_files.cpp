@@ -8,6 +8,7 @@
 
 #include "config/load/cut_row.hpp"
 #include "config/load/drive_log_file.hpp"
+#include "config/load/printable_text.hpp"
 #include "config/load/text_file.hpp"
 #include "config/load/text_format.hpp"
 
@@ -103,7 +104,7 @@ class Reader {
         std::abs(value) <= field.largest) {
       return value;
     }
-    fail(std::string(field.name) + " is '" + std::string(word) + "', but must be a number of at most " +
+    fail(std::string(field.name) + " is '" + excerpt(word) + "', but must be a number of at most " +
          plain_number(field.largest) + " in size");
   }
 
@@ -166,7 +167,7 @@ MrclamRun join(const std::vector<Command>& commands, const std::vector<Reference
 }
 
 MrclamText read(const std::filesystem::path& path) {
-  return {path.string(), read_text_or_throw<LogError>(path)};
+  return {path.string(), read_text_or_throw<LogError>(path, log_file)};
 }
 
 }  // namespace

@@ -6,11 +6,13 @@
 #include <exception>
 
 #include "config/load/text_file.hpp"
+#include "config/load/yaml_bounds.hpp"
 
 namespace wheelwright::config {
 namespace {
 
 constexpr int most_cuts = 100;
+constexpr FileKind configuration{"a configuration", 1U << 20U};
 
 // The first `count` lines of a text.
 std::string first_lines(const std::string& text, int count) {
@@ -24,6 +26,7 @@ YAML::Node readable_part(const std::string& text) {
   std::string part = text;
   for (int cut = 0; cut < most_cuts && !part.empty(); ++cut) {
     try {
+      check_yaml_bounds(part);
       return YAML::Load(part);
     } catch (const YAML::Exception& error) {
       const int lines = static_cast<int>(std::count(part.begin(), part.end(), '\n')) + 1;
@@ -57,7 +60,7 @@ std::string rest_target_to_yaml(const RestTarget& target) {
 
 std::optional<RestTarget> salvage_rest_target(const std::filesystem::path& file) {
   try {
-    const YAML::Node document = readable_part(read_text_or_throw<ConfigError>(file));
+    const YAML::Node document = readable_part(read_text_or_throw<ConfigError>(file, configuration));
     if (!document.IsMap()) return std::nullopt;
     const YAML::Node link = document["link"];
     if (!link || !link.IsMap()) return std::nullopt;

@@ -6,8 +6,11 @@
 #include <cmath>
 #include <numeric>
 #include <sstream>
+#include <unordered_set>
 
+#include "config/load/printable_text.hpp"
 #include "config/load/text_file.hpp"
+#include "config/load/yaml_bounds.hpp"
 
 namespace wheelwright::config {
 namespace {
@@ -24,7 +27,7 @@ std::string as_written(double value) {
 }
 
 std::string kind(const YAML::Node& node) {
-  if (node.IsScalar()) return "'" + node.Scalar() + "'";
+  if (node.IsScalar()) return "'" + excerpt(node.Scalar()) + "'";
   if (node.IsSequence()) return "a list";
   if (node.IsMap()) return "a mapping";
   return "nothing";
@@ -65,20 +68,19 @@ struct YamlReader::Node {
       fail_at(value.Mark(), name + " is " + kind(value) + ", but must be " + wanted);
     }
     if (number < range.minimum || number > range.maximum) {
-      fail_at(value.Mark(), name + " is " + value.Scalar() + ", but must be " + wanted);
+      fail_at(value.Mark(), name + " is " + excerpt(value.Scalar()) + ", but must be " + wanted);
     }
     return number;
   }
 
   void check_no_duplicates() const {
-    std::vector<std::string> seen;
+    std::unordered_set<std::string_view> seen;
     for (const auto& entry : yaml) {
       if (!entry.first.IsScalar()) fail_at(entry.first.Mark(), "a key must be a word");
       const std::string& key = entry.first.Scalar();
-      if (std::find(seen.begin(), seen.end(), key) != seen.end()) {
-        fail_at(entry.first.Mark(), "'" + key + "' stands here a second time; keep one");
+      if (!seen.insert(key).second) {
+        fail_at(entry.first.Mark(), "'" + excerpt(key) + "' stands here a second time; keep one");
       }
-      seen.push_back(key);
     }
   }
 
@@ -98,12 +100,13 @@ YamlReader& YamlReader::operator=(YamlReader&&) noexcept = default;
 YamlReader::~YamlReader() = default;
 
 YamlReader YamlReader::load(const std::filesystem::path& path) {
-  return parse(read_text_or_throw<ConfigError>(path), path.string());
+  return parse(read_text_or_throw<ConfigError>(path, yaml_file), path.string());
 }
 
 YamlReader YamlReader::parse(const std::string& text, const std::string& name) {
   YAML::Node yaml;
   try {
+    check_yaml_bounds(text);
     yaml = YAML::Load(text);
   } catch (const YAML::Exception& error) {
     throw ConfigError(place(name, error.mark) + ": not valid YAML: " + error.msg);
@@ -124,8 +127,8 @@ std::int64_t YamlReader::integer(std::string_view key, Range range) {
   const YAML::Node value = node_->require(key);
   const double number = node_->as_number(value, key, range);
   if (number != std::floor(number)) {
-    node_->fail_at(value.Mark(),
-                   "'" + std::string(key) + "' is " + value.Scalar() + ", but must be a whole number");
+    node_->fail_at(value.Mark(), "'" + std::string(key) + "' is " + excerpt(value.Scalar()) +
+                                     ", but must be a whole number");
   }
   return static_cast<std::int64_t>(number);
 }
@@ -269,7 +272,7 @@ void YamlReader::finish() const {
       if (known.find(name) == std::string::npos) known += (known.empty() ? "" : ", ") + name;
     }
     node_->fail_at(entry.first.Mark(),
-                   "unknown key '" + key + "'; " +
+                   "unknown key '" + excerpt(key) + "'; " +
                        (near.empty() ? "known here: " + known : "did you mean '" + near + "'?"));
   }
 }
@@ -280,7 +283,9 @@ void YamlReader::fail(std::string_view key, const std::string& what) const {
 }
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates) {
+  constexpr std::size_t longest_word = 100;
   std::string best;
+  if (word.size() > longest_word) return best;
   std::size_t best_distance = std::max<std::size_t>(3, word.size() / 2) + 1;
   for (const auto& candidate : candidates) {
     std::vector<std::size_t> row(candidate.size() + 1);

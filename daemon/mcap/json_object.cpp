@@ -1,5 +1,7 @@
 #include "daemon/mcap/json_object.hpp"
 
+#include "config/load/printable_text.hpp"
+
 namespace wheelwright::mcap {
 
 JsonObject& JsonObject::name(std::string_view key) {
@@ -36,16 +38,18 @@ JsonObject& JsonObject::text(std::string_view key, std::string_view value) {
   constexpr std::string_view digits = "0123456789abcdef";
   name(key);
   text_ += '"';
+  std::string escaped;
   for (const char character : value) {
     const auto code = static_cast<unsigned char>(character);
     if (character == '"' || character == '\\') {
-      text_ += {'\\', character};
+      escaped += {'\\', character};
     } else if (code < 0x20) {
-      text_ += {'\\', 'u', '0', '0', digits[code >> 4U], digits[code & 15U]};
+      escaped += {'\\', 'u', '0', '0', digits[code >> 4U], digits[code & 15U]};
     } else {
-      text_ += character;
+      escaped += character;
     }
   }
+  text_ += config::printable_json(escaped);
   text_ += '"';
   return *this;
 }

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "config/load/drive_log_file.hpp"
+#include "config/load/printable_text.hpp"
 #include "config/load/shipped_folder.hpp"
 #include "config/load/simulation_config.hpp"
 #include "drivers/simulation/recording.hpp"
@@ -87,7 +88,7 @@ int run(const Options& options) {
 }
 
 std::string first_line(const std::string& text) {
-  return text.substr(0, text.find('\n'));
+  return config::printable(text.substr(0, text.find('\n')));
 }
 
 }  // namespace

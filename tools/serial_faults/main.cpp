@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "config/load/printable_text.hpp"
 #include "drivers/serial/serial_port.hpp"
 #include "drivers/simulation/faulty_bridge.hpp"
 #include "tools/option_checks.hpp"
@@ -153,7 +154,7 @@ int run(Options options) {
   int status = done;
   while (::sigtimedwait(&ends, nullptr, &beat) < 0) {
     if (!bridge.carry()) {
-      std::cerr << "serial-faults: " << options.robot << ": is gone\n";
+      std::cerr << "serial-faults: " << wheelwright::config::printable(options.robot) << ": is gone\n";
       status = robot_gone;
       break;
     }
@@ -179,9 +180,10 @@ int main(int argc, char** argv) {
     return app.exit(wanted);
   } catch (const CLI::ParseError& error) {
     const std::string what = error.what();
-    std::cerr << "serial-faults: " << what.substr(0, what.find('\n')) << "; try --help\n";
+    std::cerr << "serial-faults: " << wheelwright::config::printable(what.substr(0, what.find('\n')))
+              << "; try --help\n";
   } catch (const std::exception& error) {
-    std::cerr << "serial-faults: " << error.what() << '\n';
+    std::cerr << "serial-faults: " << wheelwright::config::printable(error.what()) << '\n';
   }
   return bad_usage;
 }

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -21,6 +20,7 @@
 #include "tools/wheelwright/command_line.hpp"
 #include "tools/wheelwright/commands.hpp"
 #include "tools/wheelwright/evaluation/learning_drives.hpp"
+#include "tools/wheelwright/json_text.hpp"
 #include "tools/wheelwright/now.hpp"
 
 namespace wheelwright::tools {
@@ -172,14 +172,14 @@ class Circle {
     const ExitStatus status = run_command_line(arguments, {text, streams_.err});
     if (status != ExitStatus::done) throw DataRefusal("the gap workflow did not come to its end");
     write(folder / "gap.txt", text.str());
-    return nlohmann::json::parse(std::ifstream(folder / "gap.json"));
+    return load_json(folder / "gap.json");
   }
 
   void print() const {
     if (!options_.json) return print_circle(streams_.out, report_);
     nlohmann::ordered_json json{{"seed", options_.seed}, {"laps", options_.laps}};
     json.update(circle_json(report_));
-    streams_.out << json.dump(2) << "\n";
+    streams_.out << json_text(json) << "\n";
   }
 
   const CircleOptions& options_;

@@ -4,7 +4,9 @@
 #include <array>
 #include <ostream>
 
+#include "config/load/printable_text.hpp"
 #include "config/load/yaml_reader.hpp"
+#include "tools/wheelwright/printable_stream.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -22,7 +24,7 @@ std::string joined(const std::vector<std::string>& words) {
 std::string one_line(std::string text) {
   while (!text.empty() && text.back() == '\n') text.pop_back();
   std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
+  return config::printable(text);
 }
 
 std::vector<std::string> command_names(const CLI::App& app) {
@@ -96,7 +98,8 @@ ExitStatus parse_and_run(std::vector<std::string> arguments, Streams streams) {
 
 ExitStatus run_command_line(std::vector<std::string> arguments, Streams streams) {
   try {
-    return parse_and_run(std::move(arguments), streams);
+    PrintableStream out(streams.out);
+    return parse_and_run(std::move(arguments), {out, streams.err});
   } catch (const DataRefusal& refusal) {
     return report(streams.err, refusal.what(), ExitStatus::answer_is_no);
   } catch (const std::exception& error) {

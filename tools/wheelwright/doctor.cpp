@@ -5,6 +5,7 @@
 #include <memory>
 #include <ostream>
 
+#include "config/load/printable_text.hpp"
 #include "tools/wheelwright/commands.hpp"
 #include "tools/wheelwright/doctor/encoder_trial.hpp"
 #include "tools/wheelwright/doctor/examination.hpp"
@@ -30,7 +31,7 @@ bool wants_colour() {
 doctor::Progress progress_on(std::ostream& err) {
   if (::isatty(STDERR_FILENO) != 1) return [](const std::string&) {};
   return [&err](const std::string& what) {
-    err << "\r\033[K" << (what.empty() ? "" : "  " + what + " ...") << std::flush;
+    err << "\r\033[K" << (what.empty() ? "" : "  " + config::printable(what) + " ...") << std::flush;
   };
 }
 

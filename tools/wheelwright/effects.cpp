@@ -11,6 +11,7 @@
 #include "config/load/yaml_reader.hpp"
 #include "model/effect_library.hpp"
 #include "tools/wheelwright/commands.hpp"
+#include "tools/wheelwright/json_text.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -114,7 +115,7 @@ ordered_json to_json(const EffectInfo& info) {
 void print_library_as_json(std::ostream& out) {
   ordered_json all = ordered_json::array();
   for (const auto& info : effect_library()) all.push_back(to_json(info));
-  out << all.dump(2) << "\n";
+  out << json_text(all) << "\n";
 }
 
 struct EffectsOptions {
@@ -139,7 +140,7 @@ ExitStatus run_effects(const EffectsOptions& options, Streams streams) {
         (nearest.empty() ? "'wheelwright effects' lists them" : "did you mean '" + nearest + "'?"));
   }
   if (options.json) {
-    streams.out << to_json(*info).dump(2) << "\n";
+    streams.out << json_text(to_json(*info)) << "\n";
   } else {
     print_effect(streams.out, *info);
   }

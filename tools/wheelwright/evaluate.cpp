@@ -16,6 +16,7 @@
 #include "tools/wheelwright/evaluation/end_point_plot.hpp"
 #include "tools/wheelwright/evaluation/gap_models.hpp"
 #include "tools/wheelwright/evaluation/offset_table.hpp"
+#include "tools/wheelwright/json_text.hpp"
 #include "tools/wheelwright/progress_line.hpp"
 #include "tools/wheelwright/report/gnuplot.hpp"
 
@@ -84,10 +85,10 @@ ExitStatus run_evaluate(const EvaluateOptions& options, Streams streams) {
                                     {"found", found},           {"models", offset_json(rows)}};
   if (!options.output.empty()) {
     write_end_points(options.output, outcomes, streams);
-    write(fs::path(options.output) / "evaluation.json", json.dump(2) + "\n");
+    write(fs::path(options.output) / "evaluation.json", json_text(json) + "\n");
   }
   if (options.json) {
-    streams.out << json.dump(2) << "\n";
+    streams.out << json_text(json) << "\n";
   } else {
     streams.out << options.runs << " attempts per model on robot '" << plan.robot.name << "', route '"
                 << plan.route.name << "', seed " << options.seed << "\n\n";

@@ -11,6 +11,7 @@
 #include "tools/wheelwright/export/plain_csv.hpp"
 #include "tools/wheelwright/export/recorded_run.hpp"
 #include "tools/wheelwright/export/tum.hpp"
+#include "tools/wheelwright/json_text.hpp"
 #include "tools/wheelwright/log_checks.hpp"
 
 namespace wheelwright::tools {
@@ -57,7 +58,7 @@ ExitStatus run_export(const ExportOptions& options, Streams streams) {
   if (!options.mcap.empty()) write("mcap", options.mcap, to_mcap(run));
   if (!options.tum.empty()) write("tum", options.tum, to_tum(run, options.choice));
   if (!options.csv.empty()) write("csv", options.csv, to_plain_csv(run));
-  if (options.json) streams.out << nlohmann::ordered_json{{"wrote", written}}.dump(2) << "\n";
+  if (options.json) streams.out << json_text(nlohmann::ordered_json{{"wrote", written}}) << "\n";
   return ExitStatus::done;
 }
 

@@ -9,6 +9,7 @@
 #include "tools/wheelwright/fit_arma.hpp"
 #include "tools/wheelwright/fit_json.hpp"
 #include "tools/wheelwright/fit_report.hpp"
+#include "tools/wheelwright/json_text.hpp"
 #include "tools/wheelwright/log_checks.hpp"
 #include "tools/wheelwright/now.hpp"
 
@@ -131,7 +132,7 @@ ExitStatus run_fit(const FitOptions& options, Streams streams) {
   const FitReport report = fit_wanted(options, streams.err);
   config::save_model(to_robot_model(report, options.logs), options.output);
   if (options.json) {
-    streams.out << fit_json(report, options.output).dump(2) << "\n";
+    streams.out << json_text(fit_json(report, options.output)) << "\n";
   } else {
     print_fit(streams.out, report);
     streams.out << "  wrote " << options.output << "\n";

@@ -8,6 +8,7 @@
 #include "config/load/text_format.hpp"
 #include "tools/option_checks.hpp"
 #include "tools/wheelwright/commands.hpp"
+#include "tools/wheelwright/json_text.hpp"
 #include "tools/wheelwright/log_checks.hpp"
 
 namespace wheelwright::tools {
@@ -50,7 +51,7 @@ ExitStatus import_mrclam(const MrclamFiles& files, Streams streams) {
   const auto run = config::load_mrclam_run(files.odometry, files.ground_truth, files.options);
   config::save_drive_log(run.log, files.output);
   if (files.json) {
-    streams.out << to_json(run, files.output).dump(2) << "\n";
+    streams.out << json_text(to_json(run, files.output)) << "\n";
   } else {
     print(streams.out, run, files.output);
   }

@@ -8,6 +8,8 @@
 #include <iostream>
 #include <string_view>
 
+#include "config/load/printable_text.hpp"
+
 namespace wheelwright::tools {
 namespace {
 
@@ -47,7 +49,7 @@ std::function<void(const std::string&, double)> ProgressLine::callback() const {
   return [this](const std::string& what, double share) {
     if (!shown_) return;
     const double passed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    stream_ << "\r\033[K" << progress_text(what, share, passed_s) << std::flush;
+    stream_ << "\r\033[K" << config::printable(progress_text(what, share, passed_s)) << std::flush;
   };
 }
 

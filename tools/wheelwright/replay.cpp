@@ -12,6 +12,7 @@
 #include "config/load/text_file.hpp"
 #include "daemon/replay.hpp"
 #include "tools/wheelwright/commands.hpp"
+#include "tools/wheelwright/json_text.hpp"
 #include "tools/wheelwright/log_checks.hpp"
 
 namespace wheelwright::tools {
@@ -97,10 +98,12 @@ ExitStatus run_replay(const ReplayOptions& options, Streams streams) {
       throw UsageError(*error);
   }
   Comparison comparison{result.ticks, result.first_difference, std::nullopt};
-  if (const auto recorded = config::read_text(files.pose_log))
-    comparison.same_pose_log = *recorded == result.pose_log;
+  if (fs::exists(files.pose_log)) {
+    const auto recorded = config::read_text_or_throw<UsageError>(files.pose_log, config::log_file);
+    comparison.same_pose_log = recorded == result.pose_log;
+  }
   if (options.json) {
-    streams.out << to_json(comparison, files, options.output).dump(2) << "\n";
+    streams.out << json_text(to_json(comparison, files, options.output)) << "\n";
   } else {
     print(streams.out, comparison, files, options.output);
   }

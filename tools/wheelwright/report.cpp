@@ -9,6 +9,7 @@
 #include "config/load/text_format.hpp"
 #include "model/free_run.hpp"
 #include "tools/wheelwright/commands.hpp"
+#include "tools/wheelwright/json_text.hpp"
 #include "tools/wheelwright/log_checks.hpp"
 #include "tools/wheelwright/progress_line.hpp"
 #include "tools/wheelwright/report/calibration_section.hpp"
@@ -112,7 +113,7 @@ ExitStatus run_report(const ReportOptions& options, Streams streams) {
   progress.clear();
   if (const auto error = config::write_file_atomically(output, page)) throw UsageError(*error);
   if (options.json) {
-    streams.out << nlohmann::ordered_json{{"wrote", output}, {"bytes", page.size()}}.dump(2) << "\n";
+    streams.out << json_text(nlohmann::ordered_json{{"wrote", output}, {"bytes", page.size()}}) << "\n";
   } else {
     streams.out << "wrote " << output << "\n";
   }

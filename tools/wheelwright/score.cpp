@@ -11,6 +11,7 @@
 #include "model/identification/known_stretches.hpp"
 #include "model/open_loop_runs.hpp"
 #include "tools/wheelwright/commands.hpp"
+#include "tools/wheelwright/json_text.hpp"
 #include "tools/wheelwright/log_checks.hpp"
 
 namespace wheelwright::tools {
@@ -111,7 +112,7 @@ ExitStatus run_score(const ScoreOptions& options, Streams streams) {
   if (all.empty())
     throw DataRefusal("the logs hold neither encoder counts nor reference poses to compare with");
   if (options.json) {
-    streams.out << to_json(all).dump() << "\n";
+    streams.out << json_text(to_json(all), -1) << "\n";
   } else {
     print_table(streams.out, runs, all);
   }

@@ -9,6 +9,7 @@
 #include "config/load/text_format.hpp"
 #include "model/free_run.hpp"
 #include "tools/wheelwright/commands.hpp"
+#include "tools/wheelwright/json_text.hpp"
 #include "tools/wheelwright/log_checks.hpp"
 
 namespace wheelwright::tools {
@@ -63,7 +64,7 @@ ExitStatus run_simulate(const SimulateOptions& options, Streams streams) {
   if (const auto error = config::write_file_atomically(options.output, to_csv(motion)))
     throw UsageError(*error);
   if (options.json) {
-    streams.out << to_json(motion, options).dump(2) << "\n";
+    streams.out << json_text(to_json(motion, options)) << "\n";
   } else {
     print(streams.out, motion, options);
   }

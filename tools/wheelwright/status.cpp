@@ -11,8 +11,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "config/load/text_file.hpp"
+#include "config/load/printable_text.hpp"
 #include "tools/wheelwright/commands.hpp"
+#include "tools/wheelwright/json_text.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -29,13 +30,11 @@ struct StatusOptions {
 
 json read_status(const std::string& file) {
   std::error_code ignored;
-  const auto text = config::read_text(file);
-  if (!text) {
-    if (fs::exists(file, ignored)) throw UsageError(file + ": " + config::why_unreadable(file));
+  if (!fs::exists(file, ignored)) {
     throw DataRefusal(file + ": not there; no daemon runs, or it was started without --status FILE");
   }
   try {
-    json status = json::parse(*text);
+    json status = load_json(file);
     if (status.at("wheelwright_status") != 1) throw UsageError(file + ": of a version that is not known");
     return status;
   } catch (const json::exception&) {
@@ -62,7 +61,7 @@ class Table {
 };
 
 void print_loop(Table& table, const json& loop) {
-  table.row("system") << loop.at("system").get<std::string>() << "\n";
+  table.row("system") << config::printable(loop.at("system").get<std::string>()) << "\n";
   table.row("ticks") << loop.at("ticks") << " of " << std::setprecision(1)
                      << 1e3 * loop.at("period_s").get<double>() << " ms\n";
   table.row("overruns") << loop.at("overruns") << ", " << loop.at("skipped_periods") << " periods skipped\n";
@@ -81,20 +80,21 @@ void print_loop(Table& table, const json& loop) {
 void print(std::ostream& out, const json& status) {
   Table table(out);
   const auto text = [&](const char* key) { return status.at(key).get<std::string>(); };
-  out << text("robot") << " on " << text("device") << ": " << text("phase") << "\n";
+  out << config::printable(text("robot")) << " on " << config::printable(text("device")) << ": "
+      << config::printable(text("phase")) << "\n";
   if (status.contains("pose")) {
     const json& pose = status["pose"];
     constexpr double degrees = 180.0 / M_PI;
     table.row("pose") << std::setprecision(3) << pose.at("x_m").get<double>() << " m, "
                       << pose.at("y_m").get<double>() << " m, " << std::setprecision(1)
                       << degrees * pose.at("theta_rad").get<double>() << " deg by "
-                      << pose.at("by").get<std::string>() << "\n";
+                      << config::printable(pose.at("by").get<std::string>()) << "\n";
   }
   if (status.contains("battery_v") && !status["battery_v"].is_null()) {
     table.row("battery") << std::setprecision(1) << status["battery_v"].get<double>() << " V\n";
   }
   print_loop(table, status.at("loop"));
-  table.row("logs") << text("run_folder") << "\n";
+  table.row("logs") << config::printable(text("run_folder")) << "\n";
 }
 
 ExitStatus run_status(const StatusOptions& options, Streams streams) {
@@ -105,9 +105,13 @@ ExitStatus run_status(const StatusOptions& options, Streams streams) {
                       " does not run any more, or hangs");
   }
   if (options.as_json) {
-    streams.out << status.dump(2) << "\n";
+    streams.out << json_text(status) << "\n";
   } else {
-    print(streams.out, status);
+    try {
+      print(streams.out, status);
+    } catch (const json::exception&) {
+      throw UsageError(options.file + ": not what wheelwrightd --status writes");
+    }
   }
   return ExitStatus::done;
 }

@@ -101,3 +101,29 @@ TEST_CASE("A file that cannot be read is refused with the reason that is there")
   CHECK(refusal(folder) == folder.string() + ": is a folder, but must be a file");
   CHECK_THAT(refusal(folder / "none.csv"), ContainsSubstring("does the file exist?"));
 }
+
+TEST_CASE("A log of many columns is read in a time that grows as they do") {
+  std::string names = "t,cmd_left,cmd_right";
+  std::string row = "0,0,0";
+  for (int i = 0; i < 100'000; ++i) {
+    names += ",extra" + std::to_string(i);
+    row += ",1";
+  }
+  CHECK(parse_drive_logs(header + names + "\n" + row + "\n", "run.csv").front().extra_columns.size() ==
+        100'000);
+}
+
+TEST_CASE("Runs that would each repeat a long head are refused before they fill the memory") {
+  std::string text = header;
+  for (int i = 0; i < 20'000; ++i) text += "# note" + std::to_string(i) + ": x\n";
+  text += "t,cmd_left,cmd_right\n";
+  for (int i = 0; i < 1000; ++i) text += "0,0,0\n0.018,0,0\n";
+  CHECK_THAT(error_of(text), ContainsSubstring("here begins run 50 of a log with 20000 further columns and "
+                                               "lines of metadata"));
+}
+
+TEST_CASE("A field is quoted in a message as far as it helps, and printable") {
+  const std::string names = "t,cmd_left,cmd_right\n";
+  CHECK_THAT(error_of(header + names + "\x1b[2J,0,0\n"), ContainsSubstring("'t' is '\\x1b[2J', but must be"));
+  CHECK(error_of(header + names + std::string(100'000, 'x') + ",0,0\n").size() < 300);
+}

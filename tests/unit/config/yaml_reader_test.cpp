@@ -78,3 +78,48 @@ TEST_CASE("A word far from all others has no nearest word") {
   CHECK(nearest_word("zzzzzzzz", {"device", "period_s"}).empty());
   CHECK(nearest_word("devcie", {"device", "period_s"}) == "device");
 }
+
+TEST_CASE("A mapping of many keys is read in a time that grows as they do, and one of too many is refused") {
+  std::string text;
+  for (int i = 0; i < 100'000; ++i) text += "key" + std::to_string(i) + ": 1\n";
+  CHECK(YamlReader::parse(text, "robot.yaml").number("key99999", {0, 10}) == 1.0);
+  for (int i = 100'000; i < 300'000; ++i) text += "key" + std::to_string(i) + ": 1\n";
+  CHECK(error_of([&] { YamlReader::parse(text, "robot.yaml"); }) ==
+        "robot.yaml:250001:1: not valid YAML: holds more than 500000 values");
+}
+
+TEST_CASE("Aliases count as what they stand for") {
+  std::string text = "a: &a [x, x, x, x, x, x, x, x, x, x]\n";
+  for (char name = 'b'; name < 'z'; ++name) {
+    const std::string before(1, static_cast<char>(name - 1));
+    const std::string eight = "*" + before + ", *" + before + ", *" + before + ", *" + before;
+    text += std::string(1, name) + ": &" + std::string(1, name) + " [" + eight + ", " + eight + "]\n";
+  }
+  CHECK_THAT(error_of([&] { YamlReader::parse(text, "robot.yaml"); }),
+             ContainsSubstring("holds more than 500000 values"));
+  CHECK(YamlReader::parse("left: &wheel {gain: 2}\nright: *wheel\n", "robot.yaml")
+            .section("right")
+            ->number("gain", {0, 10}) == 2.0);
+}
+
+TEST_CASE("YAML that is nested too deep, or in itself, is refused with its place") {
+  for (const std::string level : {"[", "- ", "? ", "{a: "}) {
+    std::string text;
+    for (int i = 0; i < 100'000; ++i) text += level;
+    CHECK_THAT(error_of([&] { YamlReader::parse(text, "robot.yaml"); }),
+               ContainsSubstring("robot.yaml:1:") && ContainsSubstring("is nested deeper than 64 levels"));
+  }
+  CHECK_THAT(error_of([] { YamlReader::parse("a: &a [*a]\n", "robot.yaml"); }),
+             ContainsSubstring("an alias must not stand for itself"));
+}
+
+TEST_CASE("A value is quoted in a message as far as it helps, and printable") {
+  const auto message_on = [](const std::string& value) {
+    YamlReader reader = YamlReader::parse("period_s: " + value + "\n", "robot.yaml");
+    return error_of([&] { reader.number("period_s", {0, 1}); });
+  };
+  CHECK_THAT(message_on("\"\\e]0;title\\a\""), ContainsSubstring("'period_s' is '\\x1b]0;title\\x07', but"));
+  const std::string message = message_on(std::string(100'000, 'x'));
+  CHECK(message.size() < 300);
+  CHECK_THAT(message, EndsWith("but must be a number from 0 to 1"));
+}

@@ -4,6 +4,10 @@
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <string_view>
+
+#include "tools/wheelwright/json_text.hpp"
+#include "tools/wheelwright/printable_stream.hpp"
 
 namespace wheelwright::tools::doctor {
 namespace {
@@ -22,18 +26,25 @@ std::string word_for(State state) {
   return "-";
 }
 
-std::string coloured_word(State state) {
+std::string_view colour_of(State state) {
   switch (state) {
     case State::ok:
-      return "\033[32mok\033[0m";
+      return "\033[32m";
     case State::attention:
-      return "\033[33mattention\033[0m";
+      return "\033[33m";
     case State::failed:
-      return "\033[31mfailed\033[0m";
+      return "\033[31m";
     case State::not_tested:
-      return "-";
+      return "";
   }
-  return "-";
+  return "";
+}
+
+void put_word(std::ostream& out, State state, bool coloured) {
+  coloured = coloured && state != State::not_tested;
+  if (coloured) put_escape_sequence(out, colour_of(state));
+  out << word_for(state);
+  if (coloured) put_escape_sequence(out, "\033[0m");
 }
 
 // "baud", "baud and battery", "baud, battery and mode"; empty where no finding is in this state.
@@ -72,8 +83,9 @@ void print_report(std::ostream& out, const std::vector<Finding>& findings, bool 
   }
   for (const auto& finding : findings) {
     out << "  " << std::left << std::setw(static_cast<int>(check_width)) << finding.check << "  "
-        << std::setw(static_cast<int>(text_width)) << finding.text << "  "
-        << (coloured ? coloured_word(finding.state) : word_for(finding.state)) << "\n";
+        << std::setw(static_cast<int>(text_width)) << finding.text << "  ";
+    put_word(out, finding.state, coloured);
+    out << "\n";
   }
   bool first = true;
   for (const auto& finding : findings) {
@@ -98,8 +110,7 @@ void print_json(std::ostream& out, const std::string& device, const std::vector<
                                        {"fit_to_drive", verdict.fit_to_drive},
                                        {"verdict", verdict.sentence},
                                        {"checks", std::move(checks)}};
-  // Text from the robot may hold anything; it must not make the whole report unreadable.
-  out << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
+  out << json_text(json) << "\n";
 }
 
 }  // namespace wheelwright::tools::doctor

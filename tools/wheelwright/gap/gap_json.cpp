@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/effect_library.hpp"
+#include "tools/wheelwright/json_text.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -139,7 +140,7 @@ std::string gap_to_json(const gap::GapAnalysis& analysis, const std::optional<ga
                     {"references_late_s", analysis.search.final.model.reference_lag_s()}};
   if (analysis.search.final.model.shape.gyro_scaled)
     json["search"]["gyro_scale"] = analysis.search.final.model.gyro_scale();
-  return json.dump(2) + "\n";
+  return json_text(json) + "\n";
 }
 
 }  // namespace wheelwright::tools

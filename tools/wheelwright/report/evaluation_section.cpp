@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "config/load/csv_table.hpp"
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/commands.hpp"
 #include "tools/wheelwright/evaluation/contender.hpp"
+#include "tools/wheelwright/json_text.hpp"
 #include "tools/wheelwright/report/html.hpp"
 #include "tools/wheelwright/report/plot.hpp"
 
@@ -20,11 +20,12 @@ using config::fixed_number;
 using nlohmann::json;
 using Rows = std::vector<std::vector<std::string>>;
 
-json load_json(const fs::path& path) {
-  std::ifstream stream(path);
-  json result = json::parse(stream, nullptr, false);
-  if (!stream.is_open() || !result.is_object() || !result.contains("models")) {
-    throw UsageError(path.string() + ": cannot be read; make the folder anew by wheelwright evaluate -o");
+json load_evaluation(const fs::path& path) {
+  json result = load_json(path);
+  if (!result.is_object() || !result.contains("models")) {
+    throw UsageError(
+        path.string() +
+        ": is not what wheelwright evaluate writes; make the folder anew by wheelwright evaluate -o");
   }
   return result;
 }
@@ -91,7 +92,7 @@ bool is_evaluation(const fs::path& folder) {
 }
 
 std::string evaluation_section(const fs::path& folder) {
-  const json evaluation = load_json(folder / "evaluation.json");
+  const json evaluation = load_evaluation(folder / "evaluation.json");
   const auto csv = config::CsvTable::load(folder / "end_points.csv");
   const double half_m = half_width_m(csv);
   std::vector<Plot> plots;

@@ -8,7 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <sstream>
+
+#include "config/load/text_file.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -90,12 +91,6 @@ std::string settings(const GnuplotPicture& picture, std::size_t number) {
          "'\nset ylabel textcolor rgb '" + ink + "'\nset grid lc rgb '#8f96a3' lw 0.3\n";
 }
 
-std::string contents(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
-
 }  // namespace
 
 std::string_view placeholder(Ink ink) {
@@ -116,7 +111,10 @@ tl::expected<std::vector<std::string>, std::string> run_gnuplot_for(
   }
   if (auto problem = run_gnuplot(workshop.folder() / "script")) return tl::unexpected(std::move(*problem));
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    std::string svg = contents(workshop.folder() / ("figure" + std::to_string(i) + ".svg"));
+    const auto written =
+        config::read_text(workshop.folder() / ("figure" + std::to_string(i) + ".svg"), config::record_file);
+    if (!written) return tl::unexpected("not drawn: " + written.error());
+    std::string svg = *written;
     // What stands before the element is for files, not for pages.
     svg.erase(0, std::min(svg.find("<svg"), svg.size()));
     give_page_colours(svg);

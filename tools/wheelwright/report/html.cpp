@@ -1,5 +1,7 @@
 #include "tools/wheelwright/report/html.hpp"
 
+#include "config/load/printable_text.hpp"
+
 namespace wheelwright::tools::html {
 namespace {
 
@@ -42,7 +44,7 @@ bool is_number(const std::string& cell) {
 
 std::string escaped(const std::string& text) {
   std::string result;
-  for (const char character : text) {
+  for (const char character : config::printable_lines(text)) {
     switch (character) {
       case '&':
         result += "&amp;";

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "config/load/printable_text.hpp"
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/report/gnuplot.hpp"
 #include "tools/wheelwright/report/html.hpp"
@@ -17,7 +18,7 @@ using config::plain_number;
 
 std::string in_quotes(const std::string& text) {
   std::string result = "'";
-  for (const char character : text)
+  for (const char character : config::printable(text))  // a line break would end the text
     result += character == '\'' ? std::string("''") : std::string(1, character);
   return result + "'";
 }

@@ -60,8 +60,10 @@ void read_neighbours(const fs::path& folder, RunMaterial& material) {
   }
   if (fs::exists(folder / "model.yaml", ignored)) material.model = config::load_model(folder / "model.yaml");
   const fs::path lateness = folder / daemon::lateness_file_name;
-  if (const auto text = config::read_text(lateness))
-    material.lateness = daemon::parse_lateness(*text, lateness.string());
+  if (fs::exists(lateness, ignored)) {
+    const auto text = config::read_text_or_throw<config::LogError>(lateness, config::record_file);
+    material.lateness = daemon::parse_lateness(text, lateness.string());
+  }
 }
 
 }  // namespace
