@@ -43,7 +43,8 @@ class ValueCounter final : public YAML::EventHandler {
 
   void add(const YAML::Mark& mark, int values) {
     if (values > most_yaml_values - values_) {
-      throw YAML::ParserException(mark, "holds more than " + std::to_string(most_yaml_values) + " values");
+      throw YamlTooLarge(
+          mark, "holds more than " + std::to_string(most_yaml_values) + " values, which no file here needs");
     }
     values_ += values;
   }
@@ -57,8 +58,8 @@ class ValueCounter final : public YAML::EventHandler {
     open_.push_back({anchor, values_});
     add(mark, 1);
     if (open_.size() > static_cast<std::size_t>(most_yaml_levels)) {
-      throw YAML::ParserException(mark,
-                                  "is nested deeper than " + std::to_string(most_yaml_levels) + " levels");
+      throw YamlTooLarge(mark, "is nested deeper than " + std::to_string(most_yaml_levels) +
+                                   " levels, which no file here needs");
     }
   }
 

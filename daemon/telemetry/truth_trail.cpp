@@ -1,5 +1,6 @@
 #include "daemon/telemetry/truth_trail.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -10,6 +11,7 @@ namespace {
 
 // While no start is known, so much of the past is kept: the start may lie in it.
 constexpr std::size_t most_unread = 2000;
+constexpr std::streamoff longest_line = 64 * 1024;  // what is longer is none of the truth, and is left out
 constexpr std::string_view start_key = "# started_unix_ms: ";
 
 // The first four numbers of a line: t, x, y, theta.
@@ -57,14 +59,33 @@ void TruthTrail::read_lines() {
   if (!in_.is_open()) in_.open(file_);
   in_.clear();
   in_.seekg(position_);
-  std::string line;
-  while (std::getline(in_, line) && !in_.eof()) {
-    position_ += static_cast<std::streamoff>(line.size()) + 1;
-    take_line(line);
+  std::string block;
+  while (position_ < size) {
+    block.resize(static_cast<std::size_t>(std::min(size - position_, longest_line)));
+    in_.read(block.data(), static_cast<std::streamsize>(block.size()));
+    block.resize(static_cast<std::size_t>(in_.gcount()));
+    const auto lines_end = block.rfind('\n');
+    if (lines_end != std::string::npos) {
+      take_lines(std::string_view(block).substr(0, lines_end + 1));
+      block.resize(lines_end + 1);
+    } else if (static_cast<std::streamoff>(block.size()) < longest_line) {
+      return;  // it is still on its way, or cannot be read now
+    }
+    position_ += static_cast<std::streamoff>(block.size());
+    in_.clear();
+    in_.seekg(position_);
   }
 }
 
-void TruthTrail::take_line(const std::string& line) {
+void TruthTrail::take_lines(std::string_view lines) {
+  while (!lines.empty()) {
+    const auto end = lines.find('\n');
+    take_line(lines.substr(0, end));
+    lines.remove_prefix(end + 1);
+  }
+}
+
+void TruthTrail::take_line(std::string_view line) {
   if (line.starts_with(start_key)) {
     std::uint64_t unix_ms = 0;
     std::from_chars(line.data() + start_key.size(), line.data() + line.size(), unix_ms);

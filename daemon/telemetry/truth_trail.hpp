@@ -8,6 +8,7 @@
 #include <fstream>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "model/pose.hpp"
@@ -34,7 +35,8 @@ class TruthTrail {
 
  private:
   void read_lines();
-  void take_line(const std::string& line);
+  void take_lines(std::string_view lines);
+  void take_line(std::string_view line);
 
   std::filesystem::path file_;
   std::ifstream in_;
