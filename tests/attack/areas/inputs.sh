@@ -68,7 +68,7 @@ attack "a folder as every kind of file" "a sentence that names it" folder
 read_error() { inputs_start; inputs_refused_by_all /proc/self/mem "Input/output error"; }
 attack "a file whose first read fails" "a sentence that names it" read_error
 
-# A read of a file called bad.* fails after its first 200 bytes, as on a worn memory card.
+# A read of a file called bad.* fails after its first BAD_AFTER bytes, as on a worn memory card.
 inputs_make_bad_reads() {
   command -v cc >/dev/null || { echo "no compiler"; return 77; }
   cat >bad.c <<'END'
@@ -76,6 +76,7 @@ inputs_make_bad_reads() {
 #include <dlfcn.h>
 #include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 ssize_t read(int descriptor, void* to, size_t size) {
@@ -87,8 +88,9 @@ ssize_t read(int descriptor, void* to, size_t size) {
     name[length] = 0;
     if (strstr(name, "/bad.") != NULL) {
       off_t at = lseek(descriptor, 0, SEEK_CUR);
-      if (at >= 200) { errno = EIO; return -1; }
-      if (size > (size_t)(200 - at)) size = (size_t)(200 - at);
+      off_t end = atol(getenv("BAD_AFTER"));
+      if (at >= end) { errno = EIO; return -1; }
+      if (size > (size_t)(end - at)) size = (size_t)(end - at);
     }
   }
   return real(descriptor, to, size);
@@ -102,7 +104,7 @@ bad_model() {
   inputs_log >log.csv
   { inputs_model; echo 'effects: [{name: dead_zone, parameters: {threshold: 0.02}}]'; } >bad.yaml
   local line status
-  line=$(LD_PRELOAD=./bad.so wheelwright score bad.yaml log.csv 2>&1) && status=0 || status=$?
+  line=$(BAD_AFTER=$(inputs_model | wc -c) LD_PRELOAD=./bad.so wheelwright score bad.yaml log.csv 2>&1) && status=0 || status=$?
   echo "exit $status: $line"
   [[ $status == 2 && $line == *"bad.yaml: cannot be read to its end: Input/output error"* ]]
 }
@@ -113,7 +115,7 @@ bad_log() {
   inputs_model >model.yaml
   inputs_log >bad.csv
   local line status
-  line=$(LD_PRELOAD=./bad.so wheelwright score model.yaml bad.csv 2>&1) && status=0 || status=$?
+  line=$(BAD_AFTER=200 LD_PRELOAD=./bad.so wheelwright score model.yaml bad.csv 2>&1) && status=0 || status=$?
   echo "exit $status: $line"
   [[ $status == 2 && $line == *"bad.csv: cannot be read to its end: Input/output error"* ]]
 }

@@ -106,3 +106,9 @@ TEST_CASE("JSON texts are escaped, times are seconds and nanoseconds") {
   json.begin().text("a", "one \"two\"\n\\").time("t", 1'500'000'000).flag("f", true);
   CHECK(json.end() == R"({"a":"one \"two\"\u000a\\","t":{"sec":1,"nsec":500000000},"f":true})");
 }
+
+TEST_CASE("JSON stays UTF-8 whatever bytes a name has") {
+  mcap::JsonObject json;
+  json.begin().text("name", "a\xff\u009b");
+  CHECK(json.end() == R"({"name":"a\ufffd\u009b"})");
+}

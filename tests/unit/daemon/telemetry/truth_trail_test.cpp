@@ -79,3 +79,11 @@ TEST_CASE("What is no truth file shows nothing") {
   missing.start_at(0);
   CHECK(missing.read().empty());
 }
+
+TEST_CASE("A line longer than any of the truth is left out, and the poses behind it are read") {
+  const TruthFile file;
+  TruthTrail trail(TruthFile::path());
+  trail.start_at(100 * second_ns);
+  TruthFile::add(head + std::string(300'000, 'x') + "\n0.0,1,1,0,0,0\n0.5,2,1,0,0,0\n");
+  CHECK(trail.read().size() == 2);
+}
