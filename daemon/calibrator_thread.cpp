@@ -140,6 +140,8 @@ void CalibratorThread::deliver_adaptation(CalibrationOutcome& outcome) {
 void CalibratorThread::keep_model(RobotModel model) {
   model.robot = config_.robot_name;
   model.created = utc_now();
+  // Whatever becomes of the file elsewhere, the run's folder keeps what it calibrated.
+  write_model(model, folder_ / "calibrated_model.yaml");
   write_model(model, config_.model_file);
   report_.model = std::move(model);
 }

@@ -20,7 +20,7 @@ GrowingFile::~GrowingFile() {
 
 bool GrowingFile::create(const std::filesystem::path& path, const std::string& head) {
   path_ = path;
-  descriptor_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  descriptor_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644);
   if (descriptor_ < 0) {
     error_ = path.string() + ": cannot be created: " + std::strerror(errno);
     return false;

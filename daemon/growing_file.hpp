@@ -17,8 +17,8 @@ class GrowingFile {
   GrowingFile& operator=(const GrowingFile&) = delete;
   ~GrowingFile();
 
-  // Creates the file with its head (for a CSV: metadata and header row). False where that fails; error() then
-  // says why.
+  // Creates the file, which may not be there yet, with its head (for a CSV: metadata and header row). False
+  // where that fails; error() then says why.
   bool create(const std::filesystem::path& path, const std::string& head);
   bool is_open() const { return descriptor_ >= 0; }
 

@@ -11,6 +11,7 @@
 #include "config/load/printable_text.hpp"
 #include "daemon/exit_status.hpp"
 #include "daemon/message_output.hpp"
+#include "daemon/output_checks.hpp"
 #include "daemon/plan.hpp"
 #include "daemon/process.hpp"
 #include "daemon/real_time.hpp"
@@ -91,6 +92,7 @@ EndCause run(const Options& options) {
   const auto config = daemon::load_configuration(process);
   if (options.only_check) {
     daemon::make_plan(config, daemon::known_model(config));
+    daemon::check_daemon_outputs(config, process);
     return EndCause::done;
   }
   daemon::set_up_allocation();

@@ -14,8 +14,10 @@
 #include "config/load/commands_file.hpp"
 #include "config/load/model_file.hpp"
 #include "config/load/rest_target.hpp"
+#include "daemon/output_checks.hpp"
 #include "daemon/rest.hpp"
 #include "daemon/run.hpp"
+#include "daemon/status_file.hpp"
 
 namespace wheelwright::daemon {
 namespace {
@@ -111,13 +113,13 @@ EndCause run_process(const ProcessOptions& options) {
   Service service{{}, Restarts(folders), {}, started_from_terminal(options)};
   service.hold = service.restarts.hold();
   auto config = load_configuration(options);
+  check_daemon_outputs(config, options);
   if (!wait_out(service, signals)) return EndCause::asked;
   while (true) {
     keep_rest_target(config, folders);
     RunOutcome outcome = Run(config, options, service).drive(signals);
     if (!outcome.reload) {
-      std::error_code ignored;
-      std::filesystem::remove(options.status_file, ignored);
+      remove_own_status(options.status_file);
       note_end(service.restarts, outcome);
       return outcome.cause;
     }

@@ -1,10 +1,13 @@
 #include "daemon/run.hpp"
 
 #include <spdlog/spdlog.h>
+#include <sys/stat.h>
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
+#include <cstring>
 #include <exception>
 #include <functional>
 #include <string>
@@ -13,6 +16,7 @@
 
 #include "config/load/atomic_file.hpp"
 #include "config/load/model_file.hpp"
+#include "config/load/output_file.hpp"
 #include "daemon/exit_status.hpp"
 #include "daemon/lateness_file.hpp"
 #include "daemon/message_output.hpp"
@@ -29,14 +33,15 @@ std::filesystem::path make_run_folder(const config::DaemonConfig& config) {
   }
   std::filesystem::path folder = config.log_folder / name;
   std::error_code ignored;
-  for (int next = 2; std::filesystem::exists(folder, ignored); ++next) {
+  std::filesystem::create_directories(config.log_folder, ignored);  // mkdir says what is wrong
+  // One call that fails where the folder exists: of daemons that start together, each gets its own.
+  for (int next = 2; ::mkdir(folder.c_str(), 0755) != 0; ++next) {
+    if (errno != EEXIST) {
+      throw config::ConfigError(config.file.string() + ": log_folder: " + folder.string() +
+                                " cannot be made (" + std::strerror(errno) +
+                                "); name a folder that may be written");
+    }
     folder = config.log_folder / (name + "_" + std::to_string(next));
-  }
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw config::ConfigError(config.file.string() + ": log_folder: " + folder.string() +
-                              " cannot be made (" + error.message() + "); name a folder that may be written");
   }
   return folder;
 }
@@ -91,9 +96,12 @@ Run::Run(const config::DaemonConfig& config, const ProcessOptions& options, Serv
 }
 
 // What replay needs beside the drive log: the run's folder explains itself.
-void Run::keep_inputs() const {
+void Run::keep_inputs() {
   const auto keep = [this](const char* name, const std::string& text) {
-    if (const auto error = config::write_file_atomically(folder_ / name, text)) spdlog::error("{}", *error);
+    if (const auto error = config::write_file_atomically(folder_ / name, text)) {
+      spdlog::error("{}", *error);
+      inputs_lost_.push_back(*error);
+    }
   };
   keep("config.yaml", config::daemon_config_to_yaml(config_));
   if (plan_.model) keep("model.yaml", config::model_to_yaml(*plan_.model));
@@ -107,6 +115,7 @@ RunOutcome Run::drive(const sigset_t& signals) {
   outcome.interrupted = outcome.interrupted || session_.link().state() != roomba::LinkState::running;
 
   LogReport logs = log_.report();
+  logs.errors.insert(logs.errors.end(), inputs_lost_.begin(), inputs_lost_.end());
   write_lateness(logs);
   print_within(
       summary_patience, STDOUT_FILENO,
@@ -223,7 +232,7 @@ void Run::write_lateness(LogReport& logs) const {
   const std::string text = lateness_text(
       lateness_record(session_.lateness(), session_.counts(), config_.link.period_s, describe(real_time_)));
   const auto write = [&](const std::filesystem::path& file) {
-    if (const auto error = config::write_file_atomically(file, text)) {
+    if (const auto error = config::write_output({file, config::OutputKind::lateness}, text)) {
       spdlog::error("{}", *error);
       logs.errors.push_back(*error);
     } else {

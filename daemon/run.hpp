@@ -6,6 +6,7 @@
 #include <atomic>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -40,7 +41,7 @@ class Run {
   RunOutcome drive(const sigset_t& signals);
 
  private:
-  void keep_inputs() const;
+  void keep_inputs();
   void start_loop();
   void tell_how_it_is_set_up();
   void start_threads();
@@ -68,6 +69,7 @@ class Run {
   StatusBoard board_;
   LogThread log_;
   telemetry::LiveView live_view_;
+  std::vector<std::string> inputs_lost_;  // why, each
   std::atomic<int> scheduled_{0};  // the loop: 0 not yet, 1 goes, -1 may not
   std::atomic<bool> loop_ended_{false};
   std::atomic<bool> loop_failed_{false};

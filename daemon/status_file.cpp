@@ -6,7 +6,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "config/load/output_file.hpp"
 #include "config/load/printable_text.hpp"
+#include "config/load/text_file.hpp"
 #include "daemon/calibrator_thread.hpp"
 
 namespace wheelwright::daemon {
@@ -104,6 +106,17 @@ std::string status_json(const StatusView& view) {
                       {"by", known->by}};
   }
   return config::printable_json(status.dump(2, ' ', false, nlohmann::json::error_handler_t::replace)) + "\n";
+}
+
+void remove_own_status(const std::filesystem::path& file) {
+  if (file.empty()) return;
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(file, ignored))) return;
+  const auto text = config::read_text(file, config::record_file);
+  if (!text || !config::is_of_kind(config::OutputKind::status, *text)) return;
+  const auto status = nlohmann::json::parse(*text, nullptr, false);
+  if (status.is_discarded() || status.value("pid", 0) != ::getpid()) return;
+  std::filesystem::remove(file, ignored);
 }
 
 }  // namespace wheelwright::daemon

@@ -40,4 +40,7 @@ std::string status_line(const StatusView& view);
 // [[upper edge, wake-ups], ...]}}. What is not known is null.
 std::string status_json(const StatusView& view);
 
+// Removes a status file that this process wrote, and nothing else.
+void remove_own_status(const std::filesystem::path& file);
+
 }  // namespace wheelwright::daemon

@@ -5,7 +5,7 @@
 
 #include <csignal>
 
-#include "config/load/atomic_file.hpp"
+#include "config/load/output_file.hpp"
 #include "daemon/plan.hpp"
 
 namespace wheelwright::daemon {
@@ -145,7 +145,8 @@ void Supervisor::tell(Clock::time_point now) {
                         parts_.run_folder, parts_.board.latest(), parts_.wiring.robot_answers.load()};
   service_.notifier.status(status_line(view));
   if (parts_.options.status_file.empty()) return;
-  const auto error = config::write_file_atomically(parts_.options.status_file, status_json(view));
+  const auto error =
+      config::write_output({parts_.options.status_file, config::OutputKind::status}, status_json(view));
   if (error && !status_failed_) spdlog::error("{}", *error);
   status_failed_ = error.has_value();
 }

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "config/load/commands_file.hpp"
+#include "config/load/one_line_text.hpp"
 #include "config/load/route_file.hpp"
 
 namespace wheelwright::config {
@@ -19,7 +20,7 @@ constexpr double fastest_m_s = 0.5;  // what the Open Interface takes
 void read_robot(YamlReader& file, DaemonConfig& config) {
   auto robot = file.section("robot");
   if (!robot) return;
-  config.robot_name = robot->text("name", config.robot_name);
+  config.robot_name = one_line_text(*robot, "name", config.robot_name);
   config.limits.wheel_base_m = robot->number("wheel_base_m", {0.05, 2.0, "m"}, config.limits.wheel_base_m);
   const double scale =
       robot->number("nominal_metres_per_tick", {1e-6, 0.01, "m"}, config.limits.metres_per_tick.left);

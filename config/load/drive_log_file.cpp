@@ -27,6 +27,8 @@ constexpr double largest_tick_count = 9e15;
 constexpr double restart_below_s = 1.0;
 constexpr std::size_t most_rows = 10'000'000;  // two days of 18 ms
 constexpr std::size_t most_heads = 1'000'000;  // columns and lines of metadata, times runs
+constexpr double most_off_period = 50.0;
+constexpr std::size_t fewest_for_period = 5;
 
 string_view trim(string_view text) {
   constexpr string_view blanks = " \t\r";
@@ -80,11 +82,11 @@ class Parser {
     return true;
   }
 
-  double positive_metadata(string_view key, string_view value, double maximum) const {
+  double positive_metadata(string_view key, string_view value, double minimum, double maximum) const {
     const auto number = to_number(value);
-    if (!number || !(*number > 0.0) || *number > maximum) {
-      fail("'" + std::string(key) + "' is '" + excerpt(value) + "', but must be a number above 0 and up to " +
-           plain_number(maximum));
+    if (!number || !(*number >= minimum) || *number > maximum) {
+      fail("'" + std::string(key) + "' is '" + excerpt(value) + "', but must be a number from " +
+           plain_number(minimum) + " to " + plain_number(maximum));
     }
     return *number;
   }
@@ -98,13 +100,13 @@ class Parser {
       if (value != "1")
         fail("this is a drive log of version " + excerpt(value) + "; only version 1 is known");
     } else if (key == "wheel_base_m") {
-      header_.wheel_base_m = positive_metadata(key, value, 10.0);
+      header_.wheel_base_m = positive_metadata(key, value, 0.001, 10.0);
     } else if (key == "period_s") {
-      header_.period_s = positive_metadata(key, value, 10.0);
+      header_.period_s = positive_metadata(key, value, 0.0001, 10.0);
     } else if (key == "metres_per_tick_left") {
-      metres_per_tick_.left = positive_metadata(key, value, 1.0);
+      metres_per_tick_.left = positive_metadata(key, value, 1e-9, 1.0);
     } else if (key == "metres_per_tick_right") {
-      metres_per_tick_.right = positive_metadata(key, value, 1.0);
+      metres_per_tick_.right = positive_metadata(key, value, 1e-9, 1.0);
     } else {
       header_.other_metadata.emplace_back(key, value);
     }
@@ -246,7 +248,21 @@ class Parser {
       throw LogError(name_ + ": has tick columns, but no '# metres_per_tick_left: ...' and '..._right: ...'");
     }
     if (metres_per_tick_.left > 0.0 && metres_per_tick_.right > 0.0) run.metres_per_tick = metres_per_tick_;
-    if (run.period_s <= 0.0) run.period_s = median_step(run);
+    if (run.period_s <= 0.0) {
+      run.period_s = median_step(run);
+    } else {
+      check_period(run);
+    }
+  }
+
+  // Rows may be missing, or lie between the periods, but not by the hundred.
+  void check_period(const DriveLog& run) const {
+    if (run.samples.size() < fewest_for_period) return;
+    const double step_s = median_step(run);
+    if (run.period_s <= most_off_period * step_s && step_s <= most_off_period * run.period_s) return;
+    throw LogError(name_ + ":" + std::to_string(run.first_line) + ": its rows are " + plain_number(step_s) +
+                   " s apart (median), but '# period_s' says " + plain_number(run.period_s) +
+                   " s; correct it, or leave it out");
   }
 
   double median_step(const DriveLog& run) const {

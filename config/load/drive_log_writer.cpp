@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <array>
 
-#include "config/load/atomic_file.hpp"
 #include "config/load/drive_log_columns.hpp"
 #include "config/load/drive_log_file.hpp"
+#include "config/load/output_file.hpp"
 #include "config/load/text_format.hpp"
 
 namespace wheelwright::config {
@@ -68,7 +68,7 @@ void save_drive_log(const DriveLog& log, const std::filesystem::path& path) {
     }
     text += "\n";
   }
-  if (const auto error = write_file_atomically(path, text)) throw LogError(*error);
+  if (const auto error = write_output({path, OutputKind::drive_log}, text)) throw LogError(*error);
 }
 
 }  // namespace wheelwright::config

@@ -1,9 +1,12 @@
 #include "config/load/model_file.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
-#include "config/load/atomic_file.hpp"
 #include "config/load/model_effects.hpp"
+#include "config/load/one_line_text.hpp"
+#include "config/load/output_file.hpp"
 #include "config/load/text_format.hpp"
 
 namespace wheelwright::config {
@@ -12,6 +15,7 @@ namespace {
 constexpr std::size_t most_taps = 200;
 constexpr double largest_stable_pole = 1.0 - 1e-9;  // an integrator comes out below 1 by rounding
 constexpr Range weight{-1e6, 1e6};
+constexpr Range gain{-10.0, 10.0};  // no drive reaches ten times what it is told
 constexpr Range deviation{0.0, 1e6};
 
 std::vector<double> weights(YamlReader& wheel, std::string_view key) {
@@ -26,9 +30,9 @@ std::vector<double> weights(YamlReader& wheel, std::string_view key) {
 
 WheelFit wheel_fit(YamlReader fit) {
   WheelFit result;
-  result.gain.from_left = fit.number("gain_from_left", weight);
+  result.gain.from_left = fit.number("gain_from_left", gain);
   result.gain_standard_error.from_left = fit.number("gain_from_left_standard_error", deviation);
-  result.gain.from_right = fit.number("gain_from_right", weight);
+  result.gain.from_right = fit.number("gain_from_right", gain);
   result.gain_standard_error.from_right = fit.number("gain_from_right_standard_error", deviation);
   result.position_noise_m = fit.number("position_noise_m", deviation);
   result.drift_m_per_sqrt_s = fit.number("drift_m_per_sqrt_s", deviation);
@@ -40,6 +44,20 @@ YamlReader required_section(YamlReader& parent, std::string_view key) {
   auto section = parent.section(key);
   if (!section) parent.fail(key, "is missing here; it must hold keys below it");
   return std::move(*section);
+}
+
+// A steady command's speed, in m/s per m/s.
+double steady_gain(const std::vector<double>& from_command, const std::vector<double>& from_own_past) {
+  return std::accumulate(from_command.begin(), from_command.end(), 0.0) /
+         (1.0 - std::accumulate(from_own_past.begin(), from_own_past.end(), 0.0));
+}
+
+void check_gain(const YamlReader& wheel, std::string_view key, const std::vector<double>& from_command,
+                const std::vector<double>& from_own_past) {
+  const double reached = steady_gain(from_command, from_own_past);
+  if (std::abs(reached) <= gain.maximum) return;
+  wheel.fail(key, "makes the wheel reach " + plain_number(reached) +
+                      " m/s per m/s commanded, but a model of a robot lies within -10 and 10");
 }
 
 void read_wheel(YamlReader wheel, ModelType type, WheelResponse& response, std::optional<WheelFit>& fit) {
@@ -60,6 +78,8 @@ void read_wheel(YamlReader wheel, ModelType type, WheelResponse& response, std::
   } else if (wheel.has("from_own_past")) {
     wheel.fail("from_own_past", "belongs to type 'arma', but this model is of type 'fir'");
   }
+  check_gain(wheel, "from_left", response.from_left, response.from_own_past);
+  check_gain(wheel, "from_right", response.from_right, response.from_own_past);
   if (auto section = wheel.section("fit")) fit = wheel_fit(std::move(*section));
   wheel.finish();
 }
@@ -94,7 +114,7 @@ RobotModel read_model(YamlReader file) {
     file.fail("wheelwright_model", "is " + std::to_string(version) + ", but only version 1 is known");
   }
   RobotModel model;
-  model.robot = file.text("robot", "");
+  model.robot = one_line_text(file, "robot", "");
   model.created = file.text("created", "");
   model.source = file.texts("source");
   model.core.wheel_base_m = file.number("wheel_base_m", {0.001, 10.0, "m"});
@@ -193,7 +213,7 @@ std::string model_to_yaml(const RobotModel& model) {
 void save_model(const RobotModel& model, const std::filesystem::path& path) {
   const std::string text = model_to_yaml(model);
   parse_model(text, path.string());
-  if (const auto error = write_file_atomically(path, text)) throw ConfigError(*error);
+  if (const auto error = write_output({path, OutputKind::model}, text)) throw ConfigError(*error);
 }
 
 }  // namespace wheelwright::config

@@ -1,5 +1,6 @@
 #include "config/load/route_file.hpp"
 
+#include "config/load/one_line_text.hpp"
 #include "config/load/text_format.hpp"
 
 namespace wheelwright::config {
@@ -34,7 +35,7 @@ Route load_route(const std::filesystem::path& path) {
 
 Route read_route(YamlReader& file) {
   Route route;
-  route.name = file.text("name");
+  route.name = one_line_text(file, "name");
   route.speed_m_s = file.number("speed", {0.03, 0.5, "m/s"}, route.speed_m_s);
   route.tolerance_m = file.number("tolerance", {0.002, 0.5, "m"}, route.tolerance_m);
   for (const auto& row : file.rows("checkpoints", 2, {-1000.0, 1000.0, "m"})) {

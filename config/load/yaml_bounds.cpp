@@ -43,7 +43,7 @@ class ValueCounter final : public YAML::EventHandler {
 
   void add(const YAML::Mark& mark, int values) {
     if (values > most_yaml_values - values_) {
-      throw YamlTooLarge(
+      throw YamlRefused(
           mark, "holds more than " + std::to_string(most_yaml_values) + " values, which no file here needs");
     }
     values_ += values;
@@ -58,7 +58,7 @@ class ValueCounter final : public YAML::EventHandler {
     open_.push_back({anchor, values_});
     add(mark, 1);
     if (open_.size() > static_cast<std::size_t>(most_yaml_levels)) {
-      throw YamlTooLarge(mark, "is nested deeper than " + std::to_string(most_yaml_levels) +
+      throw YamlRefused(mark, "is nested deeper than " + std::to_string(most_yaml_levels) +
                                    " levels, which no file here needs");
     }
   }
@@ -74,6 +74,24 @@ class ValueCounter final : public YAML::EventHandler {
   std::map<YAML::anchor_t, int> values_of_;  // of what an anchor names, once it is complete
 };
 
+class SecondDocument final : public YAML::EventHandler {
+ public:
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    throw YamlRefused(mark, "a second document begins here ('---'), but a file holds one; keep one");
+  }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
+  void OnScalar(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                const std::string& /*value*/) override {}
+  void OnAlias(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
+  void OnSequenceStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                       YAML::EmitterStyle::value /*style*/) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                  YAML::EmitterStyle::value /*style*/) override {}
+  void OnMapEnd() override {}
+};
+
 }  // namespace
 
 void check_yaml_bounds(const std::string& text) {
@@ -81,6 +99,8 @@ void check_yaml_bounds(const std::string& text) {
   YAML::Parser parser(stream);
   ValueCounter counter;
   parser.HandleNextDocument(counter);
+  SecondDocument second;
+  parser.HandleNextDocument(second);
 }
 
 }  // namespace wheelwright::config

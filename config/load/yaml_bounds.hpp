@@ -11,12 +11,13 @@ namespace wheelwright::config {
 inline constexpr int most_yaml_levels = 64;
 inline constexpr int most_yaml_values = 500'000;  // keys included, aliases as what they stand for
 
-class YamlTooLarge : public YAML::Exception {
+// It is YAML, but not what a file may hold.
+class YamlRefused : public YAML::Exception {
  public:
   using YAML::Exception::Exception;
 };
 
-// Of the first document of a text. Throws YamlTooLarge at the place where it exceeds the bounds, and another
+// Throws YamlRefused at the place where the text exceeds the bounds or begins a second document, and another
 // YAML::Exception where it is no YAML.
 void check_yaml_bounds(const std::string& text);
 

@@ -108,7 +108,7 @@ YamlReader YamlReader::parse(const std::string& text, const std::string& name) {
   try {
     check_yaml_bounds(text);
     yaml = YAML::Load(text);
-  } catch (const YamlTooLarge& error) {
+  } catch (const YamlRefused& error) {
     throw ConfigError(place(name, error.mark) + ": " + error.msg);
   } catch (const YAML::Exception& error) {
     throw ConfigError(place(name, error.mark) + ": not valid YAML: " + error.msg);

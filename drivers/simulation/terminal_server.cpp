@@ -1,11 +1,14 @@
 #include "drivers/simulation/terminal_server.hpp"
 
+#include <unistd.h>
+
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <fstream>
 #include <iomanip>
-#include <stdexcept>
+#include <sstream>
+#include <string>
 #include <utility>
 
 #include <boost/asio/io_context.hpp>
@@ -24,8 +27,8 @@ constexpr std::chrono::milliseconds beat{1};
 class TruthWriter {
  public:
   TruthWriter(const TruthFile& file, const GroundTruth& truth)
-      : period_(std::chrono::nanoseconds(static_cast<std::int64_t>(file.period_s * 1e9))), out_(file.path) {
-    if (!out_) throw std::runtime_error(file.path.string() + ": cannot be written");
+      : period_(std::chrono::nanoseconds(static_cast<std::int64_t>(file.period_s * 1e9))),
+        descriptor_(file.descriptor) {
     const auto since_epoch = std::chrono::system_clock::now().time_since_epoch();
     out_ << std::setprecision(9) << "# wheelwright_truth: 1\n# period_s: " << file.period_s
          << "\n# wheel_base_m: " << truth.wheel_base_m
@@ -35,6 +38,13 @@ class TruthWriter {
          << "\nt,x,y,theta,speed_left,speed_right\n";
   }
 
+  TruthWriter(const TruthWriter&) = delete;
+  TruthWriter& operator=(const TruthWriter&) = delete;
+  ~TruthWriter() {
+    flush();
+    ::close(descriptor_);
+  }
+
   std::chrono::nanoseconds next() const { return next_; }
 
   void write(const GroundTruth& truth) {
@@ -42,15 +52,29 @@ class TruthWriter {
          << truth.pose.x_m << ',' << truth.pose.y_m << ',' << truth.pose.theta_rad << ','
          << truth.speed_left_m_s << ',' << truth.speed_right_m_s << '\n';
     // Who watches while the robot drives reads along, half a second behind.
-    if (++rows_ % 32 == 0) out_.flush();
+    if (++rows_ % 32 == 0) flush();
     next_ += period_;
   }
 
  private:
+  // What a full disk does not take is lost; the robot goes on.
+  void flush() {
+    const std::string text = std::move(out_).str();
+    out_.str({});
+    std::size_t written = 0;
+    while (written < text.size()) {
+      const ssize_t n = ::write(descriptor_, text.data() + written, text.size() - written);
+      if (n < 0 && errno == EINTR) continue;
+      if (n <= 0) return;
+      written += static_cast<std::size_t>(n);
+    }
+  }
+
   std::chrono::nanoseconds period_;
   std::chrono::nanoseconds next_{0};
   std::uint64_t rows_ = 0;
-  std::ofstream out_;
+  int descriptor_;
+  std::ostringstream out_;
 };
 
 class Server {

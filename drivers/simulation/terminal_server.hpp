@@ -1,7 +1,6 @@
 // Runs a simulated robot on the wall clock, with its serial line on a pseudo-terminal.
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <optional>
 
@@ -11,14 +10,13 @@
 namespace wheelwright::simulation {
 
 struct TruthFile {
-  std::filesystem::path path;
+  int descriptor;  // open for writing; closed at the end
   double period_s;
 };
 
 // Serves until SIGTERM or SIGINT. SIGUSR1 takes the robot's battery out, and puts it in again the next time.
 // Truth is written once per period: t,x,y,theta,speed_left,speed_right in s, m, rad, m/s, in the room's
-// frame, with what else is known of the robot as `# key: value` lines before. Throws std::runtime_error where
-// the truth file cannot be written.
+// frame, with what else is known of the robot as `# key: value` lines before.
 void serve_until_signal(SimulatedRobot& robot, PseudoTerminal& terminal,
                         const std::optional<TruthFile>& truth);
 

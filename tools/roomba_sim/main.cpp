@@ -10,6 +10,7 @@
 #include <string>
 
 #include "config/load/drive_log_file.hpp"
+#include "config/load/output_file.hpp"
 #include "config/load/printable_text.hpp"
 #include "config/load/shipped_folder.hpp"
 #include "config/load/simulation_config.hpp"
@@ -73,6 +74,13 @@ int run(const Options& options) {
   if (options.seed) robot_config.seed = *options.seed;
   auto robot = make_robot(robot_config, options.replay);
 
+  std::optional<simulation::TruthFile> truth;
+  if (!options.truth.empty()) {
+    const auto file = config::open_output({options.truth, config::OutputKind::truth},
+                                          {options.config, options.room, options.replay});
+    if (!file) throw std::runtime_error(file.error());
+    truth = simulation::TruthFile{*file, robot_config.firmware.tick_s};
+  }
   simulation::PseudoTerminal terminal;
   std::unique_ptr<simulation::TerminalLink> link;
   if (options.link.empty()) {
@@ -80,8 +88,6 @@ int run(const Options& options) {
   } else {
     link = std::make_unique<simulation::TerminalLink>(options.link, terminal.path());
   }
-  std::optional<simulation::TruthFile> truth;
-  if (!options.truth.empty()) truth = simulation::TruthFile{options.truth, robot_config.firmware.tick_s};
   take_precedence();
   simulation::serve_until_signal(robot, terminal, truth);
   return done;

@@ -7,12 +7,13 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <iostream>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include "config/load/output_file.hpp"
 #include "config/load/printable_text.hpp"
 #include "drivers/serial/serial_port.hpp"
 #include "drivers/simulation/faulty_bridge.hpp"
@@ -20,6 +21,7 @@
 
 namespace {
 
+namespace config = wheelwright::config;
 namespace simulation = wheelwright::simulation;
 
 using wheelwright::tools::number_between;
@@ -98,13 +100,20 @@ class FaultLog {
  public:
   explicit FaultLog(const std::string& path) {
     if (path.empty()) return;
-    out_.open(path);
-    if (!out_) throw std::runtime_error(path + ": cannot be written");
+    const auto file = config::open_output({path, config::OutputKind::cable_faults});
+    if (!file) throw std::runtime_error(file.error());
+    descriptor_ = *file;
     out_ << "# wheelwright_cable_faults: 1\n"
             "kind,to_robot,to_host,from_unix_s,until_unix_s,amount,bytes_passed,bytes_hit,bytes_added,"
             "answered_after_s\n";
     out_.setf(std::ios::fixed);
     out_.precision(4);
+    write_on();
+  }
+  FaultLog(const FaultLog&) = delete;
+  FaultLog& operator=(const FaultLog&) = delete;
+  ~FaultLog() {
+    if (descriptor_ >= 0) ::close(descriptor_);
   }
 
   void add(const simulation::BridgeFault& bridged) {
@@ -112,12 +121,13 @@ class FaultLog {
     ++counts_.at(static_cast<std::size_t>(fault.kind));
     ++count_;
     bytes_hit_ += bridged.record.bytes_hit;
-    if (!out_.is_open()) return;
+    if (descriptor_ < 0) return;
     out_ << name_of(fault.kind) << ',' << fault.to_robot << ',' << fault.to_host << ',' << bridged.from_unix_s
          << ',' << bridged.until_unix_s << ',' << fault.amount << ',' << bridged.record.bytes_passed << ','
          << bridged.record.bytes_hit << ',' << bridged.record.bytes_added << ',';
     if (bridged.answered_after_s) out_ << *bridged.answered_after_s;
-    out_ << std::endl;  // whoever watches sees it now
+    out_ << '\n';
+    write_on();
   }
 
   std::int64_t count() const { return count_; }
@@ -133,7 +143,14 @@ class FaultLog {
   }
 
  private:
-  std::ofstream out_;
+  // Whoever watches sees it now.
+  void write_on() {
+    config::write_all(descriptor_, out_.str());
+    out_.str({});
+  }
+
+  int descriptor_ = -1;
+  std::ostringstream out_;
   std::array<std::int64_t, simulation::cable_fault_kinds> counts_{};
   std::int64_t count_ = 0;
   std::int64_t bytes_hit_ = 0;

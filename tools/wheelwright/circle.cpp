@@ -7,10 +7,10 @@
 #include <ostream>
 #include <sstream>
 
-#include "config/load/atomic_file.hpp"
 #include "config/load/commands_file.hpp"
 #include "config/load/drive_log_file.hpp"
 #include "config/load/model_file.hpp"
+#include "config/load/output_file.hpp"
 #include "config/load/route_file.hpp"
 #include "config/load/shipped_folder.hpp"
 #include "config/load/simulation_config.hpp"
@@ -46,7 +46,8 @@ enum class Purpose : std::uint64_t { calibrate = 1, learn, drive, experiment };
 constexpr std::size_t most_experiments = 2;
 
 void write(const fs::path& path, const std::string& text) {
-  if (const auto error = config::write_file_atomically(path, text)) throw UsageError(*error);
+  if (const auto error = config::write_output({path, config::OutputKind::any}, text))
+    throw UsageError(*error);
 }
 
 void make_folder(const fs::path& path) {
@@ -77,7 +78,19 @@ class Circle {
   }
 
  private:
+  // A folder of its own: an empty one, or one that a circle filled before.
+  void check_folder() const {
+    std::error_code ignored;
+    if (!fs::exists(folder_, ignored)) return;
+    if (fs::is_directory(folder_, ignored) &&
+        (fs::is_empty(folder_, ignored) || fs::exists(folder_ / "sealed" / "robot.yaml", ignored))) {
+      return;
+    }
+    throw UsageError(folder_.string() + ": holds something else than a circle; give a folder of its own");
+  }
+
   void hide() {
+    check_folder();
     const fs::path sealed = folder_ / "sealed";
     make_folder(sealed);
     const HiddenRobot hidden =

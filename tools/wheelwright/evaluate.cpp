@@ -1,12 +1,13 @@
 // wheelwright evaluate: the source paper's Table II on the simulated robot.
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <thread>
 
-#include "config/load/atomic_file.hpp"
+#include "config/load/output_file.hpp"
 #include "config/load/route_file.hpp"
 #include "config/load/shipped_folder.hpp"
 #include "config/load/simulation_config.hpp"
@@ -39,13 +40,24 @@ struct EvaluateOptions {
 };
 
 void write(const fs::path& path, const std::string& text) {
-  if (const auto error = config::write_file_atomically(path, text)) throw UsageError(*error);
+  if (const auto error = config::write_output({path, config::OutputKind::any}, text))
+    throw UsageError(*error);
 }
 
-void write_end_points(const fs::path& folder, const std::vector<AttemptOutcome>& outcomes, Streams streams) {
+void make_folder(const fs::path& folder, const EvaluateOptions& options) {
+  constexpr std::array<std::string_view, 4> names{"evaluation.json", "end_points.csv", "end_points.gnuplot",
+                                                  "end_points.svg"};
+  if (const auto problem =
+          config::check_output_folder(folder, {"evaluation.json", config::OutputKind::evaluation}, names,
+                                      {options.robot, options.route})) {
+    throw UsageError(*problem);
+  }
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw UsageError(folder.string() + ": cannot be made a folder: " + error.message());
+}
+
+void write_end_points(const fs::path& folder, const std::vector<AttemptOutcome>& outcomes, Streams streams) {
   write(folder / "end_points.csv", end_points_csv(outcomes));
   const fs::path script = folder / "end_points.gnuplot";
   write(script, end_points_script(outcomes, "end_points.csv", "end_points.svg"));
@@ -64,6 +76,7 @@ ExitStatus run_evaluate(const EvaluateOptions& options, Streams streams) {
   if (!is_closed(plan.route))
     throw UsageError(options.route +
                      ": the route is not closed; end it at [0, 0], so that start and end can be compared");
+  if (!options.output.empty()) make_folder(options.output, options);
   const ProgressLine progress(streams.err);
   const auto say = progress.callback();
   std::string found;
@@ -84,8 +97,8 @@ ExitStatus run_evaluate(const EvaluateOptions& options, Streams streams) {
                                     {"runs", options.runs},     {"seed", options.seed},
                                     {"found", found},           {"models", offset_json(rows)}};
   if (!options.output.empty()) {
-    write_end_points(options.output, outcomes, streams);
     write(fs::path(options.output) / "evaluation.json", json_text(json) + "\n");
+    write_end_points(options.output, outcomes, streams);
   }
   if (options.json) {
     streams.out << json_text(json) << "\n";

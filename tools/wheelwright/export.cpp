@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "config/load/atomic_file.hpp"
+#include "config/load/output_file.hpp"
 #include "daemon/mcap/robot_recording.hpp"
 #include "tools/option_checks.hpp"
 #include "tools/wheelwright/commands.hpp"
@@ -41,23 +41,34 @@ std::string to_mcap(const RecordedRun& run) {
   return file;
 }
 
+// All of them, before the first is written.
+void check_all(std::vector<config::OutputFile> outputs, const RecordedRun& run) {
+  std::erase_if(outputs, [](const config::OutputFile& output) { return output.path.empty(); });
+  config::InputFiles inputs;
+  for (const auto* table : {&run.drive, &run.poses}) {
+    if (*table) inputs.emplace_back((*table)->name());
+  }
+  if (const auto problem = config::check_outputs(outputs, inputs)) throw UsageError(*problem);
+}
+
 ExitStatus run_export(const ExportOptions& options, Streams streams) {
   if (options.tum.empty() && options.mcap.empty() && options.csv.empty()) {
     throw UsageError("nothing to write; add --mcap OUT, --tum OUT or --csv OUT");
   }
   const RecordedRun run = load_recorded_run(options.log);
+  const config::OutputFile mcap{options.mcap, config::OutputKind::mcap};
+  const config::OutputFile tum{options.tum, config::OutputKind::trajectory};
+  const config::OutputFile csv{options.csv, config::OutputKind::plain_csv};
+  check_all({mcap, tum, csv}, run);
   auto written = nlohmann::ordered_json::array();
-  const auto write = [&](const char* format, const std::string& path, const std::string& bytes) {
-    for (const auto* table : {&run.drive, &run.poses}) {
-      if (*table) check_output(path, {(*table)->name()});
-    }
-    if (const auto error = config::write_file_atomically(path, bytes)) throw UsageError(*error);
-    written.push_back({{"format", format}, {"file", path}, {"bytes", bytes.size()}});
-    if (!options.json) streams.out << "wrote " << path << "\n";
+  const auto write = [&](const char* format, const config::OutputFile& file, const std::string& bytes) {
+    if (const auto error = config::write_output(file, bytes)) throw UsageError(*error);
+    written.push_back({{"format", format}, {"file", file.path.string()}, {"bytes", bytes.size()}});
+    if (!options.json) streams.out << "wrote " << file.path.string() << "\n";
   };
-  if (!options.mcap.empty()) write("mcap", options.mcap, to_mcap(run));
-  if (!options.tum.empty()) write("tum", options.tum, to_tum(run, options.choice));
-  if (!options.csv.empty()) write("csv", options.csv, to_plain_csv(run));
+  if (!options.mcap.empty()) write("mcap", mcap, to_mcap(run));
+  if (!options.tum.empty()) write("tum", tum, to_tum(run, options.choice));
+  if (!options.csv.empty()) write("csv", csv, to_plain_csv(run));
   if (options.json) streams.out << json_text(nlohmann::ordered_json{{"wrote", written}}) << "\n";
   return ExitStatus::done;
 }

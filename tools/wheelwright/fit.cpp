@@ -128,7 +128,7 @@ ExitStatus run_fit(const FitOptions& options, Streams streams) {
   if (options.max_command_m_s && !(*options.max_command_m_s > 0.0)) {
     throw UsageError("--max-command must be above 0 m/s");
   }
-  check_output(options.output, options.logs);
+  check_output({options.output, config::OutputKind::model}, options.logs);
   const FitReport report = fit_wanted(options, streams.err);
   config::save_model(to_robot_model(report, options.logs), options.output);
   if (options.json) {

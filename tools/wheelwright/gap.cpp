@@ -1,12 +1,13 @@
 // wheelwright gap: finds where a simulation and measured runs disagree, names what is missing, adds it, and
 // shows the gap shrink.
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <ostream>
 
-#include "config/load/atomic_file.hpp"
 #include "config/load/drive_log_file.hpp"
 #include "config/load/model_file.hpp"
+#include "config/load/output_file.hpp"
 #include "model/gap/gap_analysis.hpp"
 #include "model/gap/next_experiment.hpp"
 #include "tools/option_checks.hpp"
@@ -32,8 +33,26 @@ struct GapCommand {
   std::optional<double> radius_m;
 };
 
-void write(const std::filesystem::path& path, const std::string& text) {
-  if (const auto error = config::write_file_atomically(path, text)) throw UsageError(*error);
+void write(const config::OutputFile& file, const std::string& text) {
+  if (const auto error = config::write_output(file, text)) throw UsageError(*error);
+}
+
+// The folder is for the analysis alone: `replay` takes a model.yaml beside a run's log for the run's own.
+void check_folder(const GapCommand& command) {
+  constexpr std::array<std::string_view, 4> names{"gap.json", "model.yaml", "next_experiment.csv",
+                                                  "report.html"};
+  const std::filesystem::path folder = command.output;
+  std::error_code ignored;
+  if (std::filesystem::exists(folder / "drive_log.csv", ignored)) {
+    throw UsageError(folder.string() + ": is the folder of a run; give the analysis a folder of its own");
+  }
+  config::InputFiles inputs{command.model};
+  inputs.insert(inputs.end(), command.train.begin(), command.train.end());
+  inputs.insert(inputs.end(), command.test.begin(), command.test.end());
+  if (const auto problem =
+          config::check_output_folder(folder, {"gap.json", config::OutputKind::gap}, names, inputs)) {
+    throw UsageError(*problem);
+  }
 }
 
 void make_folder(const std::string& path) {
@@ -66,12 +85,11 @@ std::string write_files(const GapCommand& command, const gap::GapAnalysis& analy
   const auto next_file = std::filesystem::absolute(folder / "next_experiment.csv");
   const auto model_file = folder / "model.yaml";
   std::string written = "gap.json, ";
-  write(folder / "gap.json", gap_to_json(analysis, next, next_file.string()));
-  std::error_code ignored;
+  write({folder / "gap.json", config::OutputKind::gap}, gap_to_json(analysis, next, next_file.string()));
   if (!analysis.after.core.left.from_left.empty()) {
     config::save_model(analysis.after, model_file);
     written += "model.yaml, ";
-  } else if (!std::filesystem::equivalent(model_file, command.model, ignored)) {
+  } else {
     remove_old(model_file);
   }
   if (next) {
@@ -90,6 +108,7 @@ void stamp(RobotModel& model, const std::string& robot) {
 }
 
 ExitStatus run_gap(const GapCommand& command, Streams streams) {
+  check_folder(command);
   gap::GapOptions options;
   if (!command.model.empty()) options.model = config::load_model(command.model);
   const auto train = load_all_runs(command.train);
@@ -105,7 +124,7 @@ ExitStatus run_gap(const GapCommand& command, Streams streams) {
 
   const std::filesystem::path folder = command.output;
   const std::string written = write_files(command, *analysis, next);
-  write(folder / "report.html", gap_report(*analysis, train, test, next));
+  write({folder / "report.html", config::OutputKind::page}, gap_report(*analysis, train, test, next));
   print_gap(streams.out, *analysis);
   if (next) {
     streams.out << "\nnext: " << experiment_text(*next) << "\n"

@@ -47,7 +47,7 @@ nlohmann::ordered_json to_json(const config::MrclamRun& run, const std::string& 
 }
 
 ExitStatus import_mrclam(const MrclamFiles& files, Streams streams) {
-  check_output(files.output, {files.odometry, files.ground_truth});
+  check_output({files.output, config::OutputKind::drive_log}, {files.odometry, files.ground_truth});
   const auto run = config::load_mrclam_run(files.odometry, files.ground_truth, files.options);
   config::save_drive_log(run.log, files.output);
   if (files.json) {

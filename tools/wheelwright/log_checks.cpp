@@ -108,11 +108,10 @@ std::string describe_jump(const std::string& column, std::int64_t ticks, double 
 
 }  // namespace
 
-void check_output(const std::string& output, const std::vector<std::string>& inputs) {
-  for (const auto& input : inputs) {
-    std::error_code no_such_file;
-    if (!std::filesystem::equivalent(output, input, no_such_file)) continue;
-    throw UsageError("--output is " + output + ", which would replace an input; give it another name");
+void check_output(const config::OutputFile& output, const std::vector<std::string>& inputs) {
+  if (output.path.empty()) return;
+  if (const auto problem = config::check_outputs({&output, 1}, {inputs.begin(), inputs.end()})) {
+    throw UsageError(*problem);
   }
 }
 

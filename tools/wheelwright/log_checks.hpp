@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "config/load/output_file.hpp"
 #include "model/drive_log.hpp"
 #include "model/linear_model.hpp"
 
@@ -14,8 +15,8 @@ namespace wheelwright::tools {
 // All runs of all files, in order. Throws config::LogError.
 std::vector<DriveLog> load_all_runs(const std::vector<std::string>& paths);
 
-// Throws UsageError where the output of a command would replace one of its inputs.
-void check_output(const std::string& output, const std::vector<std::string>& inputs);
+// Throws UsageError where the output of a command may not be written: see config/load/output_file.hpp.
+void check_output(const config::OutputFile& output, const std::vector<std::string>& inputs);
 
 // As the log's `# robot:` says, or "unknown".
 std::string robot_name(const DriveLog& log);

@@ -5,10 +5,10 @@
 #include <optional>
 #include <ostream>
 
-#include "config/load/atomic_file.hpp"
 #include "config/load/daemon_config.hpp"
 #include "config/load/drive_log_file.hpp"
 #include "config/load/model_file.hpp"
+#include "config/load/output_file.hpp"
 #include "config/load/text_file.hpp"
 #include "daemon/replay.hpp"
 #include "tools/wheelwright/commands.hpp"
@@ -87,14 +87,15 @@ void refuse_difference(const Comparison& comparison, const ReplayFiles& files) {
 
 ExitStatus run_replay(const ReplayOptions& options, Streams streams) {
   const ReplayFiles files = files_of(options);
-  check_output(options.output,
+  check_output({options.output, config::OutputKind::pose_log},
                {files.log.string(), files.config.string(), files.model.string(), files.pose_log.string()});
   const auto config = config::load_daemon_config(files.config);
   std::optional<RobotModel> model;
   if (!options.model.empty() || fs::exists(files.model)) model = config::load_model(files.model);
   const auto result = daemon::replay(config::load_drive_log(files.log), config, model);
   if (!options.output.empty()) {
-    if (const auto error = config::write_file_atomically(options.output, result.pose_log))
+    if (const auto error =
+            config::write_output({options.output, config::OutputKind::pose_log}, result.pose_log))
       throw UsageError(*error);
   }
   Comparison comparison{result.ticks, result.first_difference, std::nullopt};

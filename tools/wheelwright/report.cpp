@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "config/load/atomic_file.hpp"
 #include "config/load/model_file.hpp"
+#include "config/load/output_file.hpp"
 #include "config/load/text_format.hpp"
 #include "model/free_run.hpp"
 #include "tools/wheelwright/commands.hpp"
@@ -104,14 +104,15 @@ void refuse_gap_folder(const fs::path& folder) {
 ExitStatus run_report(const ReportOptions& options, Streams streams) {
   refuse_gap_folder(options.log);
   const std::string output = options.output.empty() ? usual_output(options.log) : options.output;
-  check_output(output, {options.log, options.model, options.truth});
+  check_output({output, config::OutputKind::page}, {options.log, options.model, options.truth});
   const ProgressLine progress(streams.err);
   const std::string page = is_evaluation(options.log)
                                ? html::page("Evaluation", html::element("h1", "The paper's Table II") +
                                                               evaluation_section(options.log))
                                : run_page(options, progress);
   progress.clear();
-  if (const auto error = config::write_file_atomically(output, page)) throw UsageError(*error);
+  if (const auto error = config::write_output({output, config::OutputKind::page}, page))
+    throw UsageError(*error);
   if (options.json) {
     streams.out << json_text(nlohmann::ordered_json{{"wrote", output}, {"bytes", page.size()}}) << "\n";
   } else {

@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "config/load/atomic_file.hpp"
 #include "config/load/drive_log_file.hpp"
 #include "config/load/model_file.hpp"
+#include "config/load/output_file.hpp"
 #include "config/load/text_format.hpp"
 #include "model/free_run.hpp"
 #include "tools/wheelwright/commands.hpp"
@@ -56,12 +56,12 @@ nlohmann::ordered_json to_json(const std::vector<PredictedMotion>& motion, const
 }
 
 ExitStatus run_simulate(const SimulateOptions& options, Streams streams) {
-  check_output(options.output, {options.model, options.log});
+  check_output({options.output, config::OutputKind::motion}, {options.model, options.log});
   const RobotModel model = config::load_model(options.model);
   const DriveLog log = config::load_drive_log(options.log);
   check_log_for_model(log, model.core, streams.err);
   const auto motion = free_run(model, log);
-  if (const auto error = config::write_file_atomically(options.output, to_csv(motion)))
+  if (const auto error = config::write_output({options.output, config::OutputKind::motion}, to_csv(motion)))
     throw UsageError(*error);
   if (options.json) {
     streams.out << json_text(to_json(motion, options)) << "\n";

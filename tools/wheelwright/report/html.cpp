@@ -86,7 +86,8 @@ std::string table(const std::vector<std::string>& header, const std::vector<std:
 
 std::string page(const std::string& title, const std::string& body) {
   return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"generator\" "
+         "content=\"wheelwright\">\n<title>" +
          escaped(title) + "</title>\n<style>" + style + "</style></head>\n<body>\n" + body +
          "</body></html>\n";
 }
