@@ -1,6 +1,7 @@
 #include "daemon/recorded_frames.hpp"
 
 #include <cmath>
+#include <string_view>
 
 #include "config/load/text_format.hpp"
 #include "config/load/yaml_reader.hpp"
@@ -10,16 +11,16 @@ namespace {
 
 using config::ConfigError;
 
-const ExtraColumn* column_or_none(const DriveLog& log, const std::string& name) {
+const ExtraColumn* column_or_none(const DriveLog& log, std::string_view name) {
   for (const ExtraColumn& column : log.extra_columns) {
     if (column.name == name) return &column;
   }
   return nullptr;
 }
 
-const ExtraColumn& column_of(const DriveLog& log, const std::string& name) {
+const ExtraColumn& column_of(const DriveLog& log, std::string_view name) {
   if (const ExtraColumn* column = column_or_none(log, name)) return *column;
-  throw ConfigError(log.name + ": has no column '" + name + "', which a drive log of the daemon has");
+  throw ConfigError(log.name + ": has no column '" + std::string(name) + "', which a drive log of the daemon has");
 }
 
 // What the columns of a daemon's log can hold.

@@ -1,10 +1,12 @@
 #include "model/linear_model.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
+#include <complex>
 #include <numeric>
 #include <utility>
+
+#include "model/poles.hpp"
 
 namespace wheelwright {
 namespace {
@@ -69,15 +71,9 @@ TwistResponse twist_response(const LinearModel& model, std::size_t length) {
 }
 
 double largest_pole(const WheelResponse& response) {
-  const auto order = static_cast<Eigen::Index>(response.from_own_past.size());
-  if (order == 0) return 0.0;
-  // The poles are the eigenvalues of the companion matrix of the recursion.
-  Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(order, order);
-  for (Eigen::Index i = 0; i < order; ++i) {
-    companion(0, i) = response.from_own_past[static_cast<std::size_t>(i)];
-  }
-  companion.diagonal(-1).setOnes();
-  return companion.eigenvalues().cwiseAbs().maxCoeff();
+  double largest = 0.0;
+  for (const auto& pole : poles(response)) largest = std::max(largest, std::abs(pole));
+  return largest;
 }
 
 // Values are written from the back of the buffer to its front; at the front the live part moves to the back.

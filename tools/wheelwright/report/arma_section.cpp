@@ -1,9 +1,9 @@
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "model/free_run.hpp"
+#include "model/poles.hpp"
 #include "model/score.hpp"
 #include "tools/wheelwright/report/calibration_section.hpp"
 #include "tools/wheelwright/report/html.hpp"
@@ -77,15 +77,9 @@ std::vector<Plot> weight_plots(const ArxFit& fit) {
   return {commands, past};
 }
 
-// Poles of y(k) = sum a_i y(k-1-i) + ...: eigenvalues of its companion matrix.
-PlotPoints poles(const WheelResponse& wheel) {
-  const auto order = static_cast<Eigen::Index>(wheel.from_own_past.size());
-  if (order == 0) return {};
-  Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(order, order);
-  for (Eigen::Index i = 0; i < order; ++i) companion(0, i) = wheel.from_own_past[static_cast<std::size_t>(i)];
-  for (Eigen::Index i = 1; i < order; ++i) companion(i, i - 1) = 1.0;
+PlotPoints pole_points(const WheelResponse& wheel) {
   PlotPoints points;
-  for (const auto& pole : companion.eigenvalues()) points.push_back({pole.real(), pole.imag()});
+  for (const auto& pole : poles(wheel)) points.push_back({pole.real(), pole.imag()});
   return points;
 }
 
@@ -95,8 +89,8 @@ Plot pole_plot(const LinearModel& model) {
   plot.circle(0.0, 0.0, 1.0);
   plot.line("", Ink::quiet, {{-1.1, 0.0}, {1.1, 0.0}});
   plot.line("", Ink::quiet, {{0.0, -1.1}, {0.0, 1.1}});
-  plot.points("left wheel", Ink::accent, poles(model.left), 0.8);
-  plot.points("right wheel", Ink::other, poles(model.right), 0.8);
+  plot.points("left wheel", Ink::accent, pole_points(model.left), 0.8);
+  plot.points("right wheel", Ink::other, pole_points(model.right), 0.8);
   return plot;
 }
 
