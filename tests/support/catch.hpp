@@ -8,6 +8,7 @@
 #endif
 
 #if CATCH_VERSION_MAJOR >= 3
+using Catch::Approx;
 using Catch::Matchers::ContainsSubstring;
 #else
 inline auto ContainsSubstring(const std::string& part) {
