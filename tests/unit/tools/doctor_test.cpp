@@ -1,3 +1,4 @@
+#include <array>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <sstream>
@@ -128,6 +129,60 @@ TEST_CASE("a robot at another speed is told how to return") {
   CHECK_THAT(judge_baud("/dev/r", 19200, 115200, 0).remedy, ContainsSubstring("link.baud: 115200"));
   CHECK_THAT(judge_baud("/dev/r", 115200, std::nullopt, 0).text, ContainsSubstring("no answer"));
   CHECK_THAT(judge_baud("/dev/r", 115200, std::nullopt, 99).text, ContainsSubstring("no sound reply"));
+}
+
+TEST_CASE("an adapter that loses or sets a bit of every byte is named, and a sound one is not") {
+  // Of a robot at rest on its battery: mode 1, 15.5 V, -200 mA, counts that stand.
+  const std::array<std::uint8_t, 8> sound{1, 0x3C, 0x8C, 0xFF, 0x38, 0, 0x12, 0x35};
+  const auto judged = [&](unsigned lost, unsigned set, int times = 200) {
+    open_interface::LineBits bits;
+    for (int i = 0; i < times; ++i) {
+      for (const std::uint8_t byte : sound) bits.take(static_cast<std::uint8_t>((byte & ~lost) | set));
+    }
+    return judge_adapter(bits);
+  };
+  CHECK(judged(0, 0).state == State::ok);
+  for (unsigned bit = 0; bit < 8; ++bit) {
+    INFO(bit);
+    const Finding lost = judged(1U << bit, 0);
+    CHECK(lost.state == State::failed);
+    CHECK_THAT(lost.text, ContainsSubstring("bit " + std::to_string(bit) + " never set"));
+    CHECK_THAT(lost.remedy, ContainsSubstring("adapter"));
+    const Finding set = judged(0, 1U << bit);
+    CHECK(set.state == State::failed);
+    CHECK_THAT(set.text, ContainsSubstring("bit " + std::to_string(bit) + " always set"));
+  }
+  CHECK(judged(0x80, 0, 10).state == State::not_tested);
+}
+
+TEST_CASE("damaged stream frames are judged by the limits of damaged replies") {
+  StreamFigures stream;
+  stream.rule = open_interface::ChecksumRule::header_included;
+  const auto judged = [&](std::uint64_t sound, std::uint64_t corrupt, std::int64_t sent) {
+    stream.counts.frames = sound;
+    stream.counts.corrupt = corrupt;
+    stream.sent = sent;
+    return judge_checksum(stream, roomba::Transport::query).state;
+  };
+  CHECK(judged(190, 0, 190) == State::ok);
+  CHECK(judged(180, 10, 190) == State::attention);
+  CHECK(judged(161, 29, 190) == State::failed);
+  CHECK(judged(161, 0, 190) == State::failed);  // lost with their headers
+  CHECK(judge_replies({.asked = 100, .sound = 85, .garbled = 15}).state == State::failed);
+  stream.rule = open_interface::ChecksumRule::unknown;
+  CHECK(judge_checksum(stream, roomba::Transport::query).state == State::attention);
+  CHECK(judge_checksum(stream, roomba::Transport::stream).state == State::failed);
+}
+
+TEST_CASE("a robot that boots again and again or prints without end is not fit to drive") {
+  CHECK(judge_text({{"bl-start"}, 1, 1}, false).state == State::attention);
+  const Finding boots = judge_text({{"bl-start", "STR730"}, 4, 2}, false);
+  CHECK(boots.state == State::failed);
+  CHECK_THAT(boots.remedy, ContainsSubstring("battery") && ContainsSubstring("board"));
+  const Finding prints = judge_text({{"error"}, 12, 0}, false);
+  CHECK(prints.state == State::failed);
+  CHECK_THAT(prints.remedy, ContainsSubstring("battery") && ContainsSubstring("board"));
+  CHECK(judge_text({{"bat: min 1 sec 2 mV 15000"}, 12, 0}, true).state == State::attention);
 }
 
 TEST_CASE("a knock's reply is known by its marks") {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "drivers/open_interface/commands.hpp"
 
@@ -12,8 +13,9 @@ using namespace std::chrono_literals;
 using open_interface::CommandBytes;
 
 constexpr std::size_t padding_bytes = 40;
-constexpr auto mode_settles = 60ms;        // the robot wants 20 ms after a change of mode
-constexpr auto reply_patience = 100ms;     // 16 ms of adapter, 32 ms of line at 19200 baud, and some
+constexpr std::string_view boot_line = "bl-start";  // the first one that a robot prints when it boots
+constexpr auto mode_settles = 60ms;                 // the robot wants 20 ms after a change of mode
+constexpr auto reply_patience = 100ms;              // 16 ms of adapter, 32 ms of line at 19200 baud, and some
 constexpr auto start_again_after = 400ms;  // a robot that was just switched on misses the first Start
 
 double seconds(Clock::duration duration) {
@@ -66,6 +68,7 @@ class FrameNumbering {
     bytes_ = 0.0;
     return number_;
   }
+  std::int64_t frames() const { return number_; }
 
  private:
   double frame_bytes_;
@@ -78,7 +81,10 @@ class FrameNumbering {
 std::size_t collect_text(open_interface::StrayText& text, HeardText& heard) {
   const std::string run(text.finished());
   if (run.empty()) return 0;
-  if (std::find(heard.begin(), heard.end(), run) == heard.end()) heard.push_back(run);
+  auto& lines = heard.lines;
+  if (std::find(lines.begin(), lines.end(), run) == lines.end()) lines.push_back(run);
+  ++heard.count;
+  if (run.find(boot_line) != std::string::npos) ++heard.starts;
   text.discard();
   return run.size();
 }
@@ -154,7 +160,7 @@ StreamFigures listen_to_stream(RobotLine& line, std::chrono::milliseconds durati
   command.clear();
   command.pause_stream();
   line.send(command.bytes());
-  return {reader.rule(), reader.counts(), fit_period(arrivals)};
+  return {reader.rule(), reader.counts(), numbering.frames(), fit_period(arrivals)};
 }
 
 std::size_t stream_frame_bytes() {

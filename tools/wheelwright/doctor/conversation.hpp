@@ -13,8 +13,12 @@
 
 namespace wheelwright::tools::doctor {
 
-// Readable text that came by itself, each line once, in order of appearance.
-using HeardText = std::vector<std::string>;
+// Readable text that came by itself.
+struct HeardText {
+  std::vector<std::string> lines;  // each once, in order of appearance
+  int count = 0;                   // of all lines, with those that came again
+  int starts = 0;                  // how often the robot said that it boots
+};
 
 // Moves a finished run of text to `heard`; returns its length, 0 where there is none.
 std::size_t collect_text(open_interface::StrayText& text, HeardText& heard);
@@ -44,6 +48,7 @@ QueryFigures ask_repeatedly(RobotLine& line, double period_s, int times, HeardTe
 struct StreamFigures {
   open_interface::ChecksumRule rule = open_interface::ChecksumRule::unknown;
   open_interface::StreamCounts counts;
+  std::int64_t sent = 0;  // frames, by the bytes that came up to the last sound one
   std::optional<PeriodFit> period;
 };
 

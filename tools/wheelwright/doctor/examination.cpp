@@ -50,7 +50,7 @@ class Examination {
     const bool answers = find_baud(line, heard);
     const QueryFigures queries = answers ? ask(line, heard) : QueryFigures{};
     const StreamFigures stream = answers ? let_it_stream(line, heard) : StreamFigures{};
-    judge(answers, heard, queries, stream);
+    judge(answers, heard, line.bits(), queries, stream);
     findings_.push_back(encoders(line, answers, queries));
   }
 
@@ -102,15 +102,17 @@ class Examination {
     return listen_to_stream(line, streaming, heard);
   }
 
-  void judge(bool answers, const HeardText& heard, const QueryFigures& queries, const StreamFigures& stream) {
-    findings_.push_back(judge_text(heard));
+  void judge(bool answers, const HeardText& heard, const open_interface::LineBits& bits,
+             const QueryFigures& queries, const StreamFigures& stream) {
+    findings_.push_back(judge_text(heard, after_start_.charging_state != 0));
     if (!answers) {
-      for (const char* const check : {"mode", "battery", "replies", "query round trip", "checksum rule",
-                                      "sensor period", "stream jitter"}) {
+      for (const char* const check : {"adapter", "mode", "battery", "replies", "query round trip",
+                                      "checksum rule", "sensor period", "stream jitter"}) {
         findings_.push_back(not_tested(check, "no answer"));
       }
       return;
     }
+    findings_.push_back(judge_adapter(bits));
     findings_.push_back(judge_mode(after_start_));
     findings_.push_back(judge_battery(queries.last.value_or(after_start_), config_.link.lowest_battery_v));
     findings_.push_back(judge_replies(queries.counts));
@@ -121,7 +123,7 @@ class Examination {
       }
       return;
     }
-    findings_.push_back(judge_checksum(stream));
+    findings_.push_back(judge_checksum(stream, config_.link.transport));
     findings_.push_back(judge_sensor_period(stream, config_.link));
     findings_.push_back(judge_jitter(stream, config_.link.period_s));
   }

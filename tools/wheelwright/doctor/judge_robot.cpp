@@ -1,5 +1,6 @@
 #include "tools/wheelwright/doctor/judge_robot.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -36,6 +37,25 @@ std::string name_of_charging(int state) {
                              "trickle charging", "waiting for the charger", "charging fault"};
   const auto index = static_cast<std::size_t>(state);
   return index < names.size() ? names.at(index) : "charging state " + std::to_string(state);
+}
+
+// Of the replies or frames that a robot sent, how good a share of sound ones is.
+State state_by_share(double sound) {
+  if (sound >= 0.99) return State::ok;
+  return sound >= 0.9 ? State::attention : State::failed;
+}
+
+constexpr const char* damaged_line =
+    "bytes are lost or damaged on the way: shorten the wires, twist them with ground, check the 5 V levels";
+
+// "7", or "5, 6".
+std::string bit_list(unsigned bits) {
+  std::string list;
+  for (int bit = 0; bit < 8; ++bit) {
+    if (((bits >> static_cast<unsigned>(bit)) & 1U) != 0)
+      list += (list.empty() ? "" : ", ") + std::to_string(bit);
+  }
+  return list;
 }
 
 // The two periods that robots are known to have (OI.md 1.1 and 1.8).
@@ -78,7 +98,9 @@ Finding judge_baud(const std::string& device, int configured_baud, std::optional
         State::failed,
         silent ? "press the robot's Clean button to wake it; then check battery, cable (its TXD is our RXD), "
                  "and that this is the robot's port"
-               : "another program may talk to it, it may still be booting, or the cable may lack a ground"};
+               : "it may still be booting, the cable may lack a ground, or the adapter may lose bits (seven "
+                 "data bits, "
+                 "parity)"};
   }
   Finding finding{
       "baud", "answers at " + std::to_string(*answering_baud), State::ok, "", {{"baud", *answering_baud}}};
@@ -93,13 +115,57 @@ Finding judge_baud(const std::string& device, int configured_baud, std::optional
   return finding;
 }
 
-Finding judge_text(const HeardText& heard) {
-  if (heard.empty()) return {"stray text", "none", State::ok, ""};
-  std::string text = "\"" + heard.front() + "\"";
-  if (heard.size() > 1) text += " and " + std::to_string(heard.size() - 1) + " more";
-  return {"stray text", text, State::attention,
-          "the robot prints by itself (docked, booting or short of power); readings that it hits are lost, "
-          "nothing is shifted"};
+Finding judge_adapter(const open_interface::LineBits& bits) {
+  constexpr std::uint64_t enough_bytes = 1000;
+  const std::string bytes = std::to_string(bits.bytes()) + " bytes";
+  const std::string stuck = bit_list(bits.never_set() | bits.always_set());
+  Finding finding{"adapter",
+                  "all eight bits pass, in " + bytes,
+                  State::ok,
+                  "",
+                  {{"bytes", static_cast<double>(bits.bytes())},
+                   {"bits_never_set", bits.never_set()},
+                   {"bits_always_set", bits.always_set()}}};
+  if (stuck.empty()) return finding;
+  if (bits.bytes() < enough_bytes) return not_tested("adapter", "only " + bytes + " came");
+  const bool lost = bits.never_set() != 0;
+  finding.text = (lost ? "bit " + bit_list(bits.never_set()) + " never set" : "") +
+                 (lost && bits.always_set() != 0 ? ", " : "") +
+                 (bits.always_set() != 0 ? "bit " + bit_list(bits.always_set()) + " always set" : "") +
+                 " in " + bytes;
+  finding.state = State::failed;
+  finding.remedy =
+      "the serial adapter damages every byte: use another adapter, and check its wiring, its 5 V levels and "
+      "that "
+      "nothing sets seven data bits or parity; no reading that comes through it is right";
+  return finding;
+}
+
+Finding judge_text(const HeardText& heard, bool charging) {
+  constexpr int most_lines = 5;
+  if (heard.count == 0) return {"stray text", "none", State::ok, ""};
+  std::string text = "\"" + heard.lines.front() + "\"";
+  if (heard.count > 1) text += " and " + std::to_string(heard.count - 1) + " more";
+  Finding finding{"stray text", std::move(text), State::attention, "", {}};
+  finding.values = {{"lines", heard.count}, {"starts", heard.starts}};
+  if (heard.starts > 1) {
+    finding.text = "the robot booted " + std::to_string(heard.starts) + " times: " + finding.text;
+    finding.state = State::failed;
+    finding.remedy =
+        "it boots again and again: its battery is empty, old or badly seated (charge or replace it, clean "
+        "the "
+        "contacts), or its board is damaged";
+  } else if (heard.count > most_lines && !charging) {
+    finding.state = State::failed;
+    finding.remedy =
+        "it prints without end: read the text; a battery that fails and a damaged board do this; take the "
+        "battery out for ten seconds, then charge or replace it";
+  } else {
+    finding.remedy =
+        "the robot prints by itself (docked, booting or short of power); readings that it hits are lost, "
+        "nothing is shifted";
+  }
+  return finding;
 }
 
 Finding judge_mode(const open_interface::Reading& after_start) {
@@ -151,12 +217,11 @@ Finding judge_replies(const open_interface::ReplyCounts& counts) {
                   State::ok,
                   "",
                   {{"sound", sound}, {"asked", static_cast<double>(counts.asked)}}};
-  if (sound >= 0.99 * asked) return finding;
+  if (state_by_share(sound / asked) == State::ok) return finding;
   finding.text += " (" + std::to_string(counts.missing) + " missing, " + std::to_string(counts.incomplete) +
                   " incomplete, " + std::to_string(counts.garbled) + " garbled)";
-  finding.state = sound >= 0.9 * asked ? State::attention : State::failed;
-  finding.remedy =
-      "bytes are lost or damaged on the way: shorten the wires, twist them with ground, check the 5 V levels";
+  finding.state = state_by_share(sound / asked);
+  finding.remedy = damaged_line;
   return finding;
 }
 
@@ -173,23 +238,27 @@ Finding judge_round_trip(const std::optional<Spread>& round_trip, const roomba::
   return finding;
 }
 
-Finding judge_checksum(const StreamFigures& stream) {
+Finding judge_checksum(const StreamFigures& stream, roomba::Transport transport) {
   using open_interface::ChecksumRule;
-  const std::string counts = ", " + std::to_string(stream.counts.frames) + " frames sound, " +
-                             std::to_string(stream.counts.corrupt) + " corrupt";
-  const std::vector<std::pair<std::string, double>> values{
-      {"frames", static_cast<double>(stream.counts.frames)},
-      {"corrupt", static_cast<double>(stream.counts.corrupt)}};
-  switch (stream.rule) {
-    case ChecksumRule::header_included:
-      return {"checksum rule", "header included (Create 2)" + counts, State::ok, "", values};
-    case ChecksumRule::header_excluded:
-      return {"checksum rule", "header excluded (Roomba 500)" + counts, State::ok, "", values};
-    case ChecksumRule::unknown:
-      break;
+  const auto sound = static_cast<double>(stream.counts.frames);
+  const auto corrupt = static_cast<double>(stream.counts.corrupt);
+  const double sent = std::max({static_cast<double>(stream.sent), sound + corrupt, 1.0});
+  const std::string counts = std::to_string(stream.counts.frames) + " of " + plain_number(sent) +
+                             " frames sound, " + std::to_string(stream.counts.corrupt) + " corrupt";
+  Finding finding{
+      "checksum rule", "", State::ok, "", {{"frames", sound}, {"corrupt", corrupt}, {"sent", sent}}};
+  if (stream.rule == ChecksumRule::unknown) {
+    finding.text = "unknown, " + counts;
+    finding.state = transport == roomba::Transport::stream ? State::failed : State::attention;
+    finding.remedy = "the robot does not stream, or too few frames arrive sound; use link.transport: query";
+    return finding;
   }
-  return {"checksum rule", "not to be told" + counts, State::attention,
-          "the robot does not stream, or too few frames arrive sound; use link.transport: query", values};
+  finding.text = (stream.rule == ChecksumRule::header_included ? "header included (Create 2), "
+                                                               : "header excluded (Roomba 500), ") +
+                 counts;
+  finding.state = state_by_share(sound / sent);
+  if (finding.state != State::ok) finding.remedy = damaged_line;
+  return finding;
 }
 
 Finding judge_sensor_period(const StreamFigures& stream, const roomba::LinkConfig& link) {

@@ -49,6 +49,7 @@ void RobotLine::change_baud(int baud) {
   ::close(port_.descriptor);
   port_.descriptor = -1;
   baud_ = baud;
+  bits_ = {};
   open();
 }
 
@@ -77,7 +78,11 @@ std::span<const std::uint8_t> RobotLine::receive(Clock::time_point deadline) {
     const auto left = std::min<Clock::duration>(deadline - Clock::now(), longest_wait);
     wait_for(port_.descriptor, POLLIN, left);
     const ssize_t count = ::read(port_.descriptor, input_.data(), input_.size());
-    if (count > 0) return std::span(input_).first(static_cast<std::size_t>(count));
+    if (count > 0) {
+      const auto bytes = std::span(input_).first(static_cast<std::size_t>(count));
+      for (const std::uint8_t byte : bytes) bits_.take(byte);
+      return bytes;
+    }
     const bool merely_empty = count < 0 && (errno == EAGAIN || errno == EINTR);
     if (!merely_empty) throw DataRefusal(device_.string() + ": the line went dead; is the cable still in?");
     if (Clock::now() >= deadline) return {};

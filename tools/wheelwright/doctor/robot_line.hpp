@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <span>
 
+#include "drivers/open_interface/line_bits.hpp"
 #include "drivers/serial/serial_port.hpp"
 
 namespace wheelwright::tools::doctor {
@@ -36,6 +37,9 @@ class RobotLine {
   // A robot listens at this speed.
   void note_robot() { robot_listens_ = true; }
 
+  // Of all bytes that came at this speed.
+  const open_interface::LineBits& bits() const { return bits_; }
+
   // Wheels to rest, Passive mode, no stream; returns when the bytes have left. Never throws.
   void leave_at_rest() noexcept;
 
@@ -51,6 +55,7 @@ class RobotLine {
   int baud_;
   bool robot_listens_ = false;
   serial::OpenPort port_;
+  open_interface::LineBits bits_;
   std::array<std::uint8_t, 1024> input_{};
 };
 
