@@ -175,6 +175,20 @@ void LogThread::tell(const roomba::Event& event) {
               ? "included"
               : "not included");
       break;
+    case EventCode::moves_unarmed:
+      spdlog::warn(
+          "the robot moves at {:.2f} s though it is not armed: it cleans by itself, is pushed, or obeys "
+          "another "
+          "program; press its Clean button or end that program",
+          event.t_s);
+      break;
+    case EventCode::counts_stuck:
+      spdlog::error(
+          "the serial adapter damages every byte: bits {:#04x} of the encoder counts never change; use "
+          "another "
+          "adapter, and see wheelwright doctor",
+          static_cast<unsigned>(event.value));
+      break;
     case EventCode::stream_period:
       spdlog::info("the robot streams every {:.3f} ms", 1e3 * event.value);
       if (std::abs(event.value / config_.link.period_s - 1.0) > 0.01) {

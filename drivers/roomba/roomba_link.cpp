@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
 
 #include "drivers/roomba/danger.hpp"
 #include "drivers/roomba/rest_bytes.hpp"
@@ -45,7 +46,7 @@ std::string_view name_of(LinkState state) {
   return "unknown";
 }
 
-RoombaLink::RoombaLink(const LinkConfig& config) : config_(config) {}
+RoombaLink::RoombaLink(const LinkConfig& config) : config_(config), unarmed_motion_(config.period_s) {}
 
 int RoombaLink::ticks_of(double seconds) const {
   return static_cast<int>(std::ceil(seconds / config_.period_s - 1e-9));
@@ -59,9 +60,8 @@ void RoombaLink::port_opened() {
   asked_for_mode_ = false;
   says_safe_unasked_ = 0;
   urgent_.clear();
-  after_gap_ = true;
-  first_counter_.rebase();
-  second_counter_.rebase();
+  counts_.stuck_bits = 0;
+  begin_counts_anew();
 }
 
 void RoombaLink::port_closed() {
@@ -89,6 +89,14 @@ void RoombaLink::set_encoder_order(EncoderOrder order) {
   first_counter_.forget_signs();
   second_counter_.forget_signs();
   after_gap_ = true;  // what was the left total is the right one now
+}
+
+void RoombaLink::begin_counts_anew() {
+  first_counter_.rebase();
+  second_counter_.rebase();
+  first_bits_.forget();
+  second_bits_.forget();
+  after_gap_ = true;
 }
 
 std::span<const std::uint8_t> RoombaLink::urgent_bytes() {
@@ -284,22 +292,26 @@ void RoombaLink::take_counts(const Reading& reading, SensorFrame& frame) {
   const double first_command = left_first ? last_command_.speed_m_s.left : last_command_.speed_m_s.right;
   const double second_command = left_first ? last_command_.speed_m_s.right : last_command_.speed_m_s.left;
   const WheelTicks before{first_counter_.total(), second_counter_.total()};
+  const WheelTicks counted_before{first_counter_.counted(), second_counter_.counted()};
   const bool first_taken = first_counter_.update(reading.left_counts, first_command, most_change);
   const bool second_taken = second_counter_.update(reading.right_counts, second_command, most_change);
   const bool turned = first_counter_.total() != before.left || second_counter_.total() != before.right;
   standing_ticks_ = turned ? 0 : standing_ticks_ + 1;
+  const std::int64_t ticks = std::max(std::abs(first_counter_.counted() - counted_before.left),
+                                      std::abs(second_counter_.counted() - counted_before.right));
+  if (unarmed_motion_.take(arm_state_ != ArmState::disarmed, ticks)) ++counts_.times_moved_unarmed;
   if (first_taken && second_taken) {
     implausible_in_a_row_ = 0;
+    note_counter_bits(reading, counted_before);
   } else {
     ++counts_.implausible;
     frame.valid = false;
     standing_ticks_ = 0;
     if (++implausible_in_a_row_ >= implausible_before_new_origin) {
-      first_counter_.rebase();
-      second_counter_.rebase();
-      after_gap_ = true;
+      begin_counts_anew();
     }
   }
+  if (counts_.stuck_bits != 0) frame.valid = false;
   const auto& left = left_first ? first_counter_ : second_counter_;
   const auto& right = left_first ? second_counter_ : first_counter_;
   frame.counted_ticks = {left.counted(), right.counted()};
@@ -309,6 +321,14 @@ void RoombaLink::take_counts(const Reading& reading, SensorFrame& frame) {
     frame.after_gap = after_gap_;
     after_gap_ = false;
   }
+}
+
+// Of such counts none is right, although each fits the one before.
+void RoombaLink::note_counter_bits(const Reading& reading, const WheelTicks& counted_before) {
+  first_bits_.take(reading.left_counts, static_cast<int>(first_counter_.counted() - counted_before.left));
+  second_bits_.take(reading.right_counts, static_cast<int>(second_counter_.counted() - counted_before.right));
+  counts_.stuck_bits |= first_bits_.stuck() | second_bits_.stuck();
+  if (counts_.stuck_bits != 0 && arm_state_ != ArmState::disarmed) stop(StopReason::blind);
 }
 
 void RoombaLink::follow_mode(std::uint8_t reported_mode) {

@@ -14,10 +14,12 @@
 #include <span>
 
 #include "drivers/open_interface/commands.hpp"
+#include "drivers/open_interface/counter_bits.hpp"
 #include "drivers/open_interface/encoder_counter.hpp"
 #include "drivers/open_interface/query_reader.hpp"
 #include "drivers/open_interface/stream_reader.hpp"
 #include "drivers/roomba/link_config.hpp"
+#include "drivers/roomba/unarmed_motion.hpp"
 #include "model/sensor_frame.hpp"
 
 namespace wheelwright::roomba {
@@ -34,6 +36,8 @@ struct LinkCounts {
   std::uint64_t implausible = 0;    // sound replies with counts that no wheel can have made
   std::uint64_t late_commands = 0;  // ticks at which no command had come in time
   std::uint64_t times_lost = 0;
+  std::uint64_t times_moved_unarmed = 0;  // beginnings of motion that nobody ordered
+  unsigned stuck_bits = 0;  // of the encoder counts, since the port was opened: the line loses them
 };
 
 class RoombaLink {
@@ -96,6 +100,8 @@ class RoombaLink {
   bool in_doubt_of_passive() const;
   void take_reading(const open_interface::Reading& reading, SensorFrame& frame);
   void take_counts(const open_interface::Reading& reading, SensorFrame& frame);
+  void note_counter_bits(const open_interface::Reading& reading, const WheelTicks& counted_before);
+  void begin_counts_anew();
   void note_silence();
   void follow_mode(std::uint8_t reported_mode);
   int ticks_of(double seconds) const;
@@ -110,6 +116,9 @@ class RoombaLink {
   open_interface::StreamReader stream_;
   open_interface::EncoderCounter first_counter_;   // packet 43
   open_interface::EncoderCounter second_counter_;  // packet 44
+  open_interface::CounterBits first_bits_;
+  open_interface::CounterBits second_bits_;
+  UnarmedMotion unarmed_motion_;
   open_interface::Reading last_reading_;
   open_interface::CommandBytes out_;
   open_interface::CommandBytes urgent_;

@@ -309,6 +309,15 @@ void Session::report_changes() {
     reported_rule_ = true;
     report(EventCode::checksum_rule, static_cast<double>(link_.checksum_rule()));
   }
+  const LinkCounts& counts = link_.counts();
+  if (counts.times_moved_unarmed != reported_unarmed_motion_) {
+    reported_unarmed_motion_ = counts.times_moved_unarmed;
+    report(EventCode::moves_unarmed, 0.0);
+  }
+  if (counts.stuck_bits != reported_stuck_bits_) {
+    reported_stuck_bits_ = counts.stuck_bits;
+    if (counts.stuck_bits != 0) report(EventCode::counts_stuck, counts.stuck_bits);
+  }
   if (const auto text = link_.stray_text().finished(); !text.empty()) {
     report(EventCode::robot_text, 0.0, text);
     link_.stray_text().discard();

@@ -32,6 +32,8 @@ enum class EventCode : std::uint8_t {
   overrun,        // value: periods that were skipped
   checksum_rule,  // value: ChecksumRule
   stream_period,  // value: seconds between frames, as measured
+  moves_unarmed,  // the wheels turn though nobody has ordered it
+  counts_stuck,   // value: bits of the encoder counts that never change; the line loses them
 };
 
 // Something that happened in the loop, for a log that is written elsewhere.
@@ -143,6 +145,8 @@ class Session {
   StopReason reported_stop_ = StopReason::none;
   bool reported_armed_ = false;
   bool reported_rule_ = false;
+  std::uint64_t reported_unarmed_motion_ = 0;
+  unsigned reported_stuck_bits_ = 0;
   std::int64_t stream_frames_ = 0;
   double first_stream_frame_s_ = 0.0;
 

@@ -33,6 +33,9 @@ bool is_rest(Activity activity) {
   return activity == Activity::idle || activity == Activity::finished || activity == Activity::stopped;
 }
 
+constexpr int most_refused_counts = 5;  // by chance, of a manoeuvre
+constexpr std::size_t settling_samples = 20;
+
 constexpr std::size_t longest_response = 40;  // periods
 
 // A wheel whose speed controller counts whole ticks may crawl on long after it was told to stop, a tick at a
@@ -103,21 +106,51 @@ std::optional<CalibrationOutcome> Calibrator::take_manoeuvre(const SensorFrame& 
     }
   } else if (activity == Activity::encoder_turn) {
     if (entered) turn_samples_.clear();
-    if (frame.valid && !frame.after_gap) turn_samples_.push_back({frame.ticks, frame.light_bumper});
+    // The counters may have been exchanged a moment ago.
+    if (frame.after_gap && turn_samples_.size() < settling_samples) turn_samples_.clear();
+    note_counts(frame, entered, !turn_samples_.empty());
+    if (frame.valid) turn_samples_.push_back({frame.ticks, frame.light_bumper});
   } else if (is_response(activity)) {
-    if (entered && activity == Activity::left_on && frame.command.repetition == 0) {
+    const bool begins = entered && activity == Activity::left_on && frame.command.repetition == 0;
+    if (begins) {
       response_runs_.clear();
       response_counts_.clear();
     }
+    note_counts(frame, begins, !response_runs_.empty());
     record_response(frame);
   } else if (activity == Activity::random_drive) {
     if (entered) begin_random(frame);
+    note_counts(frame, entered, !random_run_.samples.empty());
     record_random(frame);
   } else if (entered) {
     if (activity == Activity::await_encoder_order) return encoder_order();
     if (activity == Activity::await_encoder_scale) return encoder_scale();
     if (activity == Activity::await_response) return response();
     if (activity == Activity::await_arma) return arma();
+  }
+  return std::nullopt;
+}
+
+void Calibrator::note_counts(const SensorFrame& frame, bool entered, bool recorded_before) {
+  if (entered) {
+    refused_counts_ = 0;
+    counts_broke_ = false;
+  }
+  // Only a reading has a battery voltage.
+  if (!frame.valid && frame.battery_v > 0.0) ++refused_counts_;
+  counts_broke_ = counts_broke_ || (frame.valid && frame.after_gap && recorded_before);
+}
+
+// Who loses ticks on the way finds a scale that is wrong by more than the spread of its parts shows.
+std::optional<Refusal> Calibrator::doubt_of_counts() const {
+  if (refused_counts_ > most_refused_counts) {
+    return Refusal{
+        std::to_string(refused_counts_) +
+        " readings hold encoder counts that no wheel can have made; the serial adapter or the cable "
+        "damages bytes: see wheelwright doctor, then calibrate again"};
+  }
+  if (counts_broke_) {
+    return Refusal{"the encoder counts jumped on the way; look at cable and encoders, calibrate again"};
   }
   return std::nullopt;
 }
@@ -146,6 +179,8 @@ CalibrationOutcome Calibrator::encoder_order() const {
 CalibrationOutcome Calibrator::encoder_scale() {
   CalibrationOutcome outcome;
   outcome.kind = CalibrationKind::encoder_scale;
+  outcome.refusal = doubt_of_counts();
+  if (outcome.refusal) return outcome;
   auto fit = fit_encoder_scale(turn_samples_, mission_.encoder_turn->options);
   if (fit) {
     metres_per_tick_ = fit->metres_per_tick;
@@ -194,6 +229,8 @@ void Calibrator::record_response(const SensorFrame& frame) {
 CalibrationOutcome Calibrator::response() const {
   CalibrationOutcome outcome;
   outcome.kind = CalibrationKind::response;
+  outcome.refusal = doubt_of_counts();
+  if (outcome.refusal) return outcome;
   std::vector<DriveLog> runs;
   for (std::size_t i = 0; i < response_runs_.size(); ++i) {
     if (response_runs_[i].samples.empty()) continue;
@@ -218,13 +255,11 @@ void Calibrator::begin_random(const SensorFrame& frame) {
   random_run_ = new_run("random drive");
   random_counts_.clear();
   random_start_tick_ = frame.tick;
-  random_run_broke_ = false;
 }
 
 // Ticks whose sensors were not heard are kept for their commands; the run begins at rest, with a reading.
 void Calibrator::record_random(const SensorFrame& frame) {
   if (random_run_.samples.empty() && !frame.valid) return;
-  random_run_broke_ = random_run_broke_ || (frame.valid && frame.after_gap && !random_run_.samples.empty());
   DriveSample sample;
   sample.t_s = static_cast<double>(frame.tick - random_start_tick_) * limits_.period_s;
   sample.command_m_s = frame.command.speed_m_s;
@@ -239,11 +274,8 @@ void Calibrator::record_random(const SensorFrame& frame) {
 CalibrationOutcome Calibrator::arma() const {
   CalibrationOutcome outcome;
   outcome.kind = CalibrationKind::arma;
-  if (random_run_broke_) {
-    outcome.refusal = Refusal{
-        "the encoder counts jumped during the random drive; look at cable and encoders, calibrate again"};
-    return outcome;
-  }
+  outcome.refusal = doubt_of_counts();
+  if (outcome.refusal) return outcome;
   ArxFitOptions options;
   options.order = mission_.random_drive->order;
   options.period_s = limits_.period_s;

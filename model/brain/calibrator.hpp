@@ -62,6 +62,8 @@ class Calibrator {
   std::optional<CalibrationOutcome> take_manoeuvre(const SensorFrame& frame, bool entered);
   std::optional<CalibrationOutcome> adapt(const SensorFrame& frame, Activity before);
   void watch(const std::optional<RobotModel>& model);
+  void note_counts(const SensorFrame& frame, bool entered, bool recorded_before);
+  std::optional<Refusal> doubt_of_counts() const;
   void record_response(const SensorFrame& frame);
   CalibrationOutcome encoder_order() const;
   CalibrationOutcome encoder_scale();
@@ -89,7 +91,8 @@ class Calibrator {
   std::optional<ContinuousCalibration> continuous_;
   std::uint16_t model_version_ = 1;
   Activity last_activity_ = Activity::idle;
-  bool random_run_broke_ = false;  // counts got a new origin on the way
+  int refused_counts_ = 0;     // readings of the manoeuvre whose counts no wheel can have made
+  bool counts_broke_ = false;  // in the manoeuvre: they got a new origin on the way
 };
 
 }  // namespace wheelwright
