@@ -14,7 +14,8 @@ namespace beast = boost::beast;
 namespace http = beast::http;
 namespace websocket = beast::websocket;
 
-constexpr auto request_patience = std::chrono::seconds(10);
+// For a request, from its connection or from the answer before; for the handshake that follows it.
+constexpr auto request_patience = std::chrono::seconds(5);
 constexpr std::uint32_t largest_header = 8 * 1024;
 constexpr std::uint64_t largest_body = 1024;
 constexpr std::size_t largest_message = 64 * 1024;  // from a client
@@ -39,12 +40,17 @@ websocket::stream_base::timeout patience() {
 
 }  // namespace
 
-Connection::Connection(asio::ip::tcp::socket socket, const ServerConfig& config, const ServerHooks& hooks)
-    : stream_(std::move(socket)), config_(config), hooks_(hooks) {
+Connection::Connection(asio::ip::tcp::socket socket, const ServerConfig& config, const ServerHooks& hooks,
+                       const HasRoom& has_room)
+    : stream_(std::move(socket)), config_(config), hooks_(hooks), has_room_(has_room) {
   beast::error_code error;
   auto& tcp = stream_.next_layer().socket();
   const auto caller = tcp.remote_endpoint(error);
-  if (!error) caller_ = caller.address().to_string() + ":" + std::to_string(caller.port());
+  if (!error) {
+    const std::string address = caller.address().to_string();
+    caller_ = address + ":" + std::to_string(caller.port());
+    source_ = source_of(address);
+  }
   tcp.set_option(asio::ip::tcp::no_delay(true), error);
   tcp.set_option(asio::socket_base::send_buffer_size(system_buffer_bytes), error);
 }
@@ -103,6 +109,10 @@ void Connection::upgrade(Access access) {
   const auto protocol = choose_subprotocol(view_of(request_[http::field::sec_websocket_protocol]));
   if (protocol.empty()) {
     answer(no_subprotocol(request_));
+    return;
+  }
+  if (!has_room_(*this, access == Access::control)) {
+    answer(no_room(request_));
     return;
   }
   conversation_.emplace(ServerInfo{config_.name, config_.session_id, access == Access::control},

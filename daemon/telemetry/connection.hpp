@@ -8,11 +8,13 @@
 #include <boost/beast/websocket.hpp>
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "daemon/telemetry/access.hpp"
+#include "daemon/telemetry/admission.hpp"
 #include "daemon/telemetry/conversation.hpp"
 #include "daemon/telemetry/http_answer.hpp"
 #include "daemon/telemetry/server.hpp"
@@ -21,8 +23,12 @@ namespace wheelwright::daemon::telemetry {
 
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
-  // `config` and `hooks` outlive the io_context's last handler.
-  Connection(boost::asio::ip::tcp::socket socket, const ServerConfig& config, const ServerHooks& hooks);
+  // Whether there is room for one more client, who may stop the robot or only watch.
+  using HasRoom = std::function<bool(const Connection& connection, bool may_control)>;
+
+  // `config`, `hooks` and `has_room` outlive the io_context's last handler.
+  Connection(boost::asio::ip::tcp::socket socket, const ServerConfig& config, const ServerHooks& hooks,
+             const HasRoom& has_room);
 
   void start();
   // Puts a message into the queue; where the queue is full the client is dropped.
@@ -32,10 +38,14 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void forget_backlog();
   // Ends the conversation: politely where it is one, at once where not.
   void close();
+  // Ends the connection at once, whatever it is.
+  void drop();
 
   // The conversation, once it has begun; null before and for plain HTTP.
   const Conversation* conversation() const { return is_open_ ? &*conversation_ : nullptr; }
   bool is_closed() const { return is_closed_; }
+  // What it takes of the room there is; valid as long as this object.
+  Place place() const { return {source_, conversation_.has_value(), response_.has_value()}; }
 
  private:
   void read_request();
@@ -46,12 +56,13 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void read_message();
   void on_message();
   void write_next();
-  void drop();
 
   boost::beast::websocket::stream<boost::beast::tcp_stream> stream_;
   const ServerConfig& config_;
   const ServerHooks& hooks_;
-  std::string caller_;
+  const HasRoom& has_room_;
+  std::string caller_;  // address and port
+  std::string source_;
   boost::beast::flat_buffer input_;
   std::optional<boost::beast::http::request_parser<boost::beast::http::string_body>> parser_;
   HttpRequest request_;

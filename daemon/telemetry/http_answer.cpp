@@ -32,19 +32,25 @@ HttpResponse line(const HttpRequest& request, http::status status, const std::st
   return answer(request, status, "text/plain; charset=utf-8", text + "\n");
 }
 
+// Who is refused does not keep the connection.
+HttpResponse closing(HttpResponse response) {
+  response.keep_alive(false);
+  return response;
+}
+
 }  // namespace
 
 HttpResponse http_answer(const HttpRequest& request, Access access, std::string_view page) {
   if (access == Access::no_token) {
-    return line(
-        request, http::status::unauthorized,
-        "This robot wants its token: add ?token=TOKEN, which is live_view.token of its configuration.");
+    return closing(
+        line(request, http::status::unauthorized,
+             "This robot wants its token: add ?token=TOKEN, which is live_view.token of its configuration."));
   }
   if (access == Access::foreign) {
-    return line(
+    return closing(line(
         request, http::status::forbidden,
         "Only this machine's own addresses are answered here (http://127.0.0.1, http://localhost), and no "
-        "page from elsewhere; live_view.token lets others in.");
+        "page from elsewhere; live_view.token lets others in."));
   }
   if (request.method() != http::verb::get && request.method() != http::verb::head) {
     HttpResponse response = line(request, http::status::method_not_allowed, "There is only GET here.");
@@ -60,6 +66,11 @@ HttpResponse http_answer(const HttpRequest& request, Access access, std::string_
 HttpResponse no_subprotocol(const HttpRequest& request) {
   return line(request, http::status::bad_request,
               "Ask for the WebSocket subprotocol foxglove.sdk.v1 or foxglove.websocket.v1.");
+}
+
+HttpResponse no_room(const HttpRequest& request) {
+  return closing(line(request, http::status::service_unavailable,
+                      "As many are connected to this robot as there is room for; close another page of it."));
 }
 
 }  // namespace wheelwright::daemon::telemetry

@@ -20,4 +20,7 @@ HttpResponse http_answer(const HttpRequest& request, Access access, std::string_
 // To a WebSocket client that speaks another protocol.
 HttpResponse no_subprotocol(const HttpRequest& request);
 
+// To a WebSocket client for whom there is no room.
+HttpResponse no_room(const HttpRequest& request);
+
 }  // namespace wheelwright::daemon::telemetry

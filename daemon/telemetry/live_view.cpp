@@ -67,10 +67,8 @@ LiveView::LiveView(const config::DaemonConfig& config, roomba::Session& session,
   try {
     ServerHooks hooks;
     hooks.history = [this](ChannelId channel) { return history(channel); };
-    hooks.stop = [this](const std::string& who) {
-      session_.request_stop(StopReason::requested);
-      spdlog::warn("live view: {} asks for a stop", who);
-    };
+    hooks.stop = [this](const std::string& who) { take_stop(who); };
+    hooks.warn = [](const std::string& what) { spdlog::warn("live view: {}", what); };
     const std::string session_id = utc_now() + "/" + std::to_string(unix_minus_steady_ns_);
     server_ =
         std::make_unique<Server>(context_,
@@ -100,7 +98,7 @@ void LiveView::run() {
     try {
       context_.run();
     } catch (const std::exception& error) {
-      spdlog::error("live view: {}", error.what());
+      if (failures_.happened(steady_clock::now())) spdlog::error("live view: {}", error.what());
     }
   }
 }
@@ -112,6 +110,13 @@ void LiveView::end(const std::string& result) {
     state_changed_ = true;
     say_goodbye();
   });
+}
+
+// Each order stops the robot; not each has a line of the log.
+void LiveView::take_stop(const std::string& who) {
+  session_.request_stop(StopReason::requested);
+  last_stop_by_ = who;
+  if (stops_.happened(steady_clock::now())) spdlog::warn("live view: {} asks for a stop", who);
 }
 
 void LiveView::wait() {
@@ -128,10 +133,11 @@ void LiveView::look() {
   every_ = static_cast<std::uint64_t>(std::max(1.0, std::ceil(per_s / most_messages_per_s)));
   LogEntry entry;
   while (wiring_.telemetry.entries.pop(entry)) take(entry);
+  const auto now = steady_clock::now();
+  say_repetitions(stops_.due(now), failures_.due(now));
   publish_wake_ups();
   publish_messages();
   publish_truth();
-  const auto now = steady_clock::now();
   publish_scene(now);
   publish_state(now);
 }
@@ -266,10 +272,16 @@ std::vector<Message> LiveView::history(ChannelId channel) const {
   return {{channel, time_of(*last_), std::make_shared<const std::string>(*text)}};
 }
 
+void LiveView::say_repetitions(std::optional<std::uint64_t> stops, std::optional<std::uint64_t> failures) {
+  if (stops) spdlog::warn("live view: {} more orders to stop, the last by {}", *stops, last_stop_by_);
+  if (failures) spdlog::error("live view: {} more errors", *failures);
+}
+
 // What is still to be said is said, and what then is still open is closed for good. How the run came out is
 // said first: a client that is behind may not be there for the rest.
 void LiveView::say_goodbye() {
   timer_.cancel();
+  say_repetitions(stops_.rest(), failures_.rest());
   server_->forget_backlogs();
   publish_state(steady_clock::now());
   next_scene_ = {};

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "config/load/daemon_config.hpp"
+#include "daemon/telemetry/counted_notice.hpp"
 #include "daemon/telemetry/message_sink.hpp"
 #include "daemon/telemetry/scene.hpp"
 #include "daemon/telemetry/server.hpp"
@@ -52,6 +53,9 @@ class LiveView {
   void publish_messages();
   void publish_scene(std::chrono::steady_clock::time_point now);
   void publish_state(std::chrono::steady_clock::time_point now);
+  void take_stop(const std::string& who);
+  // What was too often to be said each time.
+  void say_repetitions(std::optional<std::uint64_t> stops, std::optional<std::uint64_t> failures);
   void say_goodbye();
   void leave_by(std::chrono::steady_clock::time_point deadline);
   std::vector<Message> history(ChannelId channel) const;
@@ -76,6 +80,9 @@ class LiveView {
   std::optional<LogEntry> last_;
   std::deque<Message> last_messages_;
   std::string result_;
+  CountedNotice stops_{std::chrono::seconds(5)};
+  CountedNotice failures_{std::chrono::seconds(5)};
+  std::string last_stop_by_;
   std::uint64_t ticks_ = 0;
   std::uint64_t wake_ups_ = 0;
   std::uint64_t truths_ = 0;

@@ -113,3 +113,52 @@ TEST_CASE("Two hundred clients, half of which never read, do not make a run fail
     if (log.number(row, "tick") - log.number(row - 1, "tick") != 1.0) FAIL("a gap at row " << row);
   }
 }
+
+TEST_CASE(
+    "Idle connections without the token keep nobody from stopping the robot, and the log says that they are "
+    "there") {
+  Bench bench;
+  const auto robot = bench.start_robot("perfect");
+  const std::uint16_t port = free_port();
+  const auto daemon =
+      bench.start_daemon(bench.configure({.live_view = live_view_at(port) + ", token: 0123456789abcdef",
+                                          .route = "[[3, 0]]",
+                                          .speed_m_s = 0.15}));
+  REQUIRE(daemon->says("route: driving", 10s));
+  boost::asio::io_context context;
+  std::vector<boost::asio::ip::tcp::socket> idle;
+  for (int i = 0; i < 400; ++i) {
+    idle.emplace_back(context).connect({boost::asio::ip::make_address("127.0.0.1"), port});
+  }
+  CHECK(daemon->says("too many connections without a request or a token", 5s));
+  LiveViewClient client(port, "/?token=0123456789abcdef");
+  client.call_stop();
+  CHECK(daemon->wait(5s) == 1);
+  CHECK_THAT(daemon->out(), ContainsSubstring("Result: stopped, requested"));
+}
+
+TEST_CASE("Thousands of orders to stop are obeyed, counted, and said in a few lines") {
+  constexpr int orders = 5000;
+  Bench bench;
+  const auto robot = bench.start_robot("perfect");
+  const std::uint16_t port = free_port();
+  const auto daemon = bench.start_daemon(bench.configure(
+      {.run = "at_end: stay", .live_view = live_view_at(port), .route = "[[3, 0]]", .speed_m_s = 0.15}));
+  REQUIRE(daemon->says("route: driving", 10s));
+  LiveViewClient client(port);
+  for (int i = 0; i < orders; ++i) {
+    client.call_stop();
+    if (i % 50 == 49) {  // a client that does not take its answers is dropped
+      client.send_text("{}");
+      client.next_text("status");
+    }
+  }
+  REQUIRE(daemon->says(" more orders to stop, the last by 127.0.0.1:", 10s));
+  daemon->signal(SIGTERM);
+  daemon->wait(5s);
+  const std::string said = daemon->err();
+  std::size_t lines = 0;
+  for (std::size_t at = 0; (at = said.find("to stop", at)) != std::string::npos; ++at) ++lines;
+  CHECK(lines < 20);
+  CHECK_THAT(said, ContainsSubstring("live view: 127.0.0.1:"));
+}

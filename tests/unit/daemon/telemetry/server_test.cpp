@@ -2,8 +2,14 @@
 
 #include <sys/resource.h>
 
+#include <boost/asio/read.hpp>
+#include <boost/asio/write.hpp>
+
 #include <atomic>
+#include <functional>
+#include <future>
 #include <thread>
+#include <type_traits>
 
 #include "tests/support/catch.hpp"
 #include "tests/support/live_view_client.hpp"
@@ -45,22 +51,28 @@ class Service {
     boost::asio::post(context_, [this] { server_.close(); });
   }
   std::size_t clients() {
-    std::atomic<std::size_t> count{0};
-    std::atomic<bool> done{false};
-    boost::asio::post(context_, [&] {
-      count = server_.clients();
-      done = true;
-      done.notify_one();
-    });
-    done.wait(false);
-    return count;
+    return on_thread([this] { return server_.clients(); });
+  }
+  std::size_t connections() {
+    return on_thread([this] { return server_.connections(); });
+  }
+  std::vector<std::string> warnings() {
+    return on_thread([this] { return warnings_; });
   }
 
  private:
   ServerHooks hooks() {
-    return {[](ChannelId) { return std::vector<Message>{}; }, [this](const std::string&) { ++stops_; }};
+    return {[](ChannelId) { return std::vector<Message>{}; }, [this](const std::string&) { ++stops_; },
+            [this](const std::string& what) { warnings_.push_back(what); }};
+  }
+  template <typename Ask>
+  std::invoke_result_t<Ask> on_thread(Ask ask) {
+    std::promise<std::invoke_result_t<Ask>> answer;
+    boost::asio::post(context_, [&] { answer.set_value(ask()); });
+    return answer.get_future().get();
   }
 
+  std::vector<std::string> warnings_;
   std::atomic<int> stops_{0};
   boost::asio::io_context context_{1};
   Server server_;
@@ -80,6 +92,12 @@ void allow_all_files_that_may_be_had() {
   getrlimit(RLIMIT_NOFILE, &files);
   files.rlim_cur = files.rlim_max;
   setrlimit(RLIMIT_NOFILE, &files);
+}
+
+// Whether a condition comes true within ten seconds.
+bool eventually(const std::function<bool()>& condition) {
+  for (int i = 0; i < 1000 && !condition(); ++i) std::this_thread::sleep_for(10ms);
+  return condition();
 }
 
 }  // namespace
@@ -246,16 +264,62 @@ TEST_CASE(
   CHECK(behind.is_closed_within(2s));
 }
 
-TEST_CASE("No more callers are let in than there is room for, and there is room again when they go") {
+TEST_CASE(
+    "No more clients are let in than there is room for, which is said, and there is room again when they "
+    "go") {
   allow_all_files_that_may_be_had();
   Service service;
   {
     std::vector<std::unique_ptr<LiveViewClient>> clients;
-    for (std::size_t i = 0; i < Server::most_connections; ++i) {
+    for (std::size_t i = 0; i < max_clients; ++i) {
       clients.push_back(std::make_unique<LiveViewClient>(service.port()));
     }
-    CHECK_THROWS(LiveViewClient(service.port()));
+    for (int i = 0; i < 3; ++i) CHECK_THROWS(LiveViewClient(service.port()));
+    CHECK(service.warnings() ==
+          std::vector<std::string>{"256 clients are all there is room for, 127.0.0.1 was refused"});
+    CHECK(http_request(service.port(), "/").status == 200);
   }
-  std::this_thread::sleep_for(100ms);
+  CHECK(eventually([&] { return service.clients() == 0; }));
   CHECK_NOTHROW(LiveViewClient(service.port()));
+}
+
+TEST_CASE("Connections that show no token keep nobody out who shows it, and are said in one line") {
+  allow_all_files_that_may_be_had();
+  Service service("0123456789abcdef");
+  LiveViewClient early(service.port(), "/?token=0123456789abcdef");
+  boost::asio::io_context context;
+  std::vector<boost::asio::ip::tcp::socket> idle;
+  const boost::asio::ip::tcp::endpoint endpoint(boost::asio::ip::make_address("127.0.0.1"), service.port());
+  for (std::size_t i = 0; i < 2 * max_clients; ++i) idle.emplace_back(context).connect(endpoint);
+  CHECK(http_request(service.port(), "/?token=0123456789abcdef").status == 200);
+  LiveViewClient late(service.port(), "/?token=0123456789abcdef");
+  for (LiveViewClient* client : {&early, &late}) {
+    client->call_stop();
+    client->send_text("{}");
+    client->next_text("status");
+  }
+  CHECK(service.stops() == 2);
+  CHECK(service.connections() <= max_guests_per_address + 2);
+  CHECK(service.warnings() ==
+        std::vector<std::string>{"too many connections without a request or a token, room "
+                                 "is made among them (127.0.0.1)"});
+}
+
+TEST_CASE("Who asks for nothing is let go after some seconds, and what he took is given back") {
+  Service service;
+  boost::asio::io_context context;
+  boost::asio::ip::tcp::socket idle(context);
+  idle.connect({boost::asio::ip::make_address("127.0.0.1"), service.port()});
+  boost::asio::write(idle, boost::asio::buffer(std::string("GET / HTTP/1.1\r\n")));
+  char byte = 0;
+  boost::system::error_code error;
+  boost::asio::read(idle, boost::asio::buffer(&byte, 1), error);  // until the server closes
+  CHECK(error);
+  CHECK(eventually([&] { return service.connections() == 0; }));
+}
+
+TEST_CASE("Who is refused does not keep the connection") {
+  const Service service("0123456789abcdef");
+  CHECK(http_request(service.port(), "/", {{"Connection", "keep-alive"}}).headers.at("Connection") ==
+        "close");
 }
