@@ -263,9 +263,9 @@ evil_daemon() {
 attack "escape sequences in the daemon's configuration" "escaped in its messages" evil_daemon
 
 evil_report() {
-  inputs_model | sed '1a robot: "\\e]0;name\\a\\u009b\\u202e"' >model.yaml
+  inputs_model >model.yaml
   { inputs_log 2 | sed "1a # robot: $inputs_evil"; } >log.csv
   wheelwright report log.csv --model model.yaml -o report.html >out 2>&1 || { cat out; return 1; }
   inputs_is_harmless report.html && echo "a page of $(wc -c <report.html) bytes"
 }
-attack "escape sequences in a log and a model, in a report" "escaped in the page" evil_report
+attack "escape sequences in a log, in a report" "escaped in the page" evil_report

@@ -112,8 +112,8 @@ second_document() {
 }
 gain_of_a_million() {
   example_log
-  sed -i -E 's/^( *gain_from_left:) .*/\1 1e6/' model.yaml
-  refused "gain_from_left" wheelwright simulate model.yaml log.csv -o out.csv
+  sed -i '0,/0.1, 0.2/s//1e6, 0.2/' model.yaml
+  refused "from_left" wheelwright simulate model.yaml log.csv -o out.csv
 }
 
 attack "--status NOTES" "refused, the text stays" status_keeps_text
