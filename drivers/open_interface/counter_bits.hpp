@@ -33,7 +33,7 @@ class CounterBits {
   }
 
  private:
-  static constexpr int most_step = 64;
+  static constexpr int most_step = 96;
   static constexpr int enough_travel = 512;  // twice what the low byte counts
   static constexpr unsigned judged = 0xE0;
 

@@ -11,6 +11,9 @@
 #include <cstring>
 #include <fstream>
 
+#include "drivers/serial/port_holders.hpp"
+#include "drivers/serial/port_list.hpp"
+
 namespace wheelwright::serial {
 namespace {
 
@@ -36,10 +39,10 @@ PortError open_error(const std::filesystem::path& path, int error) {
             name + ": no permission; add the user to the group that owns the device (usually 'dialout')"};
   }
   if (error == EBUSY || error == EWOULDBLOCK) {
-    return {PortErrorKind::in_use, name + ": in use by another program; stop that one first"};
+    return {PortErrorKind::in_use, name + ": in use by another program; end that one first"};
   }
   if (error == ENOENT || error == ENXIO || error == ENODEV) {
-    return {PortErrorKind::missing, name + ": no such device; is the robot plugged in?"};
+    return {PortErrorKind::missing, name + ": no such device"};
   }
   return {PortErrorKind::not_a_port, name + ": cannot be opened as a serial port: " + std::strerror(error)};
 }
@@ -96,6 +99,19 @@ tl::expected<OpenPort, PortError> open_port(const std::filesystem::path& path, i
   port.low_latency = set_low_latency(descriptor);
   port.latency_timer_ms = read_latency_timer(path);
   return port;
+}
+
+std::string detailed_message(const PortError& error, const std::filesystem::path& path) {
+  switch (error.kind) {
+    case PortErrorKind::in_use:
+      return path.string() + ": " + in_use_by(path);
+    case PortErrorKind::missing:
+      return path.string() + ": no such device; " + ports_that_are_there();
+    case PortErrorKind::no_permission:
+    case PortErrorKind::not_a_port:
+      break;
+  }
+  return error.message;
 }
 
 }  // namespace wheelwright::serial

@@ -27,4 +27,8 @@ struct OpenPort {
 // a time gets it.
 tl::expected<OpenPort, PortError> open_port(const std::filesystem::path& path, int baud);
 
+// The error with what this machine knows of it: who has the port, or which ports there are. Looks through
+// /proc and /dev: not for a loop that has to be on time.
+std::string detailed_message(const PortError& error, const std::filesystem::path& path);
+
 }  // namespace wheelwright::serial

@@ -78,7 +78,7 @@ TEST_CASE("A second daemon on the same robot is refused, and the first drives on
   REQUIRE(first->says("route: driving", 10s));
   const auto second = std::make_unique<ChildProcess>(
       std::vector<std::string>{WHEELWRIGHTD, "--config", config.string()}, bench.folder() / "second_said");
-  CHECK_THAT(refusal_of(*second), ContainsSubstring("in use by another program"));
+  CHECK_THAT(refusal_of(*second), ContainsSubstring("in use by wheelwrightd (process "));
   CHECK_FALSE(first->says("stopped", 300ms));
   CHECK(first->wait(0ms) == ChildProcess::still_running);
 }

@@ -164,7 +164,7 @@ int run(Options options) {
   ::sigaddset(&ends, SIGINT);
   ::sigprocmask(SIG_BLOCK, &ends, nullptr);
   const auto port = wheelwright::serial::open_port(options.robot, options.baud);
-  if (!port) throw std::runtime_error(port.error().message);
+  if (!port) throw std::runtime_error(detailed_message(port.error(), options.robot));
   FaultLog log(options.log);
   simulation::FaultyBridge bridge(port->descriptor, options.link, options.cable);
   constexpr timespec beat{0, 1'000'000};

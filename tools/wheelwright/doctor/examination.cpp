@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "drivers/serial/port_holders.hpp"
 #include "tools/wheelwright/doctor/conversation.hpp"
 #include "tools/wheelwright/doctor/encoder_trial.hpp"
 #include "tools/wheelwright/doctor/judge_host.hpp"
@@ -40,8 +41,10 @@ class Examination {
  private:
   void examine_robot() {
     RobotLine line(config_.device, config_.baud);
-    const PortFacts port{config_.device.string(), driver_of(config_.device), line.port().low_latency,
-                         line.port().latency_timer_ms};
+    other_programs_ = serial::names_of(serial::other_holders(config_.device));
+    const PortFacts port{config_.device.string(), driver_of(config_.device),
+                         other_programs_,         is_on_board(config_.device),
+                         line.port().low_latency, line.port().latency_timer_ms};
     findings_.push_back(judge_port(port));
     findings_.push_back(judge_latency_timer(port));
     progress_("listening");
@@ -68,7 +71,8 @@ class Examination {
         return true;
       }
     }
-    findings_.push_back(judge_baud(config_.device.string(), config_.baud, std::nullopt, bytes_heard));
+    findings_.push_back(
+        judge_baud(config_.device.string(), config_.baud, std::nullopt, bytes_heard, other_programs_));
     return false;
   }
 
@@ -142,6 +146,7 @@ class Examination {
   std::vector<Finding> findings_;
   open_interface::Reading after_start_;
   std::string why_no_stream_;
+  std::string other_programs_;
 };
 
 }  // namespace

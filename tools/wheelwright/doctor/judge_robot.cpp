@@ -71,7 +71,24 @@ std::optional<double> known_period_s(double period_s) {
 Finding judge_port(const PortFacts& port) {
   std::string text = port.device;
   if (!port.driver.empty()) text += ", " + port.driver;
-  return {"port", text + ", opened", State::ok, ""};
+  Finding finding{"port", text + ", opened", State::ok, ""};
+  if (!port.other_programs.empty()) {
+    finding.text = text + ", also open in " + port.other_programs;
+    finding.state = State::failed;
+    finding.remedy = "end " + port.other_programs + ": two programs on one port take bytes from each other";
+  } else if (port.driver == "bcm2835-aux-uart") {
+    finding.text = text + ", a mini UART";
+    finding.state = State::attention;
+    finding.remedy =
+        "its baud rate follows the processor's clock: write core_freq=250 into config.txt, or give the robot "
+        "the "
+        "other UART by dtoverlay=disable-bt (then /dev/ttyAMA0); as a service see systemd/README.md, UART";
+  } else if (port.on_board) {
+    finding.remedy =
+        "the service waits for /dev/roomba and never starts with this port: it needs the drop-in of "
+        "systemd/README.md, UART";
+  }
+  return finding;
 }
 
 Finding judge_latency_timer(const PortFacts& port) {
@@ -89,9 +106,13 @@ Finding judge_latency_timer(const PortFacts& port) {
 }
 
 Finding judge_baud(const std::string& device, int configured_baud, std::optional<int> answering_baud,
-                   std::size_t bytes_heard) {
+                   std::size_t bytes_heard, const std::string& other_programs) {
   if (!answering_baud) {
     const bool silent = bytes_heard == 0;
+    if (!other_programs.empty()) {
+      return {"baud", "no sound reply at 115200 or 19200 baud", State::failed,
+              "end " + other_programs + ", which takes the robot's answers away, and try again"};
+    }
     return {
         "baud",
         silent ? "no answer at 115200 or 19200 baud" : "bytes, but no sound reply at 115200 or 19200 baud",

@@ -15,6 +15,8 @@ namespace wheelwright::tools::doctor {
 struct PortFacts {
   std::string device;
   std::string driver;
+  std::string other_programs;  // that have it open too, by name
+  bool on_board = false;       // a UART of the machine itself
   bool low_latency = false;
   std::optional<int> latency_timer_ms;
 };
@@ -24,7 +26,7 @@ Finding judge_latency_timer(const PortFacts& port);
 
 // `answering_baud` is absent where the robot answered at none of the speeds that were tried.
 Finding judge_baud(const std::string& device, int configured_baud, std::optional<int> answering_baud,
-                   std::size_t bytes_heard);
+                   std::size_t bytes_heard, const std::string& other_programs = "");
 // Whether the line passes all eight bits. `bits` is of everything that an answering robot sent.
 Finding judge_adapter(const open_interface::LineBits& bits);
 // A charging robot prints a line a second, and is well.

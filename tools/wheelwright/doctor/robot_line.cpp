@@ -41,7 +41,7 @@ RobotLine::~RobotLine() {
 
 void RobotLine::open() {
   auto port = serial::open_port(device_, baud_);
-  if (!port) throw UsageError(port.error().message);
+  if (!port) throw UsageError(serial::detailed_message(port.error(), device_));
   port_ = *port;
 }
 
@@ -104,6 +104,12 @@ void RobotLine::leave_at_rest() noexcept {
     if (::ioctl(port_.descriptor, TIOCOUTQ, &waiting) != 0 || waiting == 0) break;
     ::usleep(5000);
   }
+}
+
+bool is_on_board(const std::filesystem::path& device) {
+  std::error_code error;
+  const std::string real = std::filesystem::canonical(device, error).filename().string();
+  return real.starts_with("ttyS") || real.starts_with("ttyAMA");
 }
 
 std::string driver_of(const std::filesystem::path& device) {

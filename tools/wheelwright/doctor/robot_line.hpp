@@ -62,4 +62,7 @@ class RobotLine {
 // A name for the driver behind a port, as the system has it: "ftdi_sio", "pseudo-terminal", or empty.
 std::string driver_of(const std::filesystem::path& device);
 
+// A UART of the machine itself, not of a USB adapter.
+bool is_on_board(const std::filesystem::path& device);
+
 }  // namespace wheelwright::tools::doctor
