@@ -13,11 +13,14 @@ constexpr double period_s = 0.018;
 constexpr double metres_per_tick = 0.000444565;
 
 // Wheels that follow their commands with a lag of 60 ms and gain 0.95; the right one may crawl on after it
-// was told to stop, a tick per period, for so many periods.
+// was told to stop, a tick per period, for so many periods. So many readings hold counts that no wheel can
+// have made.
 class LaggingWheels {
  public:
-  explicit LaggingWheels(int crawl_periods)
-      : calibrator_(mission(), RobotLimits{}, {}), crawl_(crawl_periods) {}
+  explicit LaggingWheels(int crawl_periods, int refused_readings = 0)
+      : calibrator_(mission(), RobotLimits{}, {}),
+        crawl_(crawl_periods),
+        refused_readings_(refused_readings) {}
 
   CalibrationOutcome respond() {
     for (std::uint16_t repetition = 0; repetition < 4; ++repetition) {
@@ -44,6 +47,8 @@ class LaggingWheels {
       SensorFrame frame;
       frame.tick = tick_++;
       frame.valid = frame.armed = true;
+      frame.battery_v = 15.0;
+      if (activity == Activity::left_on && k % 7 == 3 && refused_readings_-- > 0) frame.valid = false;
       frame.command = {frame.tick, command, activity, repetition};
       frame.ticks = {std::llround(travel_m_.left / metres_per_tick),
                      std::llround(travel_m_.right / metres_per_tick)};
@@ -60,6 +65,7 @@ class LaggingWheels {
 
   Calibrator calibrator_;
   int crawl_;
+  int refused_readings_;
   std::int64_t tick_ = 0;
   WheelPair speed_m_s_;
   WheelPair travel_m_;
@@ -75,4 +81,12 @@ TEST_CASE("A wheel that crawls on long after it was told to stop does not get th
     CHECK_THAT(outcome.response->right.gain.from_right, WithinAbs(0.95, 0.01));
     CHECK_THAT(outcome.response->left.gain.from_left, WithinAbs(0.95, 0.01));
   }
+}
+
+TEST_CASE("A calibration stands a handful of readings with counts that no wheel can have made, and no more") {
+  CHECK(LaggingWheels(0, 5).respond().response);
+  const auto outcome = LaggingWheels(0, 6).respond();
+  REQUIRE(outcome.refusal);
+  CHECK_THAT(outcome.refusal->reason, ContainsSubstring("6 readings hold encoder counts"));
+  CHECK_THAT(outcome.refusal->reason, ContainsSubstring("wheelwright doctor"));
 }
