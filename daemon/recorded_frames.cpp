@@ -20,7 +20,8 @@ const ExtraColumn* column_or_none(const DriveLog& log, std::string_view name) {
 
 const ExtraColumn& column_of(const DriveLog& log, std::string_view name) {
   if (const ExtraColumn* column = column_or_none(log, name)) return *column;
-  throw ConfigError(log.name + ": has no column '" + std::string(name) + "', which a drive log of the daemon has");
+  throw ConfigError(log.name + ": has no column '" + std::string(name) +
+                    "', which a drive log of the daemon has");
 }
 
 // What the columns of a daemon's log can hold.

@@ -70,7 +70,7 @@ class Run {
   LogThread log_;
   telemetry::LiveView live_view_;
   std::vector<std::string> inputs_lost_;  // why, each
-  std::atomic<int> scheduled_{0};  // the loop: 0 not yet, 1 goes, -1 may not
+  std::atomic<int> scheduled_{0};         // the loop: 0 not yet, 1 goes, -1 may not
   std::atomic<bool> loop_ended_{false};
   std::atomic<bool> loop_failed_{false};
   std::thread loop_;

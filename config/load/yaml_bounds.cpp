@@ -59,7 +59,7 @@ class ValueCounter final : public YAML::EventHandler {
     add(mark, 1);
     if (open_.size() > static_cast<std::size_t>(most_yaml_levels)) {
       throw YamlRefused(mark, "is nested deeper than " + std::to_string(most_yaml_levels) +
-                                   " levels, which no file here needs");
+                                  " levels, which no file here needs");
     }
   }
 

@@ -1,5 +1,5 @@
-// Which bits of a byte the line passes: an adapter that is set to seven data bits, or broken, holds one at the
-// same level in every byte.
+// Which bits of a byte the line passes: an adapter that is set to seven data bits, or broken, holds one at
+// the same level in every byte.
 //
 // A sound robot's bytes set and clear each bit. Most of its sensors are zero, which clears all. Without a
 // charger its current is negative, so that the first byte of packet 23 is 255, which sets all.
