@@ -14,18 +14,14 @@
 #include <utility>
 
 namespace wheelwright::daemon {
-namespace {
-
-struct Message {
-  spdlog::log_clock::time_point time;
-  spdlog::level::level_enum level = spdlog::level::info;
-  std::string text;
-};
-
-}  // namespace
-
 // Shared with the thread, which may outlive the sink.
 struct QueuedSink::Queue {
+  struct Message {
+    spdlog::log_clock::time_point time;
+    spdlog::level::level_enum level = spdlog::level::info;
+    std::string text;
+  };
+
   std::shared_ptr<spdlog::sinks::sink> target;
   std::size_t capacity = 0;
   std::mutex mutex;
