@@ -127,6 +127,7 @@ TEST_CASE("As a service the exit status tells configuration, permission, device,
   const int status = unlimited->wait(1s);
   CHECK((status == 77 || status == ChildProcess::still_running));  // by what this system grants
   unlimited->end();
+  std::filesystem::remove(bench.state() / "hold");  // it was armed
   {
     const auto config = bench.configure({.run = "at_end: exit", .route = "[[3, 0]]"});
     const auto daemon = bench.start_service(config);
