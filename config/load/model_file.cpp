@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t most_taps = 200;
 constexpr double largest_stable_pole = 1.0 - 1e-9;  // an integrator comes out below 1 by rounding
 constexpr Range weight{-1e6, 1e6};
-constexpr Range gain{-10.0, 10.0};  // no drive reaches ten times what it is told
+constexpr Range gain{-100.0, 100.0};  // no drive reaches a hundred times what it is told
 constexpr Range deviation{0.0, 1e6};
 
 std::vector<double> weights(YamlReader& wheel, std::string_view key) {
@@ -57,7 +57,7 @@ void check_gain(const YamlReader& wheel, std::string_view key, const std::vector
   const double reached = steady_gain(from_command, from_own_past);
   if (std::abs(reached) <= gain.maximum) return;
   wheel.fail(key, "makes the wheel reach " + plain_number(reached) +
-                      " m/s per m/s commanded, but a model of a robot lies within -10 and 10");
+                      " m/s per m/s commanded, but a model of a robot lies within -100 and 100");
 }
 
 void read_wheel(YamlReader wheel, ModelType type, WheelResponse& response, std::optional<WheelFit>& fit) {

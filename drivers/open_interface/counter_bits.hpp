@@ -1,8 +1,8 @@
 // Bits of an encoder's counts that stay at the same level while the wheel passes through all their values:
 // the line loses them (line_bits.hpp), and the travel that such counts give is wrong.
 //
-// Judges the upper three bits of the low byte. They change every 32 to 128 ticks, which no wheel steps over
-// from one sample to the next.
+// Judges bits 5 and 6. They change every 32 and 64 ticks, which no wheel steps over from one sample to the
+// next. Of a lost bit 7 come steps that no wheel can make, which the counter itself refuses.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +35,7 @@ class CounterBits {
  private:
   static constexpr int most_step = 96;
   static constexpr int enough_travel = 512;  // twice what the low byte counts
-  static constexpr unsigned judged = 0xE0;
+  static constexpr unsigned judged = 0x60;
 
   int travel_ = 0;
   int lowest_ = 0;

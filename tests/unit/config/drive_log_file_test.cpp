@@ -67,7 +67,7 @@ TEST_CASE("Every fault of a log is refused with its line") {
   CHECK_THAT(error_of(header + "t,cmd_left\n0,0\n"), ContainsSubstring("no column 'cmd_right'"));
   CHECK_THAT(error_of("# wheelwright_drive_log: 2\n"), ContainsSubstring("only version 1"));
   CHECK_THAT(error_of("t,cmd_left,cmd_right\n0,0,0\n1,0,0\n"), ContainsSubstring("wheel_base_m"));
-  CHECK_THAT(error_of("# wheel_base_m: -1\n"), ContainsSubstring("above 0"));
+  CHECK_THAT(error_of("# wheel_base_m: -1\n"), ContainsSubstring("from 0.001 to 10"));
 }
 
 TEST_CASE("What is saved is read back the same") {

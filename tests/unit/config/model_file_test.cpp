@@ -15,7 +15,7 @@ namespace {
 
 RobotModel example_model(ModelType type) {
   RobotModel model;
-  model.robot = "Roomba \"560\"\tno. 1 \\ \x01";
+  model.robot = "Roomba \"560\" no. 1 \\ \xc3\xa9";
   model.created = "2026-01-02T03:04:05Z";
   model.source = {"run 1.csv", "a: b # c"};
   model.encoder_scale = EncoderScale{{0.000444565, 0.1 + 0.2}, 1660.7, 0.0021};

