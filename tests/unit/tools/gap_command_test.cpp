@@ -165,6 +165,7 @@ TEST_CASE("Swapped sides and a wrong sign are faults of the data, and no effect 
   for (const auto& [name, runs] : {std::pair{"gap_swapped", swapped}, std::pair{"gap_turned", turned}}) {
     const auto at = workspace(name, runs);
     fs::create_directories(at.output());
+    std::ofstream(at.output() / "gap.json") << R"({"summary": "of an analysis before", "verdict": "named"})";
     std::ofstream(at.output() / "model.yaml") << "of an analysis before";
     REQUIRE(gap(at).status == ExitStatus::done);
     const auto json = gap_json(at);
