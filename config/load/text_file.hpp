@@ -18,7 +18,7 @@ struct FileKind {
   std::uint64_t most_bytes;
 };
 inline constexpr FileKind yaml_file{"a YAML file", 8U << 20U};
-inline constexpr FileKind log_file{"a log", 1U << 30U};  // a day of the daemon's drive log has 0.7 GiB
+inline constexpr FileKind log_file{"a log", 1U << 30U};
 inline constexpr FileKind record_file{"a file of results", 32U << 20U};
 
 // The text, or one line that says which file cannot be read, why, and what would be right.

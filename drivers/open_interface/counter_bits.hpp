@@ -23,7 +23,7 @@ class CounterBits {
     always_set_ &= raw;
   }
 
-  // The counts begin anew.
+  // After a reset of the counter.
   void forget() { *this = CounterBits{}; }
 
   // The bits that never changed, 0 as long as the wheel has not gone far enough in one direction to say so.

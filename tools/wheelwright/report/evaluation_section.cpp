@@ -25,7 +25,7 @@ json load_evaluation(const fs::path& path) {
   if (!result.is_object() || !result.contains("models")) {
     throw UsageError(
         path.string() +
-        ": is not what wheelwright evaluate writes; make the folder anew by wheelwright evaluate -o");
+        ": is not what wheelwright evaluate writes; write the folder again with wheelwright evaluate -o");
   }
   return result;
 }
