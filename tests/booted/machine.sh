@@ -89,6 +89,13 @@ wait_for_reboot() {
   ((status == 133)) && boot
 }
 
+# Ends every process of the machine at once, without a word to any of them.
+cut_power() {
+  kill -KILL "$leader"
+  wait "$nspawn" 2>/dev/null || true
+  nspawn=
+}
+
 find_leader() {
   local outer
   leader=
