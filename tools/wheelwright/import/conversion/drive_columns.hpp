@@ -1,0 +1,52 @@
+// The mapped channels of one or more recordings on one axis of rows, in the order of time, before anything is
+// converted: as the files say it, in their units.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "tools/wheelwright/import/mapping/mapping.hpp"
+#include "tools/wheelwright/import/recording.hpp"
+
+namespace wheelwright::import {
+
+// One value per row, or empty where the column is not mapped; not-a-number where a row has no value.
+using Column = std::vector<double>;
+
+struct DriveColumns {
+  Column t_s;                       // in seconds, on the clock of the file
+  std::vector<std::size_t> places;  // line of each row in its file; empty where rows of streams were merged
+  std::array<Column, 2> command;    // left and right, or linear and angular
+  std::array<Column, 2> wheel;      // left and right, or linear and angular
+  Column x;
+  Column y;
+  Column theta_rad;  // of a quaternion, or of the column in its unit
+  Column gyro;
+  Column battery;
+
+  std::size_t rows() const { return t_s.size(); }
+  // "line 12", or "row 12" of merged rows.
+  std::string place(std::size_t row) const;
+};
+
+// A channel by its name, or by its number from 1; nullptr where there is none, or several.
+struct FoundChannel {
+  const Stream* stream = nullptr;
+  const Channel* channel = nullptr;
+};
+FoundChannel find_channel(std::span<const Recording> recordings, const ChannelName& name);
+
+// When each row of a stream was measured, in seconds: by the mapped column, else by stamps of its own that
+// agree with the time of recording, else by that time, else by rows `period_s` apart. Empty where none is
+// there.
+Column stream_times(const Stream& stream, const TimeMapping& time);
+
+// Rows of several streams are merged: one at each time at which any of them has a row. Fails, with one line,
+// where a mapped channel is not there or there is no time.
+tl::expected<DriveColumns, std::string> gather(std::span<const Recording> recordings, const Mapping& mapping);
+
+}  // namespace wheelwright::import

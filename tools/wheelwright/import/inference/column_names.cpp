@@ -1,0 +1,132 @@
+#include "tools/wheelwright/import/inference/column_names.hpp"
+
+#include <optional>
+
+#include "tools/wheelwright/import/inference/name_words.hpp"
+#include "tools/wheelwright/import/mapping/units.hpp"
+
+namespace wheelwright::import {
+namespace {
+
+struct Name {
+  NameWords words;
+  bool is_command = false;
+  NamedSide side = NamedSide::none;
+  std::string unit;
+};
+
+NamedSide side_of(const NameWords& words) {
+  if (words.has_any({"left", "l", "lft", "lhs", "lw", "wl", "izq", "links", "gauche"}))
+    return NamedSide::left;
+  if (words.has_any({"right", "r", "rgt", "rhs", "rw", "wr", "der", "rechts", "droite"}))
+    return NamedSide::right;
+  return NamedSide::none;
+}
+
+bool is_command_name(const NameWords& words) {
+  return words.has_any({"cmd",       "cmdvel", "command", "commanded", "commands", "set",  "setpoint",
+                        "setpoints", "sp",     "target",  "desired",   "des",      "goal", "request",
+                        "requested", "req",    "demand",  "input",     "u",        "pwm",  "duty"});
+}
+
+std::optional<Quantity> time_or_pose(const Name& name) {
+  const NameWords& words = name.words;
+  const auto last = words.last();
+  if (name.side == NamedSide::none && !words.has_any({"period", "delay"}) &&
+      (words.has_any({"time", "timestamp", "stamp", "t", "sec", "secs", "seconds", "millis", "micros", "nsec",
+                      "datetime", "date", "epoch", "elapsed", "clock", "timestamps"}) ||
+       (words.words().size() == 1 && (last == "ms" || last == "us" || last == "ns" || last == "s")))) {
+    return Quantity::time;
+  }
+  const bool is_rotation = words.has_any({"orientation", "rotation", "quaternion", "quat", "q"});
+  if (last == "qx" || (is_rotation && last == "x")) return Quantity::qx;
+  if (last == "qy" || (is_rotation && last == "y")) return Quantity::qy;
+  if (last == "qz" || (is_rotation && last == "z")) return Quantity::qz;
+  if (last == "qw" || (is_rotation && last == "w")) return Quantity::qw;
+  const bool is_rate = words.has_any({"linear", "angular", "twist", "velocity", "vel", "speed", "rate", "acc",
+                                      "accel", "acceleration", "force", "gyro", "mag", "dot"});
+  if (is_rate || name.is_command || name.side != NamedSide::none) return std::nullopt;
+  if (last == "x" || last == "px" || last == "tx" || last == "posx" || last == "xpos") return Quantity::x;
+  if (last == "y" || last == "py" || last == "ty" || last == "posy" || last == "ypos") return Quantity::y;
+  if (words.has_any({"theta", "yaw", "heading", "psi", "th", "orientation"})) return Quantity::heading;
+  return std::nullopt;
+}
+
+Quantity of_wheel(const Name& name) {
+  const NameWords& words = name.words;
+  const bool is_speed =
+      words.has_any({"vel", "velocity", "speed", "spd", "v", "rpm", "rps", "omega", "w", "rate"}) ||
+      find_unit(speed_units(), name.unit);
+  if (words.has_any({"pwm", "duty", "power", "throttle", "volt", "volts", "voltage", "effort", "dc"})) {
+    return Quantity::duty;
+  }
+  if (name.is_command) return Quantity::command;
+  if (is_speed) return Quantity::speed;
+  if (find_unit(angle_units(), name.unit)) return Quantity::angle;
+  if (find_unit(distance_units(), name.unit)) return Quantity::distance;
+  if (words.has_any({"tick", "ticks", "count", "counts", "cnt", "enc", "encoder", "encoders", "pulse",
+                     "pulses", "qei", "pos"})) {
+    return Quantity::count;
+  }
+  if (words.has_any({"dist", "distance", "travel", "odo", "odometer"})) return Quantity::distance;
+  if (words.has_any({"angle", "ang", "phi", "rot", "rotation", "theta", "th", "position"}))
+    return Quantity::angle;
+  if (words.has("motor") || words.has("wheel")) return Quantity::speed;
+  return Quantity::unknown;
+}
+
+Quantity of_body(const Name& name) {
+  const NameWords& words = name.words;
+  const auto last = words.last();
+  const bool about_z = last == "z" || words.words().size() == 1;
+  if (words.has_any({"battery", "bat", "batt", "vbat", "voltage", "volt", "supply"}) &&
+      !words.has_any({"percentage", "percent", "current", "charge", "capacity", "temperature"})) {
+    return Quantity::battery;
+  }
+  if ((words.has_any({"gyro", "gyr"}) && about_z) || last == "gz" ||
+      (words.has("angular") && words.has("velocity") && last == "z")) {
+    return name.is_command ? Quantity::angular_command : Quantity::gyro;
+  }
+  const bool is_angular =
+      (words.has("angular") && last != "x" && last != "y") ||
+      words.has_any({"w", "omega", "wz", "yawrate", "ang", "rot", "turnrate"}) ||
+      (words.has_any({"yaw", "turn", "turning"}) && words.has_any({"rate", "vel", "speed"})) ||
+      find_unit(angular_units(), name.unit);
+  if (is_angular) return name.is_command ? Quantity::angular_command : Quantity::angular_speed;
+  const bool is_linear = (words.has("linear") && last != "y" && last != "z") ||
+                         words.has_any({"v", "vx", "lin", "fwd", "forward", "trans"}) ||
+                         (words.has_any({"vel", "velocity", "speed"}) && last != "y" && last != "z") ||
+                         find_unit(speed_units(), name.unit);
+  if (is_linear) return name.is_command ? Quantity::linear_command : Quantity::linear_speed;
+  if (words.has_any({"pwm", "duty", "throttle", "power"})) return Quantity::duty;
+  if (words.has_any({"encoder", "enc", "ticks", "counts", "tick", "count"})) return Quantity::count;
+  return name.is_command ? Quantity::command : Quantity::unknown;
+}
+
+}  // namespace
+
+NameMeaning meaning_of(const Stream& stream, const Channel& channel) {
+  Name name{NameWords(channel.name), false, NamedSide::none, {}};
+  if (name.words.empty()) return {};
+  // Transforms and the covariances beside a pose say nothing by their topic.
+  const std::string topic = stream.name.substr(0, stream.name.find(':'));
+  name.unit = channel.unit.empty() ? name.words.take_unit() : channel.unit;
+  if (const auto standard = unit_by_spelling(name.unit); !standard.empty()) name.unit = standard;
+  name.side = side_of(name.words);
+  name.is_command = is_command_name(name.words) || is_command_name(NameWords(topic));
+  if (name.words.empty()) return {};
+
+  NameMeaning meaning{Quantity::unknown, name.side, name.unit};
+  if (const auto known = time_or_pose(name)) {
+    meaning.quantity = *known;
+  } else {
+    meaning.quantity = name.side == NamedSide::none ? of_body(name) : of_wheel(name);
+  }
+  // The positions of joints are angles.
+  if (meaning.quantity == Quantity::count && stream.type.find("JointState") != std::string::npos) {
+    meaning.quantity = Quantity::angle;
+  }
+  return meaning;
+}
+
+}  // namespace wheelwright::import

@@ -1,0 +1,48 @@
+// What the name of a channel says: "posL [mm]" is the travel of the left wheel, "/cmd_vel:linear.x" a
+// commanded forward speed.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "tools/wheelwright/import/recording.hpp"
+
+namespace wheelwright::import {
+
+enum class Quantity : std::uint8_t {
+  unknown,
+  time,
+  // of a wheel
+  command,
+  duty,
+  count,
+  angle,
+  distance,
+  speed,
+  // of the body
+  linear_command,
+  angular_command,
+  linear_speed,
+  angular_speed,
+  x,
+  y,
+  heading,
+  qx,
+  qy,
+  qz,
+  qw,
+  gyro,
+  battery,
+};
+
+enum class NamedSide : std::uint8_t { none, left, right };
+
+struct NameMeaning {
+  Quantity quantity = Quantity::unknown;
+  NamedSide side = NamedSide::none;
+  std::string unit;  // as the file states it, or as the name ends ("speed_mm_s"); in its standard spelling
+};
+
+NameMeaning meaning_of(const Stream& stream, const Channel& channel);
+
+}  // namespace wheelwright::import

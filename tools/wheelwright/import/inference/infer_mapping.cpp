@@ -1,0 +1,104 @@
+#include "tools/wheelwright/import/inference/infer_mapping.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/load/text_format.hpp"
+#include "tools/wheelwright/import/conversion/drive_columns.hpp"
+#include "tools/wheelwright/import/inference/named_roles.hpp"
+#include "tools/wheelwright/import/inference/numbered_roles.hpp"
+#include "tools/wheelwright/import/inference/units_by_motion.hpp"
+
+namespace wheelwright::import {
+namespace {
+
+const Channel* time_channel(std::span<const Recording> recordings, const Mapping& mapping) {
+  if (!mapping.time.column) return nullptr;
+  for (const auto& recording : recordings) {
+    for (const auto& stream : recording.streams) {
+      if (const Channel* channel = stream.find(mapping.time.column->channel)) return channel;
+    }
+  }
+  return find_channel(recordings, *mapping.time.column).channel;
+}
+
+void set_time_unit(std::span<const Recording> recordings, const GivenMapping& given, Mapping& mapping,
+                   std::vector<std::string>& findings) {
+  const Channel* channel = time_channel(recordings, mapping);
+  if (channel == nullptr || given.says("time.unit")) return;
+  if (channel->unit == "hms") {
+    mapping.time.unit = TimeUnit::hms;
+  } else if (channel->unit == "iso") {
+    mapping.time.unit = TimeUnit::iso;
+  } else {
+    mapping.time.unit = time_unit(channel->values, mapping.time.period_s);
+    constexpr std::string_view names[] = {"seconds", "milliseconds", "microseconds", "nanoseconds"};
+    if (mapping.time.unit != TimeUnit::s) {
+      findings.push_back("time is in " + std::string(names[static_cast<std::size_t>(mapping.time.unit)]) +
+                         ", by the size of its steps");
+    }
+  }
+}
+
+// Signs and sides that cannot be as the file says. They are reported, and changed by whoever knows the robot.
+void add_doubts(const DriveColumns& columns, const Mapping& mapping, std::vector<std::string>& doubts) {
+  if (!mapping.command || !mapping.wheels || !mapping.wheels->right ||
+      mapping.command->kind == CommandKind::twist)
+    return;
+  auto rows = response_rows(columns, mapping);
+  const std::array<ResponseFit, 2> own{fit_response(rows[0]), fit_response(rows[1])};
+  std::swap(rows[0].command, rows[1].command);
+  const std::array<ResponseFit, 2> other{fit_response(rows[0]), fit_response(rows[1])};
+  const double gained = other[0].nats + other[1].nats - own[0].nats - own[1].nats;
+  if (columns.command[1].size() > 0 && gained > 20.0 && other[0].explained > 0.5 &&
+      other[1].explained > 0.5) {
+    doubts.push_back("the sides are swapped: each wheel follows the command of the other (" +
+                     config::fixed_number(gained, 0) + " nats); exchange wheels.left and wheels.right");
+    return;
+  }
+  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+    if (own[k].gain >= 0.0 || own[k].explained < 0.5) continue;
+    const std::string side = k == 0 ? "left" : "right";
+    doubts.push_back(
+        "the " + side +
+        " wheel counts backwards against its command; if the encoder is mounted so: --set wheels.reversed=" +
+        side);
+  }
+}
+
+// What was found, with what is given in its place.
+std::vector<MappingEntry> overlaid(const Mapping& mapping, const GivenMapping& given) {
+  std::vector<MappingEntry> entries = mapping_entries(mapping);
+  for (const auto& entry : given.entries()) {
+    const auto at = std::ranges::find(entries, entry.key, &MappingEntry::key);
+    if (at == entries.end()) {
+      entries.push_back(entry);
+    } else {
+      at->value = entry.value;
+    }
+  }
+  return entries;
+}
+
+}  // namespace
+
+Inference infer_mapping(std::span<const Recording> recordings, const GivenMapping& given) {
+  Inference inference;
+  Mapping mapping = to_mapping(given.entries(), "mapping");
+  map_by_names(recordings, mapping, inference.findings);
+  map_metadata(recordings, mapping);
+  set_time_unit(recordings, given, mapping, inference.findings);
+  map_by_numbers(recordings, given, mapping, inference.findings);
+  map_metadata(recordings, mapping);
+  mapping = to_mapping(overlaid(mapping, given), "mapping");
+  if (mapping.command || mapping.wheels) {
+    if (const auto columns = gather(recordings, mapping)) {
+      set_units(*columns, given, mapping, inference.findings);
+      add_doubts(*columns, mapping, inference.doubts);
+    }
+  }
+  inference.entries = overlaid(mapping, given);
+  return inference;
+}
+
+}  // namespace wheelwright::import

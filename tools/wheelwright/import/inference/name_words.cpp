@@ -1,0 +1,112 @@
+#include "tools/wheelwright/import/inference/name_words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "tools/wheelwright/import/mapping/units.hpp"
+
+namespace wheelwright::import {
+namespace {
+
+using std::string_view;
+
+bool is_upper(char c) {
+  return std::isupper(static_cast<unsigned char>(c)) != 0;
+}
+bool is_lower(char c) {
+  return std::islower(static_cast<unsigned char>(c)) != 0;
+}
+bool is_letter(char c) {
+  return std::isalpha(static_cast<unsigned char>(c)) != 0;
+}
+bool is_digit(char c) {
+  return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
+
+// Before which a side may stand as one letter: "vr", "encl", "rpmr".
+constexpr std::array<string_view, 29> before_side{
+    "v",     "w",     "u",     "n",     "s",     "d",   "m",   "enc",   "pwm",  "pos",
+    "vel",   "tick",  "ticks", "cmd",   "count", "rpm", "phi", "th",    "dist", "speed",
+    "motor", "wheel", "duty",  "omega", "spd",   "sp",  "set", "pulse", "volt"};
+
+// A word begins at a capital behind a small letter, at a capital before a small letter, and where letters and
+// digits meet.
+bool begins_word(string_view name, std::size_t at) {
+  const char c = name[at];
+  const char before = name[at - 1];
+  if (is_upper(c) && is_lower(before)) return true;
+  if (is_upper(c) && is_upper(before) && at + 1 < name.size() && is_lower(name[at + 1])) return true;
+  return is_letter(c) != is_letter(before) && (is_digit(c) || is_digit(before));
+}
+
+void add_word(std::vector<std::string>& words, std::string word) {
+  if (word.empty()) return;
+  const char last = word.back();
+  const string_view front(word.data(), word.size() - 1);
+  if ((last == 'l' || last == 'r') && std::ranges::find(before_side, front) != before_side.end()) {
+    words.emplace_back(front);
+    words.emplace_back(1, last);
+    return;
+  }
+  for (const string_view side : {"left", "right"}) {  // "leftwheel", "wheelleft"
+    if (word.size() > side.size() && word.starts_with(side)) {
+      words.emplace_back(side);
+      words.push_back(word.substr(side.size()));
+      return;
+    }
+    if (word.size() > side.size() && word.ends_with(side)) {
+      words.push_back(word.substr(0, word.size() - side.size()));
+      words.emplace_back(side);
+      return;
+    }
+  }
+  words.push_back(std::move(word));
+}
+
+}  // namespace
+
+NameWords::NameWords(string_view name) {
+  std::string word;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const char c = name[i];
+    const bool belongs = is_letter(c) || is_digit(c) || c == '/' || static_cast<unsigned char>(c) >= 0x80;
+    if (!belongs || c == '/' || (i > 0 && !word.empty() && begins_word(name, i))) {
+      add_word(words_, std::move(word));
+      word.clear();
+    }
+    if (belongs && c != '/') word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  add_word(words_, std::move(word));
+}
+
+bool NameWords::has(string_view word) const {
+  return std::ranges::find(words_, word) != words_.end();
+}
+
+bool NameWords::has_any(std::initializer_list<string_view> words) const {
+  return std::ranges::any_of(words, [this](string_view word) { return has(word); });
+}
+
+std::string NameWords::take_unit() {
+  for (const std::size_t count : {std::size_t{3}, std::size_t{2}, std::size_t{1}}) {
+    if (words_.size() <= count && !(count == 1 && words_.size() == 1 && words_[0] == "rpm")) continue;
+    std::string ending;
+    for (std::size_t i = words_.size() - count; i < words_.size(); ++i) {
+      ending += (ending.empty() ? "" : "_") + words_[i];
+    }
+    // "cmd_v" is a speed; "battery_v" is in volts.
+    if (ending == "v" && !has_any({"battery", "bat", "batt", "voltage", "vbat", "supply"})) continue;
+    if (ending == "ms" || ending == "us" || ending == "ns" || ending == "s") {
+      words_.resize(words_.size() - 1);
+      return ending;
+    }
+    const string_view unit = unit_by_spelling(ending);
+    if (unit.empty()) continue;
+    if (words_.size() > count) words_.resize(words_.size() - count);
+    return std::string(unit);
+  }
+  return {};
+}
+
+}  // namespace wheelwright::import

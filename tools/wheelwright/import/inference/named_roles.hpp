@@ -1,0 +1,23 @@
+// The mapping that the names and types of channels suggest.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tools/wheelwright/import/mapping/mapping.hpp"
+#include "tools/wheelwright/import/recording.hpp"
+
+namespace wheelwright::import {
+
+// Fills in what `mapping` lacks, and adds a line to `findings` where one of several was taken.
+void map_by_names(std::span<const Recording> recordings, Mapping& mapping,
+                  std::vector<std::string>& findings);
+
+// The wheel base, period, scales and name that metadata state ("# wheel_base_m: 0.235").
+void map_metadata(std::span<const Recording> recordings, Mapping& mapping);
+
+// Whether a column is held for most rows, as a command is, and changes at all.
+bool is_held(const std::vector<double>& values);
+
+}  // namespace wheelwright::import

@@ -1,0 +1,302 @@
+#include "tools/wheelwright/import/inference/numbered_roles.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "config/load/text_format.hpp"
+#include "tools/wheelwright/import/conversion/counts.hpp"
+#include "tools/wheelwright/import/inference/named_roles.hpp"
+#include "tools/wheelwright/import/inference/pose_columns.hpp"
+#include "tools/wheelwright/import/inference/response_fit.hpp"
+#include "tools/wheelwright/import/inference/units_by_motion.hpp"
+
+namespace wheelwright::import {
+namespace {
+
+using config::fixed_number;
+
+constexpr std::size_t fewest_rows = 50;
+constexpr std::size_t most_columns = 40;
+constexpr double sure_explained = 0.6;
+constexpr std::size_t most_rows = 20'000;
+
+const Stream* longest_table(std::span<const Recording> recordings) {
+  const Stream* longest = nullptr;
+  for (const auto& recording : recordings) {
+    for (const auto& stream : recording.streams) {
+      if (!stream.received_s.empty() || stream.channels.empty()) continue;
+      if (longest == nullptr || stream.rows > longest->rows) longest = &stream;
+    }
+  }
+  return longest;
+}
+
+bool is_used(const Mapping& mapping, const Stream& stream, const Channel& channel) {
+  for (const auto& entry : mapping_entries(mapping)) {
+    if (entry.value == channel.name || entry.value == stream.name + ":" + channel.name) return true;
+  }
+  return false;
+}
+
+// Whether values rise at nearly every row by about the same: 0 never, 1 as a clock. Of a clock that was set
+// and of rows out of order the most rise.
+double evenness(const std::vector<double>& values) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const double step = values[i] - values[i - 1];
+    if (std::isfinite(step)) steps.push_back(step);
+  }
+  if (steps.size() + 10 < values.size() || steps.size() < 2) return 0.0;
+  std::ranges::sort(steps);
+  const auto at = [&](double part) {
+    return steps[static_cast<std::size_t>(part * static_cast<double>(steps.size() - 1))];
+  };
+  return at(0.02) > 0.0 ? at(0.1) / at(0.9) : 0.0;
+}
+
+struct Candidate {
+  const Channel* channel;
+  bool cumulative;  // its steps are the motion, as of counts; else its values are, as of speeds
+};
+
+struct Assignment {
+  CommandKind kind = CommandKind::wheels;
+  const Channel* command[2] = {nullptr, nullptr};
+  Candidate wheel[2] = {};
+  double nats = 0.0;
+  double explained = 0.0;
+};
+
+class ByNumbers {
+ public:
+  ByNumbers(const Stream& stream, Mapping& mapping, std::vector<std::string>& findings)
+      : stream_(stream), mapping_(mapping), findings_(findings) {
+    for (const auto& channel : stream.channels) {
+      if (!is_used(mapping, stream, channel)) unused_.push_back(&channel);
+    }
+  }
+
+  void find_time() {
+    const Channel* best = nullptr;
+    for (const Channel* channel : unused_) {
+      if (evenness(channel->values) > (best == nullptr ? 0.02 : evenness(best->values))) best = channel;
+    }
+    if (best == nullptr) return;
+    mapping_.time.column = ChannelName{"", best->name};
+    std::erase(unused_, best);
+    findings_.push_back("time is " + name(*best) + ": it rises at every row");
+  }
+
+  void find_motion(const std::vector<double>& t_s) {
+    t_s_ = t_s;
+    std::vector<const Channel*> commands;
+    std::vector<Candidate> wheels;
+    collect(commands, wheels);
+    if (commands.empty() || wheels.empty() || commands.size() > most_columns ||
+        wheels.size() > 2 * most_columns)
+      return;
+    const auto best = best_assignment(commands, wheels);
+    if (!best || best->explained < sure_explained) return;
+    take(*best);
+  }
+
+  const std::vector<const Channel*>& unused() const { return unused_; }
+
+ private:
+  static std::string name(const Channel& channel) {
+    const bool is_number = channel.name.find_first_not_of("0123456789") == std::string::npos;
+    return (is_number ? "column " : "'") + channel.name + (is_number ? "" : "'");
+  }
+
+  void collect(std::vector<const Channel*>& commands, std::vector<Candidate>& wheels) const {
+    if (mapping_.command) {
+      for (const auto& channel : stream_.channels) {
+        if (channel.name == mapping_.command->first.channel) commands.push_back(&channel);
+        if (mapping_.command->second && channel.name == mapping_.command->second->channel)
+          commands.push_back(&channel);
+      }
+    }
+    for (const Channel* channel : unused_) {
+      if (!mapping_.command && is_held(channel->values)) commands.push_back(channel);
+      if (mapping_.wheels) continue;
+      wheels.push_back({channel, true});
+      wheels.push_back({channel, false});
+    }
+    if (!mapping_.wheels) return;
+    for (const auto& channel : stream_.channels) {
+      const bool is_left = channel.name == mapping_.wheels->left.channel;
+      const bool is_right = mapping_.wheels->right && channel.name == mapping_.wheels->right->channel;
+      if (is_left || is_right) wheels.push_back({&channel, mapping_.wheels->kind != WheelKind::speed});
+    }
+  }
+
+  std::vector<double> speed_of(const Candidate& candidate) const {
+    std::vector<double> values = candidate.channel->values;
+    if (!candidate.cumulative) return values;
+    if (const auto bits = wrapped_bits(values)) unwrap(values, *bits);
+    std::vector<double> speed(values.size(), NAN);
+    for (std::size_t i = 1; i < values.size(); ++i)
+      speed[i] = (values[i] - values[i - 1]) / (t_s_[i] - t_s_[i - 1]);
+    return speed;
+  }
+
+  ResponseFit fit(const std::vector<double>& speed, const Channel& command) const {
+    ResponseRows rows;
+    const std::size_t count = std::min(speed.size(), most_rows);
+    rows.speed.assign(speed.begin(), speed.begin() + static_cast<std::ptrdiff_t>(count));
+    rows.command.assign(count, NAN);
+    double last = NAN;
+    for (std::size_t i = 0; i < count; ++i) {
+      rows.command[i] = last;
+      if (std::isfinite(command.values[i])) last = command.values[i];
+    }
+    rows.run_ends = {count};
+    return fit_response(rows);
+  }
+
+  std::optional<Assignment> best_assignment(const std::vector<const Channel*>& commands,
+                                            const std::vector<Candidate>& wheels) const {
+    std::vector<std::vector<double>> speeds;
+    for (const auto& wheel : wheels) speeds.push_back(speed_of(wheel));
+    std::optional<Assignment> best;
+    const auto offer = [&](const Assignment& assignment) {
+      if (assignment.explained >= sure_explained && (!best || assignment.nats > best->nats))
+        best = assignment;
+    };
+    std::vector<std::vector<ResponseFit>> fits(wheels.size());
+    for (std::size_t w = 0; w < wheels.size(); ++w) {
+      for (const Channel* command : commands)
+        fits[w].push_back(command == wheels[w].channel ? ResponseFit{} : fit(speeds[w], *command));
+    }
+    for (std::size_t w = 0; w < wheels.size(); ++w) {
+      for (std::size_t c = 0; c < commands.size(); ++c) {
+        offer({CommandKind::wheels,
+               {commands[c], nullptr},
+               {wheels[w], {}},
+               fits[w][c].nats,
+               fits[w][c].explained});
+      }
+    }
+    for (std::size_t a = 0; a < wheels.size(); ++a) {
+      for (std::size_t b = a + 1; b < wheels.size(); ++b) {
+        if (wheels[a].channel == wheels[b].channel || wheels[a].cumulative != wheels[b].cumulative) continue;
+        offer_pairs(commands, wheels, fits, a, b, offer);
+        if (commands.size() > 1) offer_twists(commands, wheels, speeds, a, b, offer);
+      }
+    }
+    return best;
+  }
+
+  template <typename Offer>
+  static void offer_pairs(const std::vector<const Channel*>& commands, const std::vector<Candidate>& wheels,
+                          const std::vector<std::vector<ResponseFit>>& fits, std::size_t a, std::size_t b,
+                          const Offer& offer) {
+    for (std::size_t c = 0; c < commands.size(); ++c) {
+      for (std::size_t d = 0; d < commands.size(); ++d) {
+        if (commands[c] == wheels[a].channel || commands[d] == wheels[b].channel) continue;
+        if (c == d && (wheels[a].channel == commands[c] || commands.size() > 1)) continue;
+        offer({CommandKind::wheels,
+               {commands[c], c == d ? nullptr : commands[d]},
+               {wheels[a], wheels[b]},
+               fits[a][c].nats + fits[b][d].nats,
+               std::min(fits[a][c].explained, fits[b][d].explained)});
+      }
+    }
+  }
+
+  template <typename Offer>
+  void offer_twists(const std::vector<const Channel*>& commands, const std::vector<Candidate>& wheels,
+                    const std::vector<std::vector<double>>& speeds, std::size_t a, std::size_t b,
+                    const Offer& offer) const {
+    std::vector<double> forward = speeds[a];
+    std::vector<double> turning = speeds[b];
+    for (std::size_t i = 0; i < forward.size(); ++i) {
+      const double left = forward[i];
+      forward[i] = 0.5 * (left + turning[i]);
+      turning[i] -= left;
+    }
+    for (std::size_t c = 0; c < commands.size(); ++c) {
+      for (std::size_t d = 0; d < commands.size(); ++d) {
+        const bool is_wheel = commands[c] == wheels[a].channel || commands[c] == wheels[b].channel ||
+                              commands[d] == wheels[a].channel || commands[d] == wheels[b].channel;
+        if (c == d || is_wheel) continue;
+        const ResponseFit linear = fit(forward, *commands[c]);
+        const ResponseFit angular = fit(turning, *commands[d]);
+        Assignment assignment{CommandKind::twist,
+                              {commands[c], commands[d]},
+                              {wheels[a], wheels[b]},
+                              linear.nats + angular.nats,
+                              std::min(linear.explained, angular.explained)};
+        if (angular.gain < 0.0) std::swap(assignment.wheel[0], assignment.wheel[1]);
+        offer(assignment);
+      }
+    }
+  }
+
+  void take(const Assignment& best) {
+    const bool one_wheel = best.wheel[1].channel == nullptr;
+    const std::string evidence = " (explains " + fixed_number(100.0 * best.explained, 1) +
+                                 " % of the speed, " + fixed_number(best.nats, 0) + " nats)";
+    if (!mapping_.command) {
+      CommandMapping command;
+      command.kind = best.kind;
+      command.first = {stream_.name, best.command[0]->name};
+      if (best.command[1] != nullptr) command.second = ChannelName{stream_.name, best.command[1]->name};
+      mapping_.command = command;
+      const bool is_twist = best.kind == CommandKind::twist;
+      findings_.push_back(std::string(is_twist ? "commands are forward and turning speed: "
+                                      : best.command[1] == nullptr ? "the command is "
+                                                                   : "commands are left and right: ") +
+                          name(*best.command[0]) +
+                          (best.command[1] == nullptr ? "" : " and " + name(*best.command[1])) + evidence);
+    }
+    if (!mapping_.wheels) {
+      WheelMapping wheels;
+      wheels.kind = best.wheel[0].cumulative ? WheelKind::counts : WheelKind::speed;
+      wheels.unit = best.wheel[0].cumulative ? "" : "m/s";
+      wheels.left = {stream_.name, best.wheel[0].channel->name};
+      if (!one_wheel) wheels.right = ChannelName{stream_.name, best.wheel[1].channel->name};
+      mapping_.wheels = wheels;
+      findings_.push_back(std::string(best.wheel[0].cumulative ? "counts" : "speeds") +
+                          (one_wheel ? " of one wheel: " : " of the left and right wheel: ") +
+                          name(*best.wheel[0].channel) +
+                          (one_wheel ? "" : " and " + name(*best.wheel[1].channel)) + evidence);
+    }
+    for (const Channel* channel :
+         {best.command[0], best.command[1], best.wheel[0].channel, best.wheel[1].channel})
+      std::erase(unused_, channel);
+  }
+
+  const Stream& stream_;
+  Mapping& mapping_;
+  std::vector<std::string>& findings_;
+  std::vector<const Channel*> unused_;
+  std::vector<double> t_s_;
+};
+
+}  // namespace
+
+void map_by_numbers(std::span<const Recording> recordings, const GivenMapping& given, Mapping& mapping,
+                    std::vector<std::string>& findings) {
+  if (mapping.command && mapping.wheels) return;
+  const Stream* stream = longest_table(recordings);
+  if (stream == nullptr || stream->rows < fewest_rows) return;
+  ByNumbers by_numbers(*stream, mapping, findings);
+  if (!mapping.time.column && !given.says("time.period_s")) by_numbers.find_time();
+  if (mapping.time.column && !given.says("time.unit") &&
+      stream->find(mapping.time.column->channel) != nullptr &&
+      stream->find(mapping.time.column->channel)->unit.empty()) {
+    mapping.time.unit = time_unit(stream->find(mapping.time.column->channel)->values, mapping.time.period_s);
+  }
+  TimeMapping time = mapping.time;
+  if (!time.column && !time.period_s) time.period_s = 1.0;  // any will do to compare assignments
+  const Column t_s = stream_times(*stream, time);
+  if (t_s.empty()) return;
+  by_numbers.find_motion(t_s);
+  if (!mapping.reference && mapping.command && mapping.wheels)
+    find_pose_columns(*stream, by_numbers.unused(), mapping, findings);
+}
+
+}  // namespace wheelwright::import

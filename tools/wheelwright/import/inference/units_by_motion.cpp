@@ -1,0 +1,355 @@
+#include "tools/wheelwright/import/inference/units_by_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "config/load/text_format.hpp"
+#include "tools/wheelwright/import/conversion/convert.hpp"
+#include "tools/wheelwright/import/conversion/time_repair.hpp"
+#include "tools/wheelwright/import/mapping/units.hpp"
+
+namespace wheelwright::import {
+namespace {
+
+using config::fixed_number;
+using config::plain_number;
+using std::numbers::pi;
+
+constexpr double usual_period_s = 0.03;
+constexpr double fastest_m_s = 3.0;     // larger commands are in no metres per second
+constexpr double near_gain = 1.35;      // a unit is taken where the gain is within this factor of it
+constexpr double sure_explained = 0.5;  // share of the variance from which a gain is believed
+
+double median_step(const std::vector<double>& times) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    if (times[i] > times[i - 1]) steps.push_back(times[i] - times[i - 1]);
+  }
+  if (steps.empty()) return 0.0;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
+double largest(const Column& column) {
+  double result = 0.0;
+  for (const double value : column) {
+    if (std::isfinite(value)) result = std::max(result, std::abs(value));
+  }
+  return result;
+}
+
+bool is_near(double gain, double unit) {
+  return gain > 0.0 && std::abs(std::log(gain / unit)) < std::log(near_gain);
+}
+
+std::optional<Unit> unit_of_gain(std::span<const Unit> units, double gain, std::optional<double> radius_m) {
+  for (const Unit& unit : units) {
+    if (unit.of_wheel && !radius_m) continue;
+    if (unit.name == "km/h") continue;
+    if (is_near(gain, unit.in_si * (unit.of_wheel ? *radius_m : 1.0))) return unit;
+  }
+  return std::nullopt;
+}
+
+// The number that stands for all of a duty.
+double full_scale_of(double largest_duty) {
+  for (const double scale : {1.0, 100.0, 255.0, 1000.0, 1023.0, 4095.0, 32767.0, 65535.0}) {
+    if (largest_duty <= scale) return scale;
+  }
+  return largest_duty;
+}
+
+// Measured speed per row from travel or speeds; commands as they were in force before each row.
+void add_run(const DriveColumns& columns, const Mapping& mapping, const RunRows& rows,
+             std::array<ResponseRows, 2>& result) {
+  const WheelTravel travel = wheel_travel(columns, rows, *mapping.wheels);
+  const bool is_speed = mapping.wheels->kind == WheelKind::speed;
+  const bool is_pair = !travel.values[1].empty();
+  const bool as_body = mapping.command->kind == CommandKind::twist && !mapping.wheels->body_motion && is_pair;
+  std::array<double, 2> command{NAN, NAN};
+  std::array<double, 2> in_force{NAN, NAN};
+  std::array<double, 2> last{NAN, NAN};
+  double last_s = NAN;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::array<double, 2> value{travel.values[0][i],
+                                      is_pair ? travel.values[1][i] : travel.values[0][i]};
+    if (std::isfinite(value[0]) && std::isfinite(value[1])) {
+      const double duration_s = columns.t_s[rows[i]] - last_s;
+      std::array<double, 2> speed{};
+      for (std::size_t k = 0; k < 2; ++k) speed[k] = is_speed ? value[k] : (value[k] - last[k]) / duration_s;
+      if (as_body) speed = {0.5 * (speed[0] + speed[1]), speed[1] - speed[0]};
+      for (std::size_t k = 0; k < 2; ++k) {
+        result[k].speed.push_back(speed[k]);
+        result[k].command.push_back(in_force[k]);
+      }
+      last = value;
+      last_s = columns.t_s[rows[i]];
+      in_force = command;
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Column& column = columns.command[columns.command[k].empty() ? 0 : k];
+      if (std::isfinite(column[rows[i]])) command[k] = column[rows[i]];
+    }
+    if (i == 0) in_force = command;
+  }
+  for (auto& side : result) side.run_ends.push_back(side.speed.size());
+}
+
+class UnitFinder {
+ public:
+  UnitFinder(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
+             std::vector<std::string>& findings)
+      : columns_(columns), given_(given), mapping_(mapping), findings_(findings) {}
+
+  void run() {
+    if (mapping_.command && mapping_.wheels) {
+      const auto rows = response_rows(columns_, mapping_);
+      for (std::size_t k = 0; k < 2; ++k) fits_[k] = fit_response(rows[k]);
+      gain_ = fits_[0].explained >= fits_[1].explained || mapping_.command->kind == CommandKind::twist
+                  ? fits_[0].gain
+                  : fits_[1].gain;
+      explained_ = mapping_.command->kind == CommandKind::twist
+                       ? fits_[0].explained
+                       : std::max(fits_[0].explained, fits_[1].explained);
+      if (explained_ >= sure_explained) by_gain();
+      suggest_base();
+    }
+    if (mapping_.reference && mapping_.wheels && mapping_.wheel_base_m) reference_units();
+  }
+
+ private:
+  std::string evidence() const {
+    return " (the command explains " + fixed_number(100.0 * explained_, 1) + " % of the speed, " +
+           fixed_number(fits_[0].nats + fits_[1].nats, 0) + " nats)";
+  }
+
+  bool unit_is_said() const { return given_.says("command.unit"); }
+
+  void by_gain() {
+    if (mapping_.wheels->kind == WheelKind::speed && !given_.says("wheels.unit") &&
+        !given_.says("wheels.wheel_radius_m")) {
+      speed_unit();
+    }
+    const auto scale = wheel_scale(*mapping_.wheels);
+    if (!scale) return find_scale();
+    const double gain_m_s = std::abs(gain_) * *scale;
+    if (mapping_.command->kind == CommandKind::duty) return find_full_scale(gain_m_s);
+    if (unit_is_said() || !(gain_m_s > 0.0)) return;
+    command_unit(gain_m_s);
+  }
+
+  double command_in_si() const {
+    const auto unit = find_unit(speed_units(), mapping_.command->unit);
+    return unit && !unit->of_wheel ? unit->in_si : 1.0;
+  }
+
+  void command_unit(double gain_m_s) {
+    CommandMapping& command = *mapping_.command;
+    if (largest(columns_.command[0]) * command_in_si() <= fastest_m_s && gain_m_s > command_in_si() / 3.0 &&
+        gain_m_s < command_in_si() * 3.0)
+      return;
+    if (const auto unit = unit_of_gain(speed_units(), gain_m_s, mapping_.wheels->wheel_radius_m)) {
+      if (unit->name == command.unit) return;
+      command.unit = unit->name;
+      findings_.push_back("commands are in " + command.unit + ": the wheels reach " +
+                          plain_number(round_to(gain_m_s)) + " m/s for each unit" + evidence());
+      return;
+    }
+    if (command.kind != CommandKind::wheels || largest(columns_.command[0]) <= fastest_m_s) return;
+    command.kind = CommandKind::duty;
+    find_full_scale(gain_m_s);
+  }
+
+  void find_full_scale(double gain_m_s) {
+    CommandMapping& command = *mapping_.command;
+    if (!given_.says("command.full_scale")) {
+      command.full_scale =
+          full_scale_of(std::max(largest(columns_.command[0]), largest(columns_.command[1])));
+    }
+    if (given_.says("command.full_scale_m_s")) return;
+    command.full_scale_m_s = round_to(gain_m_s * command.full_scale);
+    findings_.push_back("commands are a duty of " + plain_number(command.full_scale) + ", which leads to " +
+                        plain_number(*command.full_scale_m_s) + " m/s by the wheels" + evidence());
+  }
+
+  // How far a count goes, where commands are speeds.
+  void find_scale() {
+    const CommandMapping& command = *mapping_.command;
+    if (command.kind == CommandKind::duty ||
+        (largest(columns_.command[0]) > fastest_m_s && command_in_si() == 1.0))
+      return;
+    const auto unit = find_unit(speed_units(), command.unit);
+    if (!unit || unit->of_wheel) return;
+    const double scale = round_to(unit->in_si / std::abs(gain_));
+    if (mapping_.wheels->kind == WheelKind::counts) {
+      mapping_.wheels->metres_per_count = scale;
+      findings_.push_back("a count is " + plain_number(scale) +
+                          " m, so that a wheel reaches the speed that it is asked for; --set "
+                          "wheels.metres_per_count if you know it" +
+                          evidence());
+    } else {
+      const auto angle = find_unit(mapping_.wheels->kind == WheelKind::angle ? angle_units() : speed_units(),
+                                   mapping_.wheels->unit);
+      mapping_.wheels->wheel_radius_m = round_to(scale / (angle ? angle->in_si : 1.0));
+      findings_.push_back("the wheel radius is " + plain_number(*mapping_.wheels->wheel_radius_m) +
+                          " m, so that a wheel reaches the speed that it is asked for; --set "
+                          "wheels.wheel_radius_m if you know it" +
+                          evidence());
+    }
+  }
+
+  // Of wheel speeds that the file gives no unit.
+  void speed_unit() {
+    WheelMapping& wheels = *mapping_.wheels;
+    if (wheels.unit != "m/s" || mapping_.command->kind == CommandKind::duty || !(gain_ > 0.0)) return;
+    const double gain = gain_ / command_in_si();
+    if (gain > 1.0 / 3.0 && gain < 3.0) return;
+    if (const auto unit = unit_of_gain(speed_units().first(3), 1.0 / gain, std::nullopt)) {
+      wheels.unit = unit->name;
+      findings_.push_back("wheel speeds are in " + wheels.unit + evidence());
+    }
+  }
+
+  // What turning suggests; the wheel base itself is given.
+  void suggest_base() {
+    if (mapping_.wheel_base_m || mapping_.command->kind != CommandKind::twist || mapping_.wheels->body_motion)
+      return;
+    const auto scale = wheel_scale(*mapping_.wheels);
+    if (!scale || fits_[1].explained < sure_explained) return;
+    findings_.push_back("turns suggest a wheel base of about " +
+                        fixed_number(std::abs(fits_[1].gain) * *scale, 3) + " m");
+  }
+
+  // Heading and place against those of the counts, over windows of some rows.
+  void reference_units() {
+    const double scale = wheel_scale(*mapping_.wheels).value_or(0.0);
+    if (!(scale > 0.0) || columns_.wheel[1].empty() || mapping_.wheels->kind == WheelKind::speed) return;
+    double turn_products = 0.0;
+    double turn_squares = 0.0;
+    double way = 0.0;
+    double reference_way = 0.0;
+    const std::function<std::string(std::size_t)> nowhere = [](std::size_t) { return std::string(); };
+    const std::function<bool(std::size_t, std::size_t)> differ = [](std::size_t, std::size_t) {
+      return false;
+    };
+    for (const auto& rows : repair_time(columns_.t_s, nowhere, differ).runs) {
+      const WheelTravel travel = wheel_travel(columns_, rows, *mapping_.wheels);
+      std::size_t before = rows.size();
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (!is_placed(rows[i]) || !std::isfinite(travel.values[0][i]) || !std::isfinite(travel.values[1][i]))
+          continue;
+        if (before == rows.size()) before = i;
+        const double left = scale * (travel.values[0][i] - travel.values[0][before]);
+        const double right = scale * (travel.values[1][i] - travel.values[1][before]);
+        if (std::abs(left) + std::abs(right) < 0.1) continue;  // metres: enough to show beside noise
+        const double turn = (right - left) / *mapping_.wheel_base_m;
+        if (!columns_.theta_rad.empty() && std::abs(turn) < 2.0) {
+          const double seen = columns_.theta_rad[rows[i]] - columns_.theta_rad[rows[before]];
+          if (std::abs(seen) < 150.0) {
+            turn_products += turn * seen;
+            turn_squares += turn * turn;
+          }
+        }
+        if (!columns_.x.empty()) {
+          way += std::abs(0.5 * (left + right));
+          reference_way += std::hypot(columns_.x[rows[i]] - columns_.x[rows[before]],
+                                      columns_.y[rows[i]] - columns_.y[rows[before]]);
+        }
+        before = i;
+      }
+    }
+    if (turn_squares > 0.0) heading_unit(turn_products / turn_squares);
+    if (way > 0.0) place_unit(reference_way / way);
+  }
+
+  bool is_placed(std::size_t row) const {
+    const auto stands = [row](const Column& column) { return column.empty() || std::isfinite(column[row]); };
+    return stands(columns_.x) && stands(columns_.y) && stands(columns_.theta_rad);
+  }
+
+  void heading_unit(double slope) {
+    ReferenceMapping& reference = *mapping_.reference;
+    if (!reference.theta || given_.says("reference.angle_unit") || reference.angle_unit != "rad" ||
+        !is_near(slope, 180.0 / pi))
+      return;
+    reference.angle_unit = "deg";
+    findings_.push_back("headings are in degrees: they turn " + fixed_number(slope, 1) +
+                        " times as far as the counts in radians");
+  }
+
+  void place_unit(double ratio) {
+    ReferenceMapping& reference = *mapping_.reference;
+    if (given_.says("reference.unit") || reference.unit != "m") return;
+    for (const auto& [unit, per_metre] : {std::pair{"mm", 1000.0}, {"cm", 100.0}}) {
+      if (!is_near(ratio, per_metre)) continue;
+      reference.unit = unit;
+      findings_.push_back("places are in " + reference.unit + ": they go " + fixed_number(ratio, 0) +
+                          " times as far as the counts in metres");
+    }
+  }
+
+  // Four figures: the gain of a noisy response has no more.
+  static double round_to(double value) {
+    if (!(value > 0.0)) return value;
+    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 4.0);
+    return std::round(value / unit) * unit;
+  }
+
+  const DriveColumns& columns_;
+  const GivenMapping& given_;
+  Mapping& mapping_;
+  std::vector<std::string>& findings_;
+  std::array<ResponseFit, 2> fits_;
+  double gain_ = 0.0;
+  double explained_ = 0.0;
+};
+
+}  // namespace
+
+TimeUnit time_unit(const std::vector<double>& times, std::optional<double> period_s) {
+  double size = 0.0;
+  bool whole = true;
+  for (const double t : times) {
+    if (!std::isfinite(t)) continue;
+    size = std::max(size, std::abs(t));
+    whole = whole && t == std::round(t);
+  }
+  if (size > 1e8 && !(period_s && size < 1e11 && whole)) {
+    return size < 1e11 ? TimeUnit::s : size < 1e14 ? TimeUnit::ms : size < 1e17 ? TimeUnit::us : TimeUnit::ns;
+  }
+  const double step = median_step(times);
+  if (!(step > 0.0)) return TimeUnit::s;
+  constexpr std::array units{std::pair{TimeUnit::s, 1.0}, std::pair{TimeUnit::ms, 1e-3},
+                             std::pair{TimeUnit::us, 1e-6}, std::pair{TimeUnit::ns, 1e-9}};
+  TimeUnit best = TimeUnit::s;
+  double lowest = INFINITY;
+  for (const auto& [unit, seconds] : units) {
+    double apart = std::abs(std::log(step * seconds / period_s.value_or(usual_period_s)));
+    // Parts of a unit are written of seconds.
+    if (!whole && unit == TimeUnit::s) apart -= 3.0;
+    if (apart < lowest) {
+      lowest = apart;
+      best = unit;
+    }
+  }
+  return best;
+}
+
+std::array<ResponseRows, 2> response_rows(const DriveColumns& columns, const Mapping& mapping) {
+  std::array<ResponseRows, 2> result;
+  const std::function<std::string(std::size_t)> nowhere = [](std::size_t) { return std::string(); };
+  const std::function<bool(std::size_t, std::size_t)> differ = [](std::size_t, std::size_t) { return false; };
+  for (const auto& rows : repair_time(columns.t_s, nowhere, differ).runs)
+    add_run(columns, mapping, rows, result);
+  return result;
+}
+
+void set_units(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
+               std::vector<std::string>& findings) {
+  UnitFinder(columns, given, mapping, findings).run();
+}
+
+}  // namespace wheelwright::import

@@ -1,0 +1,28 @@
+// Units and scales that a file does not state, from the motion itself: a robot that is asked for a speed
+// comes near it, so that the steady gain from command to wheel tells millimetres from metres, and a duty from
+// a speed.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tools/wheelwright/import/conversion/drive_columns.hpp"
+#include "tools/wheelwright/import/inference/response_fit.hpp"
+#include "tools/wheelwright/import/mapping/mapping_file.hpp"
+
+namespace wheelwright::import {
+
+// The unit of a time column by its size and its steps: 1.7e12 is milliseconds since 1970, steps of 50 are
+// milliseconds. `period_s` is the period that the file states, where it does.
+TimeUnit time_unit(const std::vector<double>& times, std::optional<double> period_s);
+
+// Speed of both wheels and the command of each, of the mapped columns: in units of the channels per second.
+std::array<ResponseRows, 2> response_rows(const DriveColumns& columns, const Mapping& mapping);
+
+// Sets what is not given; adds a line with the evidence to `findings`.
+void set_units(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
+               std::vector<std::string>& findings);
+
+}  // namespace wheelwright::import

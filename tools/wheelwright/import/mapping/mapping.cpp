@@ -1,0 +1,141 @@
+#include "tools/wheelwright/import/mapping/mapping.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "config/load/text_format.hpp"
+
+namespace wheelwright::import {
+namespace {
+
+using config::plain_number;
+
+constexpr std::array<std::string_view, 6> time_unit_names{"s", "ms", "us", "ns", "hms", "iso"};
+constexpr std::array<std::string_view, 3> command_kind_names{"wheels", "twist", "duty"};
+constexpr std::array<std::string_view, 4> wheel_kind_names{"counts", "angle", "distance", "speed"};
+
+template <typename Names, typename Value>
+std::string name_of(const Names& names, Value value) {
+  return std::string(names.at(static_cast<std::size_t>(value)));
+}
+
+class Entries {
+ public:
+  void add(std::string key, std::string value) { list_.push_back({std::move(key), std::move(value)}); }
+  void add(std::string key, const std::optional<ChannelName>& channel) {
+    if (channel) add(std::move(key), channel->text());
+  }
+  void add(std::string key, const std::optional<double>& number) {
+    if (number) add(std::move(key), plain_number(*number));
+  }
+  std::vector<MappingEntry> take() { return std::move(list_); }
+
+ private:
+  std::vector<MappingEntry> list_;
+};
+
+void add_time(Entries& entries, const TimeMapping& time) {
+  entries.add("time.column", time.column);
+  if (time.column) entries.add("time.unit", name_of(time_unit_names, time.unit));
+  entries.add("time.period_s", time.period_s);
+}
+
+void add_command(Entries& entries, const CommandMapping& command) {
+  const bool is_twist = command.kind == CommandKind::twist;
+  entries.add("command.kind", name_of(command_kind_names, command.kind));
+  entries.add(is_twist ? "command.linear" : "command.left", command.first.text());
+  entries.add(is_twist ? "command.angular" : "command.right", command.second);
+  if (command.kind == CommandKind::duty) {
+    entries.add("command.full_scale", command.full_scale);
+    entries.add("command.full_scale_m_s", command.full_scale_m_s);
+    return;
+  }
+  entries.add("command.unit", command.unit);
+  if (is_twist) entries.add("command.angular_unit", command.angular_unit);
+}
+
+void add_wheels(Entries& entries, const WheelMapping& wheels) {
+  entries.add("wheels.kind", name_of(wheel_kind_names, wheels.kind));
+  entries.add(wheels.body_motion ? "wheels.linear" : "wheels.left", wheels.left.text());
+  entries.add(wheels.body_motion ? "wheels.angular" : "wheels.right", wheels.right);
+  if (wheels.bits) entries.add("wheels.bits", std::to_string(*wheels.bits));
+  if (wheels.kind != WheelKind::counts) entries.add("wheels.unit", wheels.unit);
+  entries.add("wheels.metres_per_count", wheels.metres_per_count);
+  entries.add("wheels.metres_per_count_right", wheels.metres_per_count_right);
+  entries.add("wheels.counts_per_turn", wheels.counts_per_turn);
+  entries.add("wheels.wheel_radius_m", wheels.wheel_radius_m);
+  if (wheels.left_reversed || wheels.right_reversed) {
+    entries.add("wheels.reversed", wheels.left_reversed && wheels.right_reversed ? "both"
+                                   : wheels.left_reversed                        ? "left"
+                                                                                 : "right");
+  }
+}
+
+void add_reference(Entries& entries, const ReferenceMapping& reference) {
+  entries.add("reference.x", reference.x);
+  entries.add("reference.y", reference.y);
+  entries.add("reference.theta", reference.theta);
+  entries.add("reference.qx", reference.qx);
+  entries.add("reference.qy", reference.qy);
+  entries.add("reference.qz", reference.qz);
+  entries.add("reference.qw", reference.qw);
+  entries.add("reference.unit", reference.unit);
+  if (reference.theta) entries.add("reference.angle_unit", reference.angle_unit);
+  entries.add("reference.clock", reference.clock == ReferenceClock::same ? "same" : "shifted");
+}
+
+void add_scalar(Entries& entries, const std::string& section, const std::optional<ScalarMapping>& scalar) {
+  if (!scalar) return;
+  entries.add(section + ".column", scalar->column.text());
+  entries.add(section + ".unit", scalar->unit);
+}
+
+// A text that YAML would not take for something else.
+std::string yaml_value(const std::string& value) {
+  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./+-";
+  const bool is_plain = !value.empty() && value.find_first_not_of(plain) == std::string::npos && value != "-";
+  return is_plain ? value : config::quoted(value);
+}
+
+}  // namespace
+
+ChannelName channel_name(std::string_view text) {
+  // Frames of a transform stand behind a colon too: "/tf:map.base_link:transform.translation.x".
+  const auto colon = text.rfind(':');
+  if (colon == std::string_view::npos) return {"", std::string(text)};
+  return {std::string(text.substr(0, colon)), std::string(text.substr(colon + 1))};
+}
+
+std::vector<MappingEntry> mapping_entries(const Mapping& mapping) {
+  Entries entries;
+  add_time(entries, mapping.time);
+  if (mapping.command) add_command(entries, *mapping.command);
+  if (mapping.wheels) add_wheels(entries, *mapping.wheels);
+  if (mapping.reference) add_reference(entries, *mapping.reference);
+  add_scalar(entries, "gyro", mapping.gyro);
+  add_scalar(entries, "battery", mapping.battery);
+  if (!mapping.robot.empty()) entries.add("robot.name", mapping.robot);
+  entries.add("robot.wheel_base_m", mapping.wheel_base_m);
+  return entries.take();
+}
+
+std::string mapping_text(const std::vector<MappingEntry>& entries) {
+  std::string text = "wheelwright_mapping: 1\n";
+  std::vector<std::string> sections;
+  const auto section_of = [](const MappingEntry& entry) { return entry.key.substr(0, entry.key.find('.')); };
+  for (const auto& entry : entries) {
+    if (std::ranges::find(sections, section_of(entry)) == sections.end())
+      sections.push_back(section_of(entry));
+  }
+  for (const auto& section : sections) {
+    text += section + ":\n";
+    for (const auto& entry : entries) {
+      if (section_of(entry) != section) continue;
+      text += "  " + entry.key.substr(std::min(section.size() + 1, entry.key.size())) + ": " +
+              yaml_value(entry.value) + "\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace wheelwright::import

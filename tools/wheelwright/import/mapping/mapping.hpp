@@ -1,0 +1,103 @@
+// What the channels of a recording mean to a robot: which are the commands, the wheels, the reference, and in
+// what units. What is absent was neither given nor found.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+namespace wheelwright::import {
+
+// A channel of a stream. As text "posL" where the file has one table, "/cmd_vel:linear.x" elsewhere. The name
+// of a channel may also be its number in the file, from 1.
+struct ChannelName {
+  std::string stream;
+  std::string channel;
+
+  std::string text() const { return stream.empty() ? channel : stream + ":" + channel; }
+  friend bool operator==(const ChannelName&, const ChannelName&) = default;
+};
+
+ChannelName channel_name(std::string_view text);
+
+enum class TimeUnit : std::uint8_t { s, ms, us, ns, hms, iso };
+
+struct TimeMapping {
+  std::optional<ChannelName> column;  // absent: the time of recording, or rows that are `period_s` apart
+  TimeUnit unit = TimeUnit::s;
+  std::optional<double> period_s;
+};
+
+enum class CommandKind : std::uint8_t { wheels, twist, duty };
+
+struct CommandMapping {
+  CommandKind kind = CommandKind::wheels;
+  ChannelName first;                  // left, or linear
+  std::optional<ChannelName> second;  // right, or angular; absent: one command for both wheels
+  std::string unit = "m/s";           // of wheel and linear speeds; see speed_units() in units.hpp
+  std::string angular_unit = "rad/s";
+  double full_scale = 1.0;               // duty: the number that stands for all of it
+  std::optional<double> full_scale_m_s;  // duty: the speed that all of it leads to
+};
+
+enum class WheelKind : std::uint8_t { counts, angle, distance, speed };
+
+struct WheelMapping {
+  WheelKind kind = WheelKind::counts;
+  ChannelName left;
+  std::optional<ChannelName> right;  // absent: one wheel
+  std::optional<int> bits;           // width of a counter that wraps
+  std::string unit;                  // of angles, distances, speeds
+  std::optional<double> metres_per_count;
+  std::optional<double> metres_per_count_right;  // where it is not that of the left wheel
+  std::optional<double> counts_per_turn;
+  std::optional<double> wheel_radius_m;
+  bool left_reversed = false;
+  bool right_reversed = false;
+  bool body_motion = false;  // the channels are forward and turning speed of the body, not left and right
+};
+
+enum class ReferenceClock : std::uint8_t { same, shifted };
+
+struct ReferenceMapping {
+  std::optional<ChannelName> x;
+  std::optional<ChannelName> y;
+  std::optional<ChannelName> theta;
+  std::optional<ChannelName> qx, qy, qz, qw;  // in place of theta
+  std::string unit = "m";
+  std::string angle_unit = "rad";
+  ReferenceClock clock = ReferenceClock::same;
+};
+
+struct ScalarMapping {
+  ChannelName column;
+  std::string unit;
+};
+
+struct Mapping {
+  TimeMapping time;
+  std::optional<CommandMapping> command;
+  std::optional<WheelMapping> wheels;
+  std::optional<ReferenceMapping> reference;
+  std::optional<ScalarMapping> gyro;     // rad/s or deg/s
+  std::optional<ScalarMapping> battery;  // V or mV
+  std::string robot;
+  std::optional<double> wheel_base_m;
+};
+
+// One key of a mapping file: "time.unit" and "ms".
+struct MappingEntry {
+  std::string key;
+  std::string value;
+};
+
+// A mapping as keys and values, in the order of a mapping file.
+std::vector<MappingEntry> mapping_entries(const Mapping& mapping);
+
+// Keys and values as the text of a mapping file (YAML, `wheelwright_mapping: 1`).
+std::string mapping_text(const std::vector<MappingEntry>& entries);
+
+}  // namespace wheelwright::import

@@ -1,0 +1,268 @@
+#include "tools/wheelwright/import/mapping/mapping_file.hpp"
+
+#include <algorithm>
+
+#include "config/load/printable_text.hpp"
+#include "config/load/text_format.hpp"
+#include "config/load/yaml_reader.hpp"
+#include "tools/wheelwright/import/mapping/units.hpp"
+
+namespace wheelwright::import {
+namespace {
+
+using config::Range;
+using config::YamlReader;
+
+std::optional<ChannelName> channel(YamlReader& from, std::string_view key) {
+  if (!from.has(key)) return std::nullopt;
+  return channel_name(from.text(key));
+}
+
+std::optional<double> number(YamlReader& from, std::string_view key, const Range& range) {
+  if (!from.has(key)) return std::nullopt;
+  return from.number(key, range);
+}
+
+std::string unit(YamlReader& from, std::string_view key, std::span<const Unit> units,
+                 const std::string& otherwise) {
+  const std::string name = from.text(key, otherwise);
+  if (name.empty()) return name;
+  if (const auto found = find_unit(units, name)) return std::string(found->name);
+  std::string right;
+  for (const auto& known : units) right += (right.empty() ? "" : ", ") + std::string(known.name);
+  from.fail(key, "'" + config::excerpt(name) + "' is no unit here; must be one of " + right);
+}
+
+TimeMapping read_time(YamlReader& from) {
+  TimeMapping time;
+  time.column = channel(from, "column");
+  time.unit = from.choice<TimeUnit>("unit",
+                                    {{"s", TimeUnit::s},
+                                     {"ms", TimeUnit::ms},
+                                     {"us", TimeUnit::us},
+                                     {"ns", TimeUnit::ns},
+                                     {"hms", TimeUnit::hms},
+                                     {"iso", TimeUnit::iso}},
+                                    time.unit);
+  time.period_s = number(from, "period_s", {0.0001, 10, "s"});
+  return time;
+}
+
+std::optional<CommandMapping> read_command(YamlReader& from) {
+  CommandMapping command;
+  const bool is_twist = from.has("linear") || from.has("angular");
+  command.kind = from.choice<CommandKind>(
+      "kind", {{"wheels", CommandKind::wheels}, {"twist", CommandKind::twist}, {"duty", CommandKind::duty}},
+      is_twist ? CommandKind::twist : CommandKind::wheels);
+  const auto first = channel(from, is_twist ? "linear" : "left");
+  command.second = channel(from, is_twist ? "angular" : "right");
+  if (is_twist != (command.kind == CommandKind::twist) && first) {
+    from.fail("kind", "a twist has the keys linear and angular, wheels and duty have left and right");
+  }
+  command.unit = unit(from, "unit", speed_units(), command.unit);
+  command.angular_unit = unit(from, "angular_unit", angular_units(), command.angular_unit);
+  command.full_scale = from.number("full_scale", {1e-6, 1e9}, command.full_scale);
+  command.full_scale_m_s = number(from, "full_scale_m_s", {0.001, 100, "m/s"});
+  if (!first) return std::nullopt;
+  command.first = *first;
+  return command;
+}
+
+std::span<const Unit> units_of(WheelKind kind) {
+  if (kind == WheelKind::speed) return speed_units();
+  return kind == WheelKind::angle ? angle_units() : distance_units();
+}
+
+// Where the kind is still to be found, any unit of a wheel may be said.
+std::string read_wheel_unit(YamlReader& from, WheelKind kind) {
+  if (from.has("kind")) {
+    if (kind == WheelKind::counts) return from.text("unit", "");
+    return unit(from, "unit", units_of(kind), std::string(units_of(kind).front().name));
+  }
+  const std::string name = from.text("unit", "");
+  for (const auto units : {distance_units(), angle_units()}) {
+    if (const auto found = find_unit(units, name)) return std::string(found->name);
+  }
+  return name.empty() ? name : unit(from, "unit", speed_units(), "");
+}
+
+std::optional<WheelMapping> read_wheels(YamlReader& from) {
+  WheelMapping wheels;
+  wheels.kind = from.choice<WheelKind>("kind",
+                                       {{"counts", WheelKind::counts},
+                                        {"angle", WheelKind::angle},
+                                        {"distance", WheelKind::distance},
+                                        {"speed", WheelKind::speed}},
+                                       wheels.kind);
+  wheels.body_motion = from.has("linear") || from.has("angular");
+  const auto left = channel(from, wheels.body_motion ? "linear" : "left");
+  wheels.right = channel(from, wheels.body_motion ? "angular" : "right");
+  if (from.has("bits")) wheels.bits = static_cast<int>(from.integer("bits", {8, 32}));
+  wheels.unit = read_wheel_unit(from, wheels.kind);
+  wheels.metres_per_count = number(from, "metres_per_count", {1e-9, 1, "m"});
+  wheels.metres_per_count_right = number(from, "metres_per_count_right", {1e-9, 1, "m"});
+  wheels.counts_per_turn = number(from, "counts_per_turn", {1, 1e8});
+  wheels.wheel_radius_m = number(from, "wheel_radius_m", {0.001, 2, "m"});
+  const std::string reversed = from.choice<std::string>(
+      "reversed", {{"none", "none"}, {"left", "left"}, {"right", "right"}, {"both", "both"}}, "none");
+  wheels.left_reversed = reversed == "left" || reversed == "both";
+  wheels.right_reversed = reversed == "right" || reversed == "both";
+  if (!left) return std::nullopt;
+  wheels.left = *left;
+  return wheels;
+}
+
+std::optional<ReferenceMapping> read_reference(YamlReader& from) {
+  ReferenceMapping reference;
+  reference.x = channel(from, "x");
+  reference.y = channel(from, "y");
+  reference.theta = channel(from, "theta");
+  reference.qx = channel(from, "qx");
+  reference.qy = channel(from, "qy");
+  reference.qz = channel(from, "qz");
+  reference.qw = channel(from, "qw");
+  reference.unit = unit(from, "unit", distance_units(), reference.unit);
+  reference.angle_unit = unit(from, "angle_unit", angle_units(), reference.angle_unit);
+  reference.clock = from.choice<ReferenceClock>(
+      "clock", {{"same", ReferenceClock::same}, {"shifted", ReferenceClock::shifted}}, reference.clock);
+  from.text("topic", "");  // which stream it is taken from, where names are found
+  if (!reference.x && !reference.theta && !reference.qw) return std::nullopt;
+  return reference;
+}
+
+std::optional<ScalarMapping> read_scalar(YamlReader& from, std::span<const Unit> units) {
+  const auto column = channel(from, "column");
+  const std::string name = unit(from, "unit", units, std::string(units.front().name));
+  if (!column) return std::nullopt;
+  return ScalarMapping{*column, name};
+}
+
+Mapping read_mapping(YamlReader file) {
+  Mapping mapping;
+  file.integer("wheelwright_mapping", {1, 1});
+  if (auto section = file.section("time")) {
+    mapping.time = read_time(*section);
+    section->finish();
+  }
+  if (auto section = file.section("command")) {
+    mapping.command = read_command(*section);
+    section->finish();
+  }
+  if (auto section = file.section("wheels")) {
+    mapping.wheels = read_wheels(*section);
+    section->finish();
+  }
+  if (auto section = file.section("reference")) {
+    mapping.reference = read_reference(*section);
+    section->finish();
+  }
+  if (auto section = file.section("gyro")) {
+    mapping.gyro = read_scalar(*section, angular_units());
+    section->finish();
+  }
+  if (auto section = file.section("battery")) {
+    mapping.battery = read_scalar(*section, voltage_units());
+    section->finish();
+  }
+  if (auto section = file.section("robot")) {
+    mapping.robot = section->text("name", "");
+    mapping.wheel_base_m = number(*section, "wheel_base_m", {0.001, 10, "m"});
+    section->finish();
+  }
+  file.finish();
+  return mapping;
+}
+
+// Keys of a file that was read strictly, as they stand there: the order and the defaults do not matter.
+constexpr std::string_view known_keys[] = {"time.column",
+                                           "time.unit",
+                                           "time.period_s",
+                                           "command.kind",
+                                           "command.left",
+                                           "command.right",
+                                           "command.linear",
+                                           "command.angular",
+                                           "command.unit",
+                                           "command.angular_unit",
+                                           "command.full_scale",
+                                           "command.full_scale_m_s",
+                                           "wheels.kind",
+                                           "wheels.left",
+                                           "wheels.right",
+                                           "wheels.linear",
+                                           "wheels.angular",
+                                           "wheels.bits",
+                                           "wheels.unit",
+                                           "wheels.metres_per_count",
+                                           "wheels.metres_per_count_right",
+                                           "wheels.counts_per_turn",
+                                           "wheels.wheel_radius_m",
+                                           "wheels.reversed",
+                                           "reference.x",
+                                           "reference.y",
+                                           "reference.theta",
+                                           "reference.qx",
+                                           "reference.qy",
+                                           "reference.qz",
+                                           "reference.qw",
+                                           "reference.unit",
+                                           "reference.angle_unit",
+                                           "reference.clock",
+                                           "reference.topic",
+                                           "gyro.column",
+                                           "gyro.unit",
+                                           "battery.column",
+                                           "battery.unit",
+                                           "robot.name",
+                                           "robot.wheel_base_m"};
+
+std::vector<MappingEntry> said_in(YamlReader file) {
+  std::vector<MappingEntry> entries;
+  for (const std::string_view key : known_keys) {
+    const auto dot = key.find('.');
+    auto section = file.section(key.substr(0, dot));
+    if (section && section->has(key.substr(dot + 1))) {
+      entries.push_back({std::string(key), section->text(key.substr(dot + 1))});
+    }
+  }
+  return entries;
+}
+
+MappingEntry parse_setting(const std::string& setting) {
+  const auto equals = setting.find('=');
+  const std::string key = setting.substr(0, equals);
+  const auto* const known = std::ranges::find(known_keys, std::string_view(key));
+  if (equals == std::string::npos || known == std::end(known_keys)) {
+    const std::vector<std::string> keys(std::begin(known_keys), std::end(known_keys));
+    const std::string nearest = config::nearest_word(key, keys);
+    throw config::ConfigError("--set " + config::excerpt(setting) + ": must be KEY=VALUE, such as " +
+                              (nearest.empty() ? "robot.wheel_base_m" : nearest) + "=...");
+  }
+  return {key, setting.substr(equals + 1)};
+}
+
+}  // namespace
+
+GivenMapping::GivenMapping(const std::filesystem::path& file, const std::vector<std::string>& settings) {
+  if (!file.empty()) {
+    read_mapping(YamlReader::load(file));
+    entries_ = said_in(YamlReader::load(file));
+  }
+  for (const auto& setting : settings) {
+    const MappingEntry entry = parse_setting(setting);
+    to_mapping({entry}, "--set " + config::excerpt(setting));
+    std::erase_if(entries_, [&](const MappingEntry& before) { return before.key == entry.key; });
+    entries_.push_back(entry);
+  }
+}
+
+const std::string* GivenMapping::find(std::string_view key) const {
+  const auto at = std::ranges::find(entries_, key, &MappingEntry::key);
+  return at == entries_.end() ? nullptr : &at->value;
+}
+
+Mapping to_mapping(const std::vector<MappingEntry>& entries, const std::string& name) {
+  return read_mapping(YamlReader::parse(mapping_text(entries), name));
+}
+
+}  // namespace wheelwright::import

@@ -1,0 +1,134 @@
+#include "tools/wheelwright/import/mapping/units.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <numbers>
+#include <string>
+#include <utility>
+
+namespace wheelwright::import {
+namespace {
+
+using std::numbers::pi;
+using Spelling = std::pair<std::string_view, std::string_view>;
+
+constexpr std::array speed_table{Unit{"m/s", 1.0},
+                                 Unit{"mm/s", 1e-3},
+                                 Unit{"cm/s", 1e-2},
+                                 Unit{"km/h", 1.0 / 3.6},
+                                 Unit{"rad/s", 1.0, true},
+                                 Unit{"deg/s", pi / 180.0, true},
+                                 Unit{"rpm", pi / 30.0, true},
+                                 Unit{"turn/s", 2.0 * pi, true}};
+constexpr std::array angular_table{Unit{"rad/s", 1.0}, Unit{"deg/s", pi / 180.0}, Unit{"rpm", pi / 30.0},
+                                   Unit{"mrad/s", 1e-3}};
+constexpr std::array distance_table{Unit{"m", 1.0}, Unit{"mm", 1e-3}, Unit{"cm", 1e-2}, Unit{"km", 1e3}};
+constexpr std::array angle_table{Unit{"rad", 1.0}, Unit{"deg", pi / 180.0}, Unit{"turn", 2.0 * pi},
+                                 Unit{"mrad", 1e-3}};
+constexpr std::array voltage_table{Unit{"V", 1.0}, Unit{"mV", 1e-3}};
+
+// Lower case, without blanks; how a unit is written beside its standard form.
+constexpr std::array<Spelling, 62> spellings{{{"m/s", "m/s"},
+                                              {"mps", "m/s"},
+                                              {"m_s", "m/s"},
+                                              {"m_per_s", "m/s"},
+                                              {"ms-1", "m/s"},
+                                              {"m*s^-1", "m/s"},
+                                              {"mm/s", "mm/s"},
+                                              {"mmps", "mm/s"},
+                                              {"mm_s", "mm/s"},
+                                              {"mm_per_s", "mm/s"},
+                                              {"cm/s", "cm/s"},
+                                              {"cmps", "cm/s"},
+                                              {"cm_s", "cm/s"},
+                                              {"cm_per_s", "cm/s"},
+                                              {"km/h", "km/h"},
+                                              {"kmh", "km/h"},
+                                              {"kph", "km/h"},
+                                              {"rad/s", "rad/s"},
+                                              {"radps", "rad/s"},
+                                              {"rad_s", "rad/s"},
+                                              {"rad_per_s", "rad/s"},
+                                              {"rad/sec", "rad/s"},
+                                              {"m/sec", "m/s"},
+                                              {"deg/s", "deg/s"},
+                                              {"degps", "deg/s"},
+                                              {"dps", "deg/s"},
+                                              {"deg_s", "deg/s"},
+                                              {"deg_per_s", "deg/s"},
+                                              {"°/s", "deg/s"},
+                                              {"mrad/s", "mrad/s"},
+                                              {"rpm", "rpm"},
+                                              {"rev/min", "rpm"},
+                                              {"rps", "turn/s"},
+                                              {"rev/s", "turn/s"},
+                                              {"turn/s", "turn/s"},
+                                              {"m", "m"},
+                                              {"meter", "m"},
+                                              {"meters", "m"},
+                                              {"metre", "m"},
+                                              {"metres", "m"},
+                                              {"mm", "mm"},
+                                              {"millimeters", "mm"},
+                                              {"cm", "cm"},
+                                              {"km", "km"},
+                                              {"rad", "rad"},
+                                              {"radian", "rad"},
+                                              {"radians", "rad"},
+                                              {"mrad", "mrad"},
+                                              {"deg", "deg"},
+                                              {"degree", "deg"},
+                                              {"degrees", "deg"},
+                                              {"°", "deg"},
+                                              {"rev", "turn"},
+                                              {"turn", "turn"},
+                                              {"turns", "turn"},
+                                              {"revolutions", "turn"},
+                                              {"v", "V"},
+                                              {"volt", "V"},
+                                              {"volts", "V"},
+                                              {"mv", "mV"},
+                                              {"millivolts", "mV"},
+                                              {"km/hr", "km/h"}}};
+
+std::string lower(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c != ' ') result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::span<const Unit> speed_units() {
+  return speed_table;
+}
+std::span<const Unit> angular_units() {
+  return angular_table;
+}
+std::span<const Unit> distance_units() {
+  return distance_table;
+}
+std::span<const Unit> angle_units() {
+  return angle_table;
+}
+std::span<const Unit> voltage_units() {
+  return voltage_table;
+}
+
+std::string_view unit_by_spelling(std::string_view spelling) {
+  const std::string wanted = lower(spelling);
+  const auto* at = std::ranges::find(spellings, wanted, &Spelling::first);
+  return at == spellings.end() ? std::string_view() : at->second;
+}
+
+std::optional<Unit> find_unit(std::span<const Unit> units, std::string_view name) {
+  const std::string_view standard = unit_by_spelling(name);
+  const auto at = std::ranges::find_if(
+      units, [&](const Unit& unit) { return unit.name == standard && !standard.empty(); });
+  return at == units.end() ? std::nullopt : std::optional(*at);
+}
+
+}  // namespace wheelwright::import

@@ -1,0 +1,28 @@
+// Units as logs name them, in SI.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace wheelwright::import {
+
+struct Unit {
+  std::string_view name;
+  double in_si;           // how many m, m/s, rad, rad/s, s or V one of it is
+  bool of_wheel = false;  // an angle of the wheel: times the wheel radius it is a distance
+};
+
+std::span<const Unit> speed_units();     // m/s mm/s cm/s km/h, of a wheel rad/s deg/s rpm turn/s
+std::span<const Unit> angular_units();   // rad/s deg/s
+std::span<const Unit> distance_units();  // m mm cm km
+std::span<const Unit> angle_units();     // rad deg turn
+std::span<const Unit> voltage_units();   // V mV
+
+// The unit of that name, spelled in any of the usual ways ("m_s", "mps", "meters", "degrees").
+std::optional<Unit> find_unit(std::span<const Unit> units, std::string_view name);
+
+// The name that files use for a spelling: "mps" is "m/s". Empty where it is no unit.
+std::string_view unit_by_spelling(std::string_view spelling);
+
+}  // namespace wheelwright::import
