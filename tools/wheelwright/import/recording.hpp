@@ -28,7 +28,7 @@ struct Stream {
   std::size_t rows = 0;  // messages or lines, also where they could not be decoded
   std::vector<double> received_s;  // when each row was recorded, seconds since 1970; empty where the file has
                                    // no time beside the channels
-  std::vector<Channel> channels;    // empty where the rows could not be decoded
+  std::vector<Channel> channels;   // empty where the rows could not be decoded
   std::vector<std::size_t> places;  // line of each row in a text file, for messages; empty elsewhere
   std::string not_decoded;          // why there are no channels, in one line; empty where there are
 

@@ -1,0 +1,13 @@
+// The usual types of robots, for bags of ROS 2 that hold no definitions (rosbag2 writes them since Iron).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace wheelwright::import::ros {
+
+// The definition of a type of ROS 2 with those of its parts, as a bag would hold it; nothing for another.
+std::optional<std::string> known_definition(std::string_view type);
+
+}  // namespace wheelwright::import::ros
