@@ -1,48 +1,112 @@
 #include "tools/wheelwright/import/open_recording.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <fstream>
+#include <new>
 #include <string>
 #include <string_view>
+#include <utility>
 
+#include "config/load/text_file.hpp"
+#include "tools/wheelwright/import/formats/matlab/mat_file.hpp"
 #include "tools/wheelwright/import/formats/ros/ros_recording.hpp"
+#include "tools/wheelwright/import/formats/text/text_recording.hpp"
+#include "tools/wheelwright/import/formats/wpilog/wpilog.hpp"
+#include "tools/wheelwright/import/unread_formats.hpp"
 
 namespace wheelwright::import {
 namespace {
 
-struct Format {
-  bool (*is_of)(std::string_view head);
-  ReadResult (*read)(const std::filesystem::path& path);
-};
-constexpr auto formats = std::to_array<Format>({
-    {is_ros1_bag, read_ros_file},
-    {is_mcap, read_ros_file},
-    {is_sqlite, read_ros_file},
-    {is_zstd, read_ros_file},
-});
+using Failure = tl::unexpected<std::string>;
+using std::filesystem::path;
 
-// Of a regular file: what is read from a pipe is gone.
-std::string head_of(const std::filesystem::path& path) {
-  constexpr std::streamsize longest = 512;
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return "";
-  std::string head(longest, '\0');
-  std::ifstream file(path, std::ios::binary);
-  file.read(head.data(), longest);
-  head.resize(static_cast<std::size_t>(file.gcount()));
+constexpr std::size_t head_bytes = 4096;
+
+// What a format looks like, and who reads it. A reader of whole files is given the bytes, one that picks what
+// it needs from a large file is given the path; the other is null.
+struct Format {
+  bool (*is_so)(std::string_view head);
+  ReadResult (*read_bytes)(std::string bytes, std::string name);
+  ReadResult (*read_file)(const path& file);
+};
+
+// The first that fits is taken: text, which knows itself by what it has not, stands last.
+constexpr std::array<Format, 7> formats{{
+    {is_ros1_bag, nullptr, read_ros_file},
+    {is_mcap, nullptr, read_ros_file},
+    {is_sqlite, nullptr, read_ros_file},
+    {is_zstd, nullptr, read_ros_file},
+    {is_wpilog, [](std::string bytes, std::string name) { return read_wpilog(bytes, std::move(name)); },
+     nullptr},
+    {is_mat_file, [](std::string bytes, std::string name) { return read_mat_file(bytes, std::move(name)); },
+     nullptr},
+    {is_text, read_text_table, nullptr},
+}};
+
+std::string read_head(const path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string head(head_bytes, '\0');
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
   return head;
+}
+
+std::string why_unread(std::string_view head) {
+  if (head.empty()) return "is empty";
+  if (head.find_first_not_of('\0') == std::string_view::npos)
+    return "begins with zero bytes only, as after a power cut: its contents were not written";
+  const std::string known = describe_unread_format(head);
+  if (!known.empty()) return "is " + known;
+  return "is a binary file of a format that no reader knows; CSV, ROS bags, MATLAB files and WPILOG are read";
+}
+
+ReadResult read_folder(const path& folder) {
+  if (std::filesystem::exists(folder / "metadata.yaml")) return read_bag_folder(folder);
+  return Failure(folder.string() +
+                 ": is a folder without metadata.yaml, so no ROS 2 bag; name the file to read");
+}
+
+// Text knows itself by what it has not: what else is known comes before it.
+const Format* find_format(std::string_view head) {
+  if (head.empty()) return nullptr;
+  const auto found =
+      std::ranges::find_if(formats, [head](const Format& format) { return format.is_so(head); });
+  const bool is_binary = found != formats.end() && found->is_so != is_text;
+  if (!is_binary && !describe_unread_format(head).empty()) return nullptr;
+  return found == formats.end() ? nullptr : &*found;
+}
+
+// What a pipe brings comes once: it is read before anybody asks what it is.
+ReadResult open_checked(const path& file) {
+  const bool is_regular = std::filesystem::is_regular_file(file);
+  std::string head = is_regular ? read_head(file) : std::string();
+  const Format* format = find_format(head);
+  if (format != nullptr && format->read_file != nullptr) return format->read_file(file);
+  if (is_regular && format == nullptr && !head.empty())
+    return Failure(file.string() + ": " + why_unread(head));
+  auto bytes = config::read_text(file, config::log_file);
+  if (!bytes) return Failure(bytes.error());
+  head = bytes->substr(0, head_bytes);
+  format = find_format(head);
+  if (format == nullptr || format->read_bytes == nullptr)
+    return Failure(file.string() + ": " + why_unread(head));
+  return format->read_bytes(*std::move(bytes), file.string());
 }
 
 }  // namespace
 
-ReadResult open_recording(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) return read_bag_folder(path);
-  const std::string head = head_of(path);
-  for (const Format& format : formats) {
-    if (format.is_of(head)) return format.read(path);
+ReadResult open_recording(const path& path) {
+  try {
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) return read_folder(path);
+    return open_checked(path);
+  } catch (const std::bad_alloc&) {
+    return Failure(path.string() + ": is too large for the free memory of this machine; split the file");
+  } catch (const std::filesystem::filesystem_error& error) {
+    return Failure(path.string() + ": cannot be read: " + error.code().message());
   }
-  return tl::unexpected(path.string() + ": no reader knows this format");
 }
 
 }  // namespace wheelwright::import

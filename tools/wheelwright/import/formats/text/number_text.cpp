@@ -1,0 +1,112 @@
+#include "tools/wheelwright/import/formats/text/number_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <system_error>
+
+namespace wheelwright::import {
+namespace {
+
+constexpr std::size_t longest_number = 400;  // characters
+
+bool is_digit(char character) {
+  return character >= '0' && character <= '9';
+}
+
+char to_lower(char character) {
+  return character >= 'A' && character <= 'Z' ? static_cast<char>(character - 'A' + 'a') : character;
+}
+
+bool equals_word(std::string_view cell, std::string_view word) {
+  return std::ranges::equal(cell, word, {}, to_lower);
+}
+
+std::optional<double> read_plain(std::string_view cell) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  const bool is_whole = end == cell.data() + cell.size();
+  if (!is_whole || (error != std::errc() && error != std::errc::result_out_of_range)) return std::nullopt;
+  if (error == std::errc::result_out_of_range) return 0.0;  // 1e-400, or too large to mean anything
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+std::optional<double> read_hexadecimal(std::string_view cell) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(cell.data() + 2, cell.data() + cell.size(), value, 16);
+  if (error != std::errc() || end != cell.data() + cell.size()) return std::nullopt;
+  return static_cast<double>(value);
+}
+
+// Groups of three digits behind the first, which has one to three.
+bool has_groups(std::string_view whole, char separator) {
+  const auto first = whole.find(separator);
+  if (first == std::string_view::npos || first == 0 || first > 3) return false;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    const bool is_at_separator = i >= first && (i - first) % 4 == 0;
+    if (is_at_separator ? whole[i] != separator : !is_digit(whole[i])) return false;
+  }
+  return (whole.size() - first) % 4 == 0;
+}
+
+// The number without its thousands separators and with a decimal point; empty where it has other characters.
+std::string_view plain_form(std::string_view cell, char decimal, std::array<char, longest_number>& buffer) {
+  if (cell.size() > buffer.size()) return {};
+  const char separator = decimal == '.' ? ',' : '.';
+  const std::string_view unsigned_part = cell.front() == '-' ? cell.substr(1) : cell;
+  const std::string_view whole = unsigned_part.substr(0, unsigned_part.find(decimal));
+  const bool has_separators = whole.find(separator) != std::string_view::npos;
+  const bool is_unambiguous = whole.size() < unsigned_part.size() || std::ranges::count(whole, separator) > 1;
+  if (has_separators && !(is_unambiguous && has_groups(whole, separator))) return {};
+  std::size_t length = 0;
+  for (std::size_t i = 0; i < cell.size(); ++i) {
+    const char character = cell[i];
+    if (has_separators && character == separator) continue;
+    if (character == '.' && decimal == ',') return {};
+    const bool is_decimal = decimal == ',' && character == ',';
+    if (is_decimal && (i + 1 == cell.size() || !is_digit(cell[i + 1]))) return {};
+    buffer.at(length++) = is_decimal ? '.' : character;
+  }
+  return {buffer.data(), length};
+}
+
+std::optional<double> read_truth(std::string_view cell) {
+  if (equals_word(cell, "true")) return 1.0;
+  if (equals_word(cell, "false")) return 0.0;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<double> read_number(std::string_view cell, char decimal) {
+  if (cell.empty()) return std::nullopt;
+  if (cell.front() == '+') {
+    cell.remove_prefix(1);
+    if (cell.empty() || cell.front() == '-') return std::nullopt;
+  }
+  if (cell.starts_with("0x") || cell.starts_with("0X")) return read_hexadecimal(cell);
+  const char first = cell.front();
+  if (!is_digit(first) && first != '-' && first != '.' && first != ',') return read_truth(cell);
+  if (decimal == '.') {
+    if (const auto number = read_plain(cell)) return number;
+  }
+  std::array<char, longest_number> buffer;
+  const std::string_view plain = plain_form(cell, decimal, buffer);
+  return plain.empty() ? std::nullopt : read_plain(plain);
+}
+
+bool is_missing(std::string_view cell) {
+  if (cell.empty()) return true;
+  constexpr std::array<std::string_view, 24> words{
+      "-",    "--",  "nan", "-nan",      "na",     "n/a",    "null",     "none",
+      "nil",  "?",   ".",   "inf",       "-inf",   "+inf",   "infinity", "-infinity",
+      "#n/a", "#na", "nat", "-nan(ind)", "1.#inf", "1.#ind", "1.#qnan",  "-1.#ind"};
+  constexpr std::size_t longest_word = 9;
+  if (cell.size() > longest_word) return false;
+  return std::ranges::any_of(words, [cell](std::string_view word) { return equals_word(cell, word); });
+}
+
+}  // namespace wheelwright::import

@@ -1,0 +1,17 @@
+// A cell of a table as a number, in the ways that programs write one.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace wheelwright::import {
+
+// A number with the given sign before its decimals ('.' or ','); also 0x1F, true and false (1 and 0), and
+// thousands separators where they can be nothing else (1,234.5 and 1,234,567, not 1,234). Nothing for
+// infinity.
+std::optional<double> read_number(std::string_view cell, char decimal);
+
+// Blank, or a word by which programs write that nothing stands there: nan, NULL, N/A, -, inf and their like.
+bool is_missing(std::string_view cell);
+
+}  // namespace wheelwright::import

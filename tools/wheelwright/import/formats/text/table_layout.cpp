@@ -1,0 +1,215 @@
+#include "tools/wheelwright/import/formats/text/table_layout.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+
+#include "config/load/printable_text.hpp"
+#include "tools/wheelwright/import/formats/text/header_text.hpp"
+#include "tools/wheelwright/import/formats/text/number_text.hpp"
+
+namespace wheelwright::import {
+namespace {
+
+using Cells = std::vector<std::string_view>;
+
+constexpr std::size_t max_remarks_above = 8;
+constexpr std::size_t kind_count = 5;
+
+std::optional<ColumnKind> kind_of(std::string_view cell, const Dialect& dialect) {
+  if (is_missing(cell)) return std::nullopt;
+  if (read_number(cell, dialect.decimal)) return ColumnKind::number;
+  const auto time = read_time(cell, dialect.date_order);
+  if (!time) return ColumnKind::text;
+  if (time->form == TimeForm::clock) return ColumnKind::clock;
+  return time->form == TimeForm::date ? ColumnKind::date : ColumnKind::date_and_time;
+}
+
+// A stamp stands before header rows as well.
+std::size_t first_own_column(const Dialect& dialect) {
+  return dialect.rows_are_stamped ? 1 : 0;
+}
+
+// "0,1,2,3" or ",0,1,2", which pandas writes above columns without names.
+bool is_row_of_column_numbers(const Cells& cells) {
+  const std::size_t first = !cells.empty() && cells.front().empty() ? 1 : 0;
+  if (cells.size() < 4 - first) return false;
+  for (std::size_t i = first; i < cells.size(); ++i) {
+    if (cells[i] != std::to_string(i - first)) return false;
+  }
+  return true;
+}
+
+bool is_first_data_row(const Cells& cells, const std::vector<ColumnKind>& kinds, const Dialect& dialect) {
+  if (is_row_of_column_numbers(cells)) return false;
+  for (std::size_t i = first_own_column(dialect); i < kinds.size() && i < cells.size(); ++i) {
+    if (kinds[i] != ColumnKind::text && kind_of(cells[i], dialect) == ColumnKind::text) return false;
+  }
+  return is_data_row(cells, kinds, dialect);
+}
+
+// The lines above the first row of a table.
+class Head {
+ public:
+  Head(const TextSample& sample, const SniffedTable& table, TableLayout& layout)
+      : sample_(sample), table_(table), layout_(layout) {
+    kinds_ = column_kinds(sample.contents, table.dialect, table.width);
+  }
+
+  void read() {
+    const std::size_t first_row = find_first_row();
+    std::size_t end = first_row;
+    if (first_row == sample_.head.size()) {
+      layout_.first_row_line = 1;
+      end = 0;
+    } else {
+      layout_.first_row_line = sample_.head[first_row].number;
+      end = take_header(first_row);
+    }
+    const std::vector<std::string> units = std::move(units_);
+    layout_.columns = name_columns(layout_.header, kinds_, layout_.remarks);
+    if (table_.dialect.rows_are_stamped && !layout_.columns.empty()) layout_.columns.front().name = "stamp";
+    for (std::size_t i = 0; i < units.size() && i < layout_.columns.size(); ++i) {
+      if (!units[i].empty()) layout_.columns[i].unit = units[i];
+    }
+    for (std::size_t i = 0; i < end; ++i) take_line_above(sample_.head[i]);
+    if (left_out_ > max_remarks_above) {
+      layout_.remarks.push_back(std::to_string(left_out_ - max_remarks_above) +
+                                " more lines of text above the table: left out");
+    }
+  }
+
+ private:
+  std::size_t find_first_row() const {
+    Cells cells;
+    for (std::size_t i = 0; i < sample_.head.size(); ++i) {
+      if (is_comment(sample_.head[i].text)) continue;
+      split_row(sample_.head[i].text, table_.dialect, cells);
+      if (width_of(cells, table_.width) == table_.width && is_first_data_row(cells, kinds_, table_.dialect))
+        return i;
+    }
+    return sample_.head.size();
+  }
+
+  // The cells of a line that can be the header; empty where it cannot.
+  std::vector<std::string> header_cells(const Line& line) const {
+    if (is_comment(line.text)) return comment_header(line.text, table_.dialect, table_.width);
+    Cells cells;
+    split_row(line.text, table_.dialect, cells);
+    cells.resize(width_of(cells, table_.width));
+    if (is_row_of_column_numbers(cells) && cells.size() == table_.width) return as_strings(cells);
+    if (!is_header_row(cells, table_.dialect)) return {};
+    std::vector<std::string> names = as_strings(cells);
+    // R leaves out the name above its row names.
+    if (names.size() + 1 == table_.width && table_.width > 2) names.insert(names.begin(), std::string());
+    return names.size() == table_.width ? names : std::vector<std::string>();
+  }
+
+  // Returns the number of lines that stand above what belongs to the header.
+  std::size_t take_header(std::size_t first_row) {
+    if (first_row == 0) return 0;
+    std::size_t at = first_row - 1;
+    layout_.header = header_cells(sample_.head[at]);
+    if (layout_.header.empty()) return first_row;
+    const std::vector<std::string> above = at > 0 ? header_cells(sample_.head[at - 1]) : layout_.header;
+    if (at > 0 && !above.empty() && is_units_row(layout_.header)) {
+      for (const std::string& unit : layout_.header) units_.push_back(bare_unit(unit));
+      layout_.header = above;
+      layout_.has_units_row = true;
+      --at;
+    } else if (at > 0 && !above.empty()) {
+      if (join_upper_names(above, layout_.header)) --at;
+    }
+    layout_.header_is_comment = is_comment(sample_.head[at].text);
+    return at;
+  }
+
+  void take_line_above(const Line& line) {
+    const bool is_note = is_comment(line.text);
+    const std::string_view text = is_note ? comment_text(line.text) : trim(line.text);
+    if (text.empty()) return;
+    if (auto pair = key_and_value(text)) {
+      layout_.metadata.push_back(*std::move(pair));
+      return;
+    }
+    if (is_note) {
+      layout_.metadata.emplace_back("comment", std::string(text));
+      return;
+    }
+    Cells cells;
+    split_row(line.text, table_.dialect, cells);
+    const std::size_t filled = width_of(cells, 2);
+    if (table_.width != 2 && filled == 2 && !cells[0].empty()) {
+      layout_.metadata.emplace_back(std::string(cells[0]), std::string(cells[1]));
+    } else if (++left_out_ <= max_remarks_above) {
+      layout_.remarks.push_back("line " + std::to_string(line.number) + ": '" + config::excerpt(text) +
+                                "' above the table: left out");
+    }
+  }
+
+  static std::vector<std::string> as_strings(const Cells& cells) {
+    std::vector<std::string> strings;
+    for (const std::string_view cell : cells) strings.push_back(unescape_quotes(cell));
+    return strings;
+  }
+
+  const TextSample& sample_;
+  const SniffedTable& table_;
+  TableLayout& layout_;
+  std::vector<ColumnKind> kinds_;
+  std::vector<std::string> units_;
+  std::size_t left_out_ = 0;
+};
+
+}  // namespace
+
+TableLayout find_layout(const TextSample& sample, const SniffedTable& table) {
+  TableLayout layout;
+  Head(sample, table, layout).read();
+  return layout;
+}
+
+std::vector<ColumnKind> column_kinds(const std::vector<std::string_view>& lines, const Dialect& dialect,
+                                     std::size_t width) {
+  std::vector<std::array<std::size_t, kind_count>> counts(width);
+  Cells cells;
+  for (const std::string_view line : lines) {
+    split_row(line, dialect, cells);
+    if (width_of(cells, width) != width) continue;
+    for (std::size_t i = 0; i < width; ++i) {
+      if (const auto kind = kind_of(cells[i], dialect)) ++counts[i].at(static_cast<std::size_t>(*kind));
+    }
+  }
+  std::vector<ColumnKind> kinds(width, ColumnKind::number);
+  for (std::size_t i = 0; i < width; ++i) {
+    const auto last = counts[i].end() - 1;  // text
+    const auto most = std::max_element(counts[i].begin(), last);
+    std::size_t values = 0;
+    for (auto count = counts[i].begin(); count != last; ++count) values += *count;
+    kinds[i] = *last > values ? ColumnKind::text : static_cast<ColumnKind>(most - counts[i].begin());
+  }
+  return kinds;
+}
+
+bool is_header_row(const Cells& cells, const Dialect& dialect) {
+  std::size_t names = 0;
+  for (std::size_t i = first_own_column(dialect); i < cells.size(); ++i) {
+    const auto kind = kind_of(cells[i], dialect);
+    if (kind && *kind != ColumnKind::text) return false;
+    if (kind) ++names;
+  }
+  return names > 0;
+}
+
+bool is_data_row(const Cells& cells, const std::vector<ColumnKind>& kinds, const Dialect& dialect) {
+  std::size_t values = 0;
+  std::size_t texts = 0;
+  for (std::size_t i = first_own_column(dialect); i < kinds.size() && i < cells.size(); ++i) {
+    const auto kind = kind_of(cells[i], dialect);
+    if (kind && kinds[i] != ColumnKind::text) ++(*kind == ColumnKind::text ? texts : values);
+  }
+  return values > 0 && texts <= values;
+}
+
+}  // namespace wheelwright::import
