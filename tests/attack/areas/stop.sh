@@ -109,7 +109,7 @@ held_terminal_sigterm() {
   start_robot
   mkfifo keys
   exec 8<>keys
-  script -qec "wheelwrightd --config daemon.yaml --status status.json" /dev/null <keys >terminal 2>&1 &
+  env --default-signal=HUP script -qec "wheelwrightd --config daemon.yaml --status status.json" /dev/null <keys >terminal 2>&1 &
   drives || return 1
   daemon=$(pgrep -f "wheelwrightd --config daemon.yaml" | while read -r pid; do
     [[ $(readlink "/proc/$pid/cwd") == "$PWD" && $(<"/proc/$pid/comm") == wheelwrightd ]] && echo "$pid"; done | head -n 1)
@@ -126,7 +126,7 @@ closed_terminal() {
   start_robot
   mkfifo keys
   exec 8<>keys
-  script -qec "wheelwrightd --config daemon.yaml --status status.json" /dev/null <keys >terminal 2>&1 &
+  env --default-signal=HUP script -qec "wheelwrightd --config daemon.yaml --status status.json" /dev/null <keys >terminal 2>&1 &
   local terminal=$!
   drives || return 1
   local at; at=$(now_ms)
