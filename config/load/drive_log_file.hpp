@@ -31,4 +31,8 @@ std::vector<DriveLog> parse_drive_logs(const std::string& text, const std::strin
 // Writes a log whole or not at all (temporary file, then rename); throws LogError where that fails.
 void save_drive_log(const DriveLog& log, const std::filesystem::path& path);
 
+// The same for runs of one robot, one after the other in one file; each has to begin below one second. The
+// first says the metadata.
+void save_drive_logs(const std::vector<DriveLog>& runs, const std::filesystem::path& path);
+
 }  // namespace wheelwright::config

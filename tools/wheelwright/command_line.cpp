@@ -11,9 +11,9 @@
 namespace wheelwright::tools {
 namespace {
 
-constexpr std::array commands{add_fit,    add_simulate, add_score,  add_gap,    add_effects,
-                              add_replay, add_evaluate, add_doctor, add_import, add_export,
-                              add_report, add_circle,   add_status};
+constexpr std::array commands{add_fit,    add_simulate, add_score,  add_gap,     add_effects,
+                              add_replay, add_evaluate, add_doctor, add_inspect, add_import,
+                              add_export, add_report,   add_circle, add_status};
 
 std::string joined(const std::vector<std::string>& words) {
   std::string text;

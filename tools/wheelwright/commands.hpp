@@ -43,6 +43,7 @@ Action add_gap(CLI::App& app);
 Action add_replay(CLI::App& app);
 Action add_evaluate(CLI::App& app);
 Action add_doctor(CLI::App& app);
+Action add_inspect(CLI::App& app);
 Action add_import(CLI::App& app);
 Action add_export(CLI::App& app);
 Action add_report(CLI::App& app);

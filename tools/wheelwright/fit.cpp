@@ -11,6 +11,7 @@
 #include "tools/wheelwright/fit_report.hpp"
 #include "tools/wheelwright/json_text.hpp"
 #include "tools/wheelwright/log_checks.hpp"
+#include "tools/wheelwright/log_input.hpp"
 #include "tools/wheelwright/now.hpp"
 
 namespace wheelwright::tools {
@@ -18,6 +19,7 @@ namespace {
 
 struct FitOptions {
   std::vector<std::string> logs;
+  std::string mapping;
   std::string output;
   std::string type = "fir";
   std::string order = "auto";
@@ -67,8 +69,8 @@ ArxFitOptions arma_options(const FitOptions& options) {
   return result;
 }
 
-std::vector<DriveLog> load_training_runs(const FitOptions& options) {
-  auto runs = load_all_runs(options.logs);
+std::vector<DriveLog> load_training_runs(const FitOptions& options, std::ostream& err) {
+  auto runs = with_wheel_on_both_sides(load_all_runs({options.logs, options.mapping}, err));
   check_runs_of_one_robot(runs);
   for (const auto& run : runs) {
     if (const auto impossible = find_impossible_command(run, options.max_command_m_s)) {
@@ -116,11 +118,11 @@ FitReport fit_arma_to(const ArxFitOptions& fit_options, std::vector<DriveLog> ru
 FitReport fit_wanted(const FitOptions& options, std::ostream& err) {
   if (options.type == "arma") {
     const ArxFitOptions fit_options = arma_options(options);
-    return fit_arma_to(fit_options, load_training_runs(options), err);
+    return fit_arma_to(fit_options, load_training_runs(options, err), err);
   }
   FirFitOptions fit_options;
   fit_options.length = parse_order(options.order, largest_fir_order);
-  return fit_fir_to(fit_options, load_training_runs(options));
+  return fit_fir_to(fit_options, load_training_runs(options, err));
 }
 
 ExitStatus run_fit(const FitOptions& options, Streams streams) {
@@ -148,6 +150,7 @@ Action add_fit(CLI::App& app) {
   command->add_option("LOG", options->logs, "Drive logs with encoder counts; all their runs are used")
       ->required();
   command->add_option("-o,--output", options->output, "Model file to write")->required();
+  command->add_option("--mapping", options->mapping, "Mapping file (YAML) for logs that are no drive logs");
   command->add_option("--type", options->type, "fir (moving average) or arma")->capture_default_str();
   command
       ->add_option("--order", options->order,

@@ -11,7 +11,6 @@
 #include "config/load/text_format.hpp"
 #include "model/identification/known_stretches.hpp"
 #include "model/identification/run_periods.hpp"
-#include "model/settled_travel.hpp"
 #include "tools/wheelwright/commands.hpp"
 
 namespace wheelwright::tools {
@@ -120,17 +119,6 @@ std::string robot_name(const DriveLog& log) {
     if (key == "robot") return value;
   }
   return "unknown";
-}
-
-std::vector<DriveLog> load_all_runs(const std::vector<std::string>& paths) {
-  std::vector<DriveLog> runs;
-  for (const auto& path : paths) {
-    for (auto& run : config::load_drive_logs(path)) {
-      take_settled_travel(run);
-      runs.push_back(std::move(run));
-    }
-  }
-  return runs;
 }
 
 std::optional<std::string> find_impossible_command(const DriveLog& log, std::optional<double> limit_m_s) {

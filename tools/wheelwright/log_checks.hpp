@@ -12,9 +12,6 @@
 
 namespace wheelwright::tools {
 
-// All runs of all files, in order. Throws config::LogError.
-std::vector<DriveLog> load_all_runs(const std::vector<std::string>& paths);
-
 // Throws UsageError where the output of a command may not be written: see config/load/output_file.hpp.
 void check_output(const config::OutputFile& output, const std::vector<std::string>& inputs);
 

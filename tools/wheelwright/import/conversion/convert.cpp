@@ -19,6 +19,8 @@ using config::plain_number;
 
 // Of distances that were no counts: fine enough to add no noise to what an encoder shows.
 constexpr double fine_count_m = 1e-6;
+// One wheel has no base; the other stands still beside it.
+constexpr double one_wheel_base_m = 1.0;
 
 double in_si(std::span<const Unit> units, const std::string& name) {
   const auto unit = find_unit(units, name);
@@ -51,6 +53,10 @@ double median_step(const std::vector<double>& times_s) {
   return *middle;
 }
 
+bool is_one_wheel(const Mapping& mapping) {
+  return mapping.wheels && !mapping.wheels->right && !mapping.wheels->body_motion && !mapping.reference;
+}
+
 class RunMaker {
  public:
   RunMaker(const DriveColumns& columns, const Mapping& mapping, const std::string& name)
@@ -59,7 +65,7 @@ class RunMaker {
   DriveLog make(const RunRows& rows, std::vector<std::string>& remarks) {
     DriveLog log;
     log.name = name_;
-    log.wheel_base_m = *mapping_.wheel_base_m;
+    log.wheel_base_m = mapping_.wheel_base_m.value_or(one_wheel_base_m);
     log.first_line = rows.front() < columns_.places.size() ? columns_.places[rows.front()] : rows.front() + 1;
     std::vector<double> t_s;
     for (const std::size_t row : rows) t_s.push_back(columns_.t_s[row] - columns_.t_s[rows.front()]);
@@ -96,11 +102,7 @@ class RunMaker {
                  std::vector<std::string>& remarks) const {
     const auto even = even_stamps(t_s, travel.values[0]);
     if (!even) return;
-    remarks.push_back(columns_.place(rows.front()) + ": stamps come in bunches (5 % of the steps are below " +
-                      fixed_number(1e3 * even->shortest_s, 1) + " ms, 5 % above " +
-                      fixed_number(1e3 * even->longest_s, 1) +
-                      " ms), while the wheels turn evenly by rows; taken at even times, " +
-                      fixed_number(1e3 * even->period_s, 2) + " ms apart");
+    remarks.push_back(columns_.place(rows.front()) + ": " + even->text());
     t_s = even->t_s;
   }
 
@@ -181,15 +183,27 @@ class RunMaker {
         ++before_commands;
         continue;
       }
-      log.samples.push_back(sample(row, t_s[i], command(*first, *second)));
+      WheelPair command_m_s = command(*first, *second);
+      if (is_one_wheel(mapping_)) command_m_s.right = 0.0;
+      log.samples.push_back(sample(row, t_s[i], command_m_s));
       add_counts(counts, i, log.samples.back());
     }
     if (before_commands > 0) {
       remarks.push_back(columns_.place(rows.front()) + ": " + std::to_string(before_commands) +
                         " rows before the first command, left out");
     }
+    trim_to_counts(log);
     const double start_s = log.samples.empty() ? 0.0 : log.samples.front().t_s;
     for (auto& entry : log.samples) entry.t_s -= start_s;
+  }
+
+  // A run of counts begins and ends with one; the last command before it is in force there.
+  static void trim_to_counts(DriveLog& log) {
+    const auto first =
+        std::ranges::find_if(log.samples, [](const DriveSample& entry) { return entry.ticks.has_value(); });
+    if (first == log.samples.end()) return;
+    log.samples.erase(log.samples.begin(), first);
+    while (!log.samples.back().ticks) log.samples.pop_back();
   }
 
   DriveSample sample(std::size_t row, double t_s, const WheelPair& command_m_s) const {
@@ -213,7 +227,7 @@ class RunMaker {
 
   static void add_counts(const std::array<Column, 2>& counts, std::size_t at, DriveSample& sample) {
     if (counts[0].empty() || !std::isfinite(counts[0][at])) return;
-    const double right = counts[1].empty() ? counts[0][at] : counts[1][at];
+    const double right = counts[1].empty() ? 0.0 : counts[1][at];
     if (std::isfinite(right)) sample.ticks = WheelTicks{std::llround(counts[0][at]), std::llround(right)};
   }
 
@@ -227,7 +241,11 @@ class RunMaker {
       if (sample.ticks) counted.push_back(sample.t_s);
       if (sample.reference_x_m || sample.reference_theta_rad) placed.push_back(sample.t_s);
     }
-    return median_step(counted.size() > 2 ? counted : placed.size() > 2 ? placed : all);
+    // To a tenth of a microsecond: stamps have no more.
+    return std::round(1e7 * median_step(counted.size() > 2  ? counted
+                                        : placed.size() > 2 ? placed
+                                                            : all)) /
+           1e7;
   }
 
   const DriveColumns& columns_;
@@ -242,16 +260,19 @@ std::string what_is_missing(const Mapping& mapping) {
   if (!mapping.wheels && !mapping.reference)
     return "neither wheels nor a reference were found; say which columns hold them: --set wheels.left=COLUMN "
            "and wheels.right=COLUMN";
-  if (!mapping.wheel_base_m)
+  if (!mapping.wheel_base_m && !is_one_wheel(mapping))
     return "the distance between the wheels is not known; give it: --set robot.wheel_base_m=0.235";
-  if (mapping.command->kind == CommandKind::duty && !mapping.command->full_scale_m_s) {
-    return "the speed that the largest duty leads to is not known; give it: --set command.full_scale_m_s=0.5";
+  if (mapping.wheels && mapping.wheels->kind == WheelKind::speed && mapping.wheels->unit.empty()) {
+    return "the unit of the wheel speeds is not known; give it: --set wheels.unit=mm/s";
   }
   if (mapping.wheels && !wheel_scale(*mapping.wheels)) {
     return mapping.wheels->kind == WheelKind::counts
                ? "how far a wheel rolls for a count is not known; give it: --set "
                  "wheels.metres_per_count=0.0005"
                : "the radius of the wheels is not known; give it: --set wheels.wheel_radius_m=0.035";
+  }
+  if (mapping.command->kind == CommandKind::duty && !mapping.command->full_scale_m_s) {
+    return "the speed that the largest duty leads to is not known; give it: --set command.full_scale_m_s=0.5";
   }
   return {};
 }
@@ -273,7 +294,8 @@ std::optional<double> wheel_scale(const WheelMapping& wheels) {
       break;
   }
   const auto unit = find_unit(speed_units(), wheels.unit);
-  if (!unit || !unit->of_wheel) return unit ? unit->in_si : 1.0;
+  if (!unit) return std::nullopt;
+  if (!unit->of_wheel) return unit->in_si;
   if (!wheels.wheel_radius_m) return std::nullopt;
   return unit->in_si * *wheels.wheel_radius_m;
 }
@@ -316,11 +338,13 @@ tl::expected<Conversion, std::string> convert(const DriveColumns& columns, const
     return are_alike(columns, a, b);
   };
   TimeRepair time = repair_time(columns.t_s, place, same);
-  conversion.remarks = std::move(time.remarks);
+  conversion.remarks = columns.remarks;
+  conversion.remarks.insert(conversion.remarks.end(), time.remarks.begin(), time.remarks.end());
   RunMaker maker(columns, mapping, name);
   for (const auto& rows : time.runs) {
     DriveLog log = maker.make(rows, conversion.remarks);
     if (log.samples.size() < 2) continue;
+    if (is_one_wheel(mapping)) log.other_metadata.emplace_back("one_wheel", "left");
     if (!mapping.robot.empty()) log.other_metadata.emplace_back("robot", mapping.robot);
     for (const auto& entry : mapping_entries(mapping)) {
       log.other_metadata.emplace_back("mapping." + entry.key, entry.value);

@@ -8,13 +8,15 @@
 #include <utility>
 
 #include "config/load/printable_text.hpp"
+#include "tools/wheelwright/import/conversion/counts.hpp"
+#include "tools/wheelwright/import/conversion/stamps.hpp"
+#include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-constexpr double most_between_stamps_s = 1.0;
 
 // A mapped channel and where its values go.
 struct Source {
@@ -22,61 +24,6 @@ struct Source {
   const Channel* channel;
   Column* target;
 };
-
-double seconds_in(TimeUnit unit) {
-  switch (unit) {
-    case TimeUnit::ms:
-      return 1e-3;
-    case TimeUnit::us:
-      return 1e-6;
-    case TimeUnit::ns:
-      return 1e-9;
-    case TimeUnit::s:
-    case TimeUnit::hms:
-    case TimeUnit::iso:
-      break;
-  }
-  return 1.0;
-}
-
-const Channel* channel_of(const Stream& stream, const std::string& name) {
-  if (const Channel* channel = stream.find(name)) return channel;
-  const bool is_number =
-      !name.empty() && name.size() < 6 && name.find_first_not_of("0123456789") == std::string::npos;
-  const std::size_t number = is_number ? std::stoul(name) : 0;
-  return number >= 1 && number <= stream.channels.size() ? &stream.channels[number - 1] : nullptr;
-}
-
-// Stamps of the sender, where a message has them and its clock is that of the recorder.
-const Channel* stamps_of(const Stream& stream) {
-  for (const auto& channel : stream.channels) {
-    if (channel.name == "header.stamp" || channel.name == "stamp") return &channel;
-  }
-  return nullptr;
-}
-
-bool agree(const Column& stamps, const Column& received_s) {
-  Column differences;
-  for (std::size_t i = 0; i < stamps.size(); ++i) {
-    if (std::isfinite(stamps[i])) differences.push_back(std::abs(received_s[i] - stamps[i]));
-  }
-  if (differences.size() < stamps.size()) return false;
-  const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
-  std::nth_element(differences.begin(), middle, differences.end());
-  return middle != differences.end() && *middle < most_between_stamps_s;
-}
-
-// A time of day goes on past midnight.
-void unwrap_midnight(Column& t_s) {
-  constexpr double day_s = 86400.0;
-  double days = 0.0;
-  double last = nothing;
-  for (double& t : t_s) {
-    if (std::isfinite(last) && t < last - day_s / 2) days += day_s;
-    if (std::isfinite(t)) last = t;
-    t += days;
-  }
-}
 
 class Gathering {
  public:
@@ -140,16 +87,41 @@ class Gathering {
         problem_ = name() + ": has no time; say how far its rows are apart: --set time.period_s=0.05";
         return false;
       }
-      if (mapping_.time.unit == TimeUnit::hms) unwrap_midnight(times.back());
     }
+    shift_reference(streams, times);
     if (streams.size() == 1) {
       columns_.t_s = std::move(times.front());
       columns_.places = streams.front()->places;
       for (const auto& source : sources_) *source.target = source.channel->values;
       return true;
     }
+    make_wheels_even(streams, times);
     merge_streams(streams, times);
     return true;
+  }
+
+  // Counts that were handled in bunches, before rows of other streams lie between them.
+  void make_wheels_even(const std::vector<const Stream*>& streams, std::vector<Column>& times) {
+    if (!mapping_.wheels || mapping_.wheels->kind == WheelKind::speed) return;
+    const FoundChannel found = find_channel(recordings_, mapping_.wheels->left);
+    for (std::size_t s = 0; s < streams.size(); ++s) {
+      if (streams[s] != found.stream || !std::ranges::is_sorted(times[s])) continue;
+      Column travel = found.channel->values;
+      if (const auto bits = wrapped_bits(travel)) unwrap(travel, *bits);
+      if (const auto even = even_stamps(times[s], travel)) {
+        columns_.remarks.push_back(streams[s]->name + ": " + even->text());
+        times[s] = even->t_s;
+      }
+    }
+  }
+
+  void shift_reference(const std::vector<const Stream*>& streams, std::vector<Column>& times) const {
+    if (!mapping_.reference || !mapping_.reference->shift_s || !mapping_.reference->x) return;
+    const FoundChannel found = find_channel(recordings_, *mapping_.reference->x);
+    for (std::size_t s = 0; s < streams.size(); ++s) {
+      if (streams[s] != found.stream) continue;
+      for (double& t : times[s]) t += *mapping_.reference->shift_s;
+    }
   }
 
   void merge_streams(const std::vector<const Stream*>& streams, const std::vector<Column>& times) {
@@ -215,32 +187,13 @@ FoundChannel find_channel(std::span<const Recording> recordings, const ChannelNa
   std::size_t count = 0;
   for (const auto& recording : recordings) {
     for (const auto& stream : recording.streams) {
-      if (!name.stream.empty() && stream.name != name.stream) continue;
-      const Channel* channel = channel_of(stream, name.channel);
+      const Channel* channel = channel_of(stream, name);
       if (channel == nullptr) continue;
       found = {&stream, channel};
       ++count;
     }
   }
   return count == 1 ? found : FoundChannel{};
-}
-
-Column stream_times(const Stream& stream, const TimeMapping& time) {
-  if (time.column && (time.column->stream.empty() || time.column->stream == stream.name)) {
-    if (const Channel* channel = channel_of(stream, time.column->channel)) {
-      Column t_s = channel->values;
-      for (double& t : t_s) t *= seconds_in(time.unit);
-      return t_s;
-    }
-  }
-  if (!stream.received_s.empty()) {
-    const Channel* stamps = stamps_of(stream);
-    return stamps != nullptr && agree(stamps->values, stream.received_s) ? stamps->values : stream.received_s;
-  }
-  if (!time.period_s) return {};
-  Column t_s(stream.rows);
-  for (std::size_t i = 0; i < t_s.size(); ++i) t_s[i] = *time.period_s * static_cast<double>(i);
-  return t_s;
 }
 
 tl::expected<DriveColumns, std::string> gather(std::span<const Recording> recordings,

@@ -27,6 +27,7 @@ struct DriveColumns {
   Column theta_rad;  // of a quaternion, or of the column in its unit
   Column gyro;
   Column battery;
+  std::vector<std::string> remarks;  // what was done to the time of streams before they were merged
 
   std::size_t rows() const { return t_s.size(); }
   // "line 12", or "row 12" of merged rows.
@@ -39,11 +40,6 @@ struct FoundChannel {
   const Channel* channel = nullptr;
 };
 FoundChannel find_channel(std::span<const Recording> recordings, const ChannelName& name);
-
-// When each row of a stream was measured, in seconds: by the mapped column, else by stamps of its own that
-// agree with the time of recording, else by that time, else by rows `period_s` apart. Empty where none is
-// there.
-Column stream_times(const Stream& stream, const TimeMapping& time);
 
 // Rows of several streams are merged: one at each time at which any of them has a row. Fails, with one line,
 // where a mapped channel is not there or there is no time.

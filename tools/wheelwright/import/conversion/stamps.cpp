@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/load/text_format.hpp"
+
 namespace wheelwright::import {
 namespace {
 
@@ -20,16 +22,23 @@ double percentile(std::vector<double> values, double part) {
   return *at;
 }
 
-// Sum of squares of the steps of travel beyond what the speed around each row explains over `durations`.
-double roughness(std::span<const double> travel, std::span<const double> t_s) {
+struct Roughness {
   double sum = 0.0;
+  std::size_t count = 0;
+};
+
+// Sum of squares of the steps of travel beyond what the speed around each row explains over `durations`.
+Roughness roughness(std::span<const double> travel, std::span<const double> t_s) {
+  Roughness result;
   for (std::size_t i = half_window + 1; i + half_window < travel.size(); ++i) {
     const double around = travel[i + half_window] - travel[i - half_window - 1];
     const double duration_s = t_s[i + half_window] - t_s[i - half_window - 1];
     const double rest = travel[i] - travel[i - 1] - around / duration_s * (t_s[i] - t_s[i - 1]);
-    if (std::isfinite(rest)) sum += rest * rest;
+    if (!std::isfinite(rest)) continue;
+    result.sum += rest * rest;
+    ++result.count;
   }
-  return sum;
+  return result;
 }
 
 // A straight line through the stamps of each part between holes; empty where the stamps stray from it.
@@ -63,6 +72,16 @@ std::vector<double> straighten(std::span<const double> t_s, double step_s) {
 
 }  // namespace
 
+std::string EvenStamps::text() const {
+  const auto milliseconds = [](double seconds, int decimals) {
+    return config::fixed_number(1e3 * seconds, decimals) + " ms";
+  };
+  return "stamps come in bunches (5 % of the steps are below " + milliseconds(shortest_s, 1) +
+         ", 5 % above " + milliseconds(longest_s, 1) +
+         "), while the wheels turn evenly by rows; taken at even times, " + milliseconds(period_s, 2) +
+         " apart";
+}
+
 std::optional<EvenStamps> even_stamps(std::span<const double> t_s, std::span<const double> travel) {
   if (t_s.size() < fewest_rows || travel.size() != t_s.size()) return std::nullopt;
   std::vector<double> steps;
@@ -83,7 +102,11 @@ std::optional<EvenStamps> even_stamps(std::span<const double> t_s, std::span<con
   result.period_s = sum_s / count;
   result.t_s = straighten(t_s, result.period_s);
   if (result.t_s.empty()) return std::nullopt;
-  if (roughness(travel, result.t_s) > smoother_by * roughness(travel, t_s)) return std::nullopt;
+  const Roughness stamped = roughness(travel, t_s);
+  const Roughness even = roughness(travel, result.t_s);
+  // Rows without a measurement between those with one say nothing.
+  if (2 * stamped.count < t_s.size() || !(stamped.sum > 0.0)) return std::nullopt;
+  if (even.sum > smoother_by * stamped.sum) return std::nullopt;
   return result;
 }
 

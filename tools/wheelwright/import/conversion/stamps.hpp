@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace wheelwright::import {
@@ -13,6 +14,8 @@ struct EvenStamps {
   double period_s = 0.0;
   double shortest_s = 0.0;  // percentiles 5 and 95 of the steps as they were
   double longest_s = 0.0;
+
+  std::string text() const;  // what was found and done, for a person
 };
 
 // Even times for rows whose steps differ by more than a factor of two and whose travel goes by rows rather

@@ -5,6 +5,7 @@
 
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
+#include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/inference/named_roles.hpp"
 #include "tools/wheelwright/import/inference/numbered_roles.hpp"
 #include "tools/wheelwright/import/inference/units_by_motion.hpp"
@@ -16,10 +17,10 @@ const Channel* time_channel(std::span<const Recording> recordings, const Mapping
   if (!mapping.time.column) return nullptr;
   for (const auto& recording : recordings) {
     for (const auto& stream : recording.streams) {
-      if (const Channel* channel = stream.find(mapping.time.column->channel)) return channel;
+      if (const Channel* channel = channel_of(stream, *mapping.time.column)) return channel;
     }
   }
-  return find_channel(recordings, *mapping.time.column).channel;
+  return nullptr;
 }
 
 void set_time_unit(std::span<const Recording> recordings, const GivenMapping& given, Mapping& mapping,
@@ -98,6 +99,12 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
     }
   }
   inference.entries = overlaid(mapping, given);
+  // Each of several roles may have been looked for in the same streams.
+  std::vector<std::string> once;
+  for (auto& finding : inference.findings) {
+    if (std::ranges::find(once, finding) == once.end()) once.push_back(std::move(finding));
+  }
+  inference.findings = std::move(once);
   return inference;
 }
 

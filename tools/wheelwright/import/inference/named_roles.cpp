@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/inference/column_names.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
@@ -40,7 +41,7 @@ std::vector<Named> read_names(std::span<const Recording> recordings) {
 class ByNames {
  public:
   ByNames(std::span<const Recording> recordings, Mapping& mapping, std::vector<std::string>& findings)
-      : named_(read_names(recordings)), mapping_(mapping), findings_(findings) {}
+      : recordings_(recordings), named_(read_names(recordings)), mapping_(mapping), findings_(findings) {}
 
   void run() {
     if (!mapping_.wheels) find_wheels();
@@ -191,12 +192,46 @@ class ByNames {
     return nullptr;
   }
 
+  // Frames that are bolted to each other do not.
+  static bool moves(const Channel& channel) {
+    constexpr double least_m = 0.01;
+    double lowest = INFINITY;
+    double highest = -INFINITY;
+    for (const double value : channel.values) {
+      if (!std::isfinite(value)) continue;
+      lowest = std::min(lowest, value);
+      highest = std::max(highest, value);
+    }
+    return highest - lowest > least_m;
+  }
+
+  bool find_tum() {
+    for (const auto& recording : recordings_) {
+      for (const auto& stream : recording.streams) {
+        if (!is_tum(stream)) continue;
+        const auto column = [&](const char* number) { return ChannelName{stream.name, number}; };
+        mapping_.reference = ReferenceMapping{};
+        mapping_.reference->x = column("2");
+        mapping_.reference->y = column("3");
+        mapping_.reference->qx = column("5");
+        mapping_.reference->qy = column("6");
+        mapping_.reference->qz = column("7");
+        mapping_.reference->qw = column("8");
+        findings_.push_back("the reference is a trajectory in the TUM format (t x y z qx qy qz qw)");
+        return true;
+      }
+    }
+    return false;
+  }
+
   void find_reference() {
+    if (find_tum()) return;
     const Named* best = nullptr;
     std::string others;
     for (const auto& named : named_) {
       if (named.meaning.quantity != Quantity::x || trust(named) < 0 || !same_stream(named, Quantity::y))
         continue;
+      if (!moves(*named.channel) && !moves(*same_stream(named, Quantity::y)->channel)) continue;
       if (best != nullptr && trust(named) <= trust(*best)) {
         if (named.stream != best->stream) others += ", " + named.name().text();
         continue;
@@ -262,6 +297,7 @@ class ByNames {
     }
   }
 
+  std::span<const Recording> recordings_;
   std::vector<Named> named_;
   Mapping& mapping_;
   std::vector<std::string>& findings_;

@@ -7,10 +7,10 @@
 
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/counts.hpp"
+#include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/inference/named_roles.hpp"
 #include "tools/wheelwright/import/inference/pose_columns.hpp"
 #include "tools/wheelwright/import/inference/response_fit.hpp"
-#include "tools/wheelwright/import/inference/units_by_motion.hpp"
 
 namespace wheelwright::import {
 namespace {
@@ -20,6 +20,7 @@ using config::fixed_number;
 constexpr std::size_t fewest_rows = 50;
 constexpr std::size_t most_columns = 40;
 constexpr double sure_explained = 0.6;
+constexpr double fastest_m_s = 3.0;  // larger numbers are in no metres per second
 constexpr std::size_t most_rows = 20'000;
 
 const Stream* longest_table(std::span<const Recording> recordings) {
@@ -54,6 +55,51 @@ double evenness(const std::vector<double>& values) {
     return steps[static_cast<std::size_t>(part * static_cast<double>(steps.size() - 1))];
   };
   return at(0.02) > 0.0 ? at(0.1) / at(0.9) : 0.0;
+}
+
+// Whether values go by one most of the time, over a range: the counts of a slow wheel are held as a command
+// is.
+bool looks_counted(const std::vector<double>& values) {
+  constexpr double least_range = 10.0;
+  std::size_t changes = 0;
+  std::size_t by_one = 0;
+  double lowest = INFINITY;
+  double highest = -INFINITY;
+  double last = NAN;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    if (std::isfinite(last) && value != last) {
+      ++changes;
+      if (std::abs(value - last) == 1.0) ++by_one;
+    }
+    lowest = std::min(lowest, value);
+    highest = std::max(highest, value);
+    last = value;
+  }
+  return highest - lowest >= least_range && by_one * 10 > changes * 8;
+}
+
+// The step between the values of a channel, where it has one: speeds that were counted.
+double quantum(const std::vector<double>& values) {
+  std::vector<double> sorted;
+  for (const double value : values) {
+    if (std::isfinite(value)) sorted.push_back(value);
+  }
+  std::ranges::sort(sorted);
+  double smallest = INFINITY;
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    const double step = sorted[i] - sorted[i - 1];
+    if (step > 1e-6 * std::abs(sorted.back() - sorted.front())) smallest = std::min(smallest, step);
+  }
+  return smallest;
+}
+
+double largest_size(const std::vector<double>& values) {
+  double largest = 0.0;
+  for (const double value : values) {
+    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  }
+  return largest;
 }
 
 struct Candidate {
@@ -113,21 +159,23 @@ class ByNumbers {
   void collect(std::vector<const Channel*>& commands, std::vector<Candidate>& wheels) const {
     if (mapping_.command) {
       for (const auto& channel : stream_.channels) {
-        if (channel.name == mapping_.command->first.channel) commands.push_back(&channel);
-        if (mapping_.command->second && channel.name == mapping_.command->second->channel)
+        if (channel_of(stream_, mapping_.command->first) == &channel) commands.push_back(&channel);
+        if (mapping_.command->second && channel_of(stream_, *mapping_.command->second) == &channel)
           commands.push_back(&channel);
       }
     }
     for (const Channel* channel : unused_) {
-      if (!mapping_.command && is_held(channel->values)) commands.push_back(channel);
+      if (!mapping_.command && is_held(channel->values) && !looks_counted(channel->values))
+        commands.push_back(channel);
       if (mapping_.wheels) continue;
       wheels.push_back({channel, true});
       wheels.push_back({channel, false});
     }
     if (!mapping_.wheels) return;
     for (const auto& channel : stream_.channels) {
-      const bool is_left = channel.name == mapping_.wheels->left.channel;
-      const bool is_right = mapping_.wheels->right && channel.name == mapping_.wheels->right->channel;
+      const bool is_left = channel_of(stream_, mapping_.wheels->left) == &channel;
+      const bool is_right =
+          mapping_.wheels->right && channel_of(stream_, *mapping_.wheels->right) == &channel;
       if (is_left || is_right) wheels.push_back({&channel, mapping_.wheels->kind != WheelKind::speed});
     }
   }
@@ -237,15 +285,24 @@ class ByNumbers {
 
   void take(const Assignment& best) {
     const bool one_wheel = best.wheel[1].channel == nullptr;
+    // Counted speeds of two wheels have the same step; forward and turning speed have not.
+    const bool is_body =
+        !one_wheel && best.kind == CommandKind::wheels && best.command[1] != nullptr &&
+        !best.wheel[0].cumulative &&
+        std::abs(std::log(quantum(best.wheel[0].channel->values) / quantum(best.wheel[1].channel->values))) >
+            0.5;
     const std::string evidence = " (explains " + fixed_number(100.0 * best.explained, 1) +
                                  " % of the speed, " + fixed_number(best.nats, 0) + " nats)";
     if (!mapping_.command) {
       CommandMapping command;
       command.kind = best.kind;
+      if (best.kind == CommandKind::wheels && largest_size(best.command[0]->values) > fastest_m_s)
+        command.kind = CommandKind::duty;
+      if (is_body) command.kind = CommandKind::twist;
       command.first = {stream_.name, best.command[0]->name};
       if (best.command[1] != nullptr) command.second = ChannelName{stream_.name, best.command[1]->name};
       mapping_.command = command;
-      const bool is_twist = best.kind == CommandKind::twist;
+      const bool is_twist = command.kind == CommandKind::twist;
       findings_.push_back(std::string(is_twist ? "commands are forward and turning speed: "
                                       : best.command[1] == nullptr ? "the command is "
                                                                    : "commands are left and right: ") +
@@ -255,12 +312,16 @@ class ByNumbers {
     if (!mapping_.wheels) {
       WheelMapping wheels;
       wheels.kind = best.wheel[0].cumulative ? WheelKind::counts : WheelKind::speed;
-      wheels.unit = best.wheel[0].cumulative ? "" : "m/s";
+      if (!best.wheel[0].cumulative && largest_size(best.wheel[0].channel->values) <= fastest_m_s)
+        wheels.unit = "m/s";
+      wheels.body_motion = is_body;
       wheels.left = {stream_.name, best.wheel[0].channel->name};
       if (!one_wheel) wheels.right = ChannelName{stream_.name, best.wheel[1].channel->name};
       mapping_.wheels = wheels;
       findings_.push_back(std::string(best.wheel[0].cumulative ? "counts" : "speeds") +
-                          (one_wheel ? " of one wheel: " : " of the left and right wheel: ") +
+                          (one_wheel ? " of one wheel: "
+                           : is_body ? " of the body, forward and turning: "
+                                     : " of the left and right wheel: ") +
                           name(*best.wheel[0].channel) +
                           (one_wheel ? "" : " and " + name(*best.wheel[1].channel)) + evidence);
     }
@@ -286,9 +347,9 @@ void map_by_numbers(std::span<const Recording> recordings, const GivenMapping& g
   ByNumbers by_numbers(*stream, mapping, findings);
   if (!mapping.time.column && !given.says("time.period_s")) by_numbers.find_time();
   if (mapping.time.column && !given.says("time.unit") &&
-      stream->find(mapping.time.column->channel) != nullptr &&
-      stream->find(mapping.time.column->channel)->unit.empty()) {
-    mapping.time.unit = time_unit(stream->find(mapping.time.column->channel)->values, mapping.time.period_s);
+      channel_of(*stream, *mapping.time.column) != nullptr &&
+      channel_of(*stream, *mapping.time.column)->unit.empty()) {
+    mapping.time.unit = time_unit(channel_of(*stream, *mapping.time.column)->values, mapping.time.period_s);
   }
   TimeMapping time = mapping.time;
   if (!time.column && !time.period_s) time.period_s = 1.0;  // any will do to compare assignments

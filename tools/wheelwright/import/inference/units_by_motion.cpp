@@ -1,12 +1,15 @@
 #include "tools/wheelwright/import/inference/units_by_motion.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <functional>
 #include <numbers>
 
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/convert.hpp"
+#include "tools/wheelwright/import/conversion/stamps.hpp"
 #include "tools/wheelwright/import/conversion/time_repair.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
@@ -17,21 +20,11 @@ using config::fixed_number;
 using config::plain_number;
 using std::numbers::pi;
 
-constexpr double usual_period_s = 0.03;
-constexpr double fastest_m_s = 3.0;     // larger commands are in no metres per second
-constexpr double near_gain = 1.35;      // a unit is taken where the gain is within this factor of it
+constexpr double fastest_m_s = 3.0;  // larger commands are in no metres per second
+constexpr double near_gain = 1.35;   // a unit is taken where the gain is within this factor of it
+constexpr double least_explained = 0.1;
+constexpr double sure_nats = 50.0;
 constexpr double sure_explained = 0.5;  // share of the variance from which a gain is believed
-
-double median_step(const std::vector<double>& times) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    if (times[i] > times[i - 1]) steps.push_back(times[i] - times[i - 1]);
-  }
-  if (steps.empty()) return 0.0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
-}
 
 double largest(const Column& column) {
   double result = 0.0;
@@ -73,11 +66,16 @@ void add_run(const DriveColumns& columns, const Mapping& mapping, const RunRows&
   std::array<double, 2> in_force{NAN, NAN};
   std::array<double, 2> last{NAN, NAN};
   double last_s = NAN;
+  std::vector<double> t_s;
+  for (const std::size_t row : rows) t_s.push_back(columns.t_s[row]);
+  if (!is_speed) {
+    if (const auto even = even_stamps(t_s, travel.values[0])) t_s = even->t_s;
+  }
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::array<double, 2> value{travel.values[0][i],
                                       is_pair ? travel.values[1][i] : travel.values[0][i]};
     if (std::isfinite(value[0]) && std::isfinite(value[1])) {
-      const double duration_s = columns.t_s[rows[i]] - last_s;
+      const double duration_s = t_s[i] - last_s;
       std::array<double, 2> speed{};
       for (std::size_t k = 0; k < 2; ++k) speed[k] = is_speed ? value[k] : (value[k] - last[k]) / duration_s;
       if (as_body) speed = {0.5 * (speed[0] + speed[1]), speed[1] - speed[0]};
@@ -86,7 +84,7 @@ void add_run(const DriveColumns& columns, const Mapping& mapping, const RunRows&
         result[k].command.push_back(in_force[k]);
       }
       last = value;
-      last_s = columns.t_s[rows[i]];
+      last_s = t_s[i];
       in_force = command;
     }
     for (std::size_t k = 0; k < 2; ++k) {
@@ -114,13 +112,19 @@ class UnitFinder {
       explained_ = mapping_.command->kind == CommandKind::twist
                        ? fits_[0].explained
                        : std::max(fits_[0].explained, fits_[1].explained);
-      if (explained_ >= sure_explained) by_gain();
+      if (is_sure()) by_gain();
       suggest_base();
     }
     if (mapping_.reference && mapping_.wheels && mapping_.wheel_base_m) reference_units();
   }
 
  private:
+  // Coarse counts and stamps that jitter hide a speed that is sure all the same.
+  bool is_sure() const {
+    return explained_ >= sure_explained ||
+           (explained_ >= least_explained && fits_[0].nats + fits_[1].nats >= sure_nats);
+  }
+
   std::string evidence() const {
     return " (the command explains " + fixed_number(100.0 * explained_, 1) + " % of the speed, " +
            fixed_number(fits_[0].nats + fits_[1].nats, 0) + " nats)";
@@ -291,11 +295,14 @@ class UnitFinder {
     }
   }
 
-  // Four figures: the gain of a noisy response has no more.
+  // Five figures: the gain of a noisy response has no more.
   static double round_to(double value) {
-    if (!(value > 0.0)) return value;
-    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 4.0);
-    return std::round(value / unit) * unit;
+    std::array<char, 32> text{};
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 5).ptr;
+    double rounded = value;
+    std::from_chars(text.data(), end, rounded);
+    return rounded;
   }
 
   const DriveColumns& columns_;
@@ -308,35 +315,6 @@ class UnitFinder {
 };
 
 }  // namespace
-
-TimeUnit time_unit(const std::vector<double>& times, std::optional<double> period_s) {
-  double size = 0.0;
-  bool whole = true;
-  for (const double t : times) {
-    if (!std::isfinite(t)) continue;
-    size = std::max(size, std::abs(t));
-    whole = whole && t == std::round(t);
-  }
-  if (size > 1e8 && !(period_s && size < 1e11 && whole)) {
-    return size < 1e11 ? TimeUnit::s : size < 1e14 ? TimeUnit::ms : size < 1e17 ? TimeUnit::us : TimeUnit::ns;
-  }
-  const double step = median_step(times);
-  if (!(step > 0.0)) return TimeUnit::s;
-  constexpr std::array units{std::pair{TimeUnit::s, 1.0}, std::pair{TimeUnit::ms, 1e-3},
-                             std::pair{TimeUnit::us, 1e-6}, std::pair{TimeUnit::ns, 1e-9}};
-  TimeUnit best = TimeUnit::s;
-  double lowest = INFINITY;
-  for (const auto& [unit, seconds] : units) {
-    double apart = std::abs(std::log(step * seconds / period_s.value_or(usual_period_s)));
-    // Parts of a unit are written of seconds.
-    if (!whole && unit == TimeUnit::s) apart -= 3.0;
-    if (apart < lowest) {
-      lowest = apart;
-      best = unit;
-    }
-  }
-  return best;
-}
 
 std::array<ResponseRows, 2> response_rows(const DriveColumns& columns, const Mapping& mapping) {
   std::array<ResponseRows, 2> result;

@@ -14,10 +14,6 @@
 
 namespace wheelwright::import {
 
-// The unit of a time column by its size and its steps: 1.7e12 is milliseconds since 1970, steps of 50 are
-// milliseconds. `period_s` is the period that the file states, where it does.
-TimeUnit time_unit(const std::vector<double>& times, std::optional<double> period_s);
-
 // Speed of both wheels and the command of each, of the mapped columns: in units of the channels per second.
 std::array<ResponseRows, 2> response_rows(const DriveColumns& columns, const Mapping& mapping);
 

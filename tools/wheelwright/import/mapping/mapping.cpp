@@ -82,6 +82,7 @@ void add_reference(Entries& entries, const ReferenceMapping& reference) {
   entries.add("reference.unit", reference.unit);
   if (reference.theta) entries.add("reference.angle_unit", reference.angle_unit);
   entries.add("reference.clock", reference.clock == ReferenceClock::same ? "same" : "shifted");
+  entries.add("reference.shift_s", reference.shift_s);
 }
 
 void add_scalar(Entries& entries, const std::string& section, const std::optional<ScalarMapping>& scalar) {
@@ -100,10 +101,7 @@ std::string yaml_value(const std::string& value) {
 }  // namespace
 
 ChannelName channel_name(std::string_view text) {
-  // Frames of a transform stand behind a colon too: "/tf:map.base_link:transform.translation.x".
-  const auto colon = text.rfind(':');
-  if (colon == std::string_view::npos) return {"", std::string(text)};
-  return {std::string(text.substr(0, colon)), std::string(text.substr(colon + 1))};
+  return {"", std::string(text)};
 }
 
 std::vector<MappingEntry> mapping_entries(const Mapping& mapping) {

@@ -12,7 +12,8 @@
 namespace wheelwright::import {
 
 // A channel of a stream. As text "posL" where the file has one table, "/cmd_vel:linear.x" elsewhere. The name
-// of a channel may also be its number in the file, from 1.
+// of a channel may also be its number in the file, from 1. One that was read from a text has all of it in
+// `channel`: names may hold colons ("/tf:map.base_link", "data(:,1)"), so that the recording decides.
 struct ChannelName {
   std::string stream;
   std::string channel;
@@ -70,6 +71,7 @@ struct ReferenceMapping {
   std::string unit = "m";
   std::string angle_unit = "rad";
   ReferenceClock clock = ReferenceClock::same;
+  std::optional<double> shift_s;  // added to its stamps, where its clock is shifted
 };
 
 struct ScalarMapping {

@@ -125,6 +125,7 @@ std::optional<ReferenceMapping> read_reference(YamlReader& from) {
   reference.angle_unit = unit(from, "angle_unit", angle_units(), reference.angle_unit);
   reference.clock = from.choice<ReferenceClock>(
       "clock", {{"same", ReferenceClock::same}, {"shifted", ReferenceClock::shifted}}, reference.clock);
+  reference.shift_s = number(from, "shift_s", {-1e12, 1e12, "s"});
   from.text("topic", "");  // which stream it is taken from, where names are found
   if (!reference.x && !reference.theta && !reference.qw) return std::nullopt;
   return reference;
@@ -209,6 +210,7 @@ constexpr std::string_view known_keys[] = {"time.column",
                                            "reference.angle_unit",
                                            "reference.clock",
                                            "reference.topic",
+                                           "reference.shift_s",
                                            "gyro.column",
                                            "gyro.unit",
                                            "battery.column",

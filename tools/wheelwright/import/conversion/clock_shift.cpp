@@ -1,0 +1,187 @@
+#include "tools/wheelwright/import/conversion/clock_shift.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "config/load/text_format.hpp"
+#include "tools/wheelwright/import/conversion/convert.hpp"
+#include "tools/wheelwright/import/conversion/drive_columns.hpp"
+#include "tools/wheelwright/import/conversion/stream_time.hpp"
+
+namespace wheelwright::import {
+namespace {
+
+constexpr double grid_s = 0.1;
+constexpr double fine_s = 0.01;
+constexpr double fewest_s = 5.0;
+constexpr double least_correlation = 0.5;
+constexpr std::size_t most_points = 40'000;  // more than an hour
+
+// A speed on an even grid.
+struct Speeds {
+  double start_s = 0.0;
+  double step_s = grid_s;
+  std::vector<double> values;
+};
+
+// Of a way along a path that was sampled at any times: differences over the steps of the grid.
+Speeds on_grid(const std::vector<double>& t_s, const std::vector<double>& way, double step_s) {
+  Speeds speeds;
+  speeds.step_s = step_s;
+  if (t_s.size() < 2) return speeds;
+  speeds.start_s = t_s.front();
+  const auto points = std::min(most_points, static_cast<std::size_t>((t_s.back() - t_s.front()) / step_s));
+  std::size_t at = 0;
+  double last = way.front();
+  for (std::size_t i = 1; i <= points; ++i) {
+    const double t = speeds.start_s + step_s * static_cast<double>(i);
+    while (at + 2 < t_s.size() && t_s[at + 1] < t) ++at;
+    const double part = std::clamp((t - t_s[at]) / (t_s[at + 1] - t_s[at]), 0.0, 1.0);
+    const double now = way[at] + part * (way[at + 1] - way[at]);
+    speeds.values.push_back((now - last) / step_s);
+    last = now;
+  }
+  return speeds;
+}
+
+void add_point(std::vector<double>& t_s, std::vector<double>& way, double t, double distance) {
+  if (!t_s.empty() && t <= t_s.back()) return;
+  t_s.push_back(t);
+  way.push_back((way.empty() ? 0.0 : way.back()) + std::abs(distance));
+}
+
+Speeds reference_speeds(std::span<const Recording> recordings, const Mapping& mapping, double step_s) {
+  const FoundChannel x = find_channel(recordings, *mapping.reference->x);
+  const FoundChannel y = find_channel(recordings, *mapping.reference->y);
+  if (x.channel == nullptr || y.channel == nullptr || x.stream != y.stream) return {};
+  const auto t_s = stream_times(*x.stream, mapping.time);
+  std::vector<double> times;
+  std::vector<double> way;
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < t_s.size(); ++i) {
+    if (!std::isfinite(t_s[i]) || !std::isfinite(x.channel->values[i]) ||
+        !std::isfinite(y.channel->values[i]))
+      continue;
+    // Noise adds to a way that is summed over short steps.
+    if (!times.empty() && t_s[i] < times.back() + 0.5 * step_s) continue;
+    add_point(times, way, t_s[i],
+              times.empty() ? 0.0
+                            : std::hypot(x.channel->values[i] - x.channel->values[last],
+                                         y.channel->values[i] - y.channel->values[last]));
+    last = i;
+  }
+  return on_grid(times, way, step_s);
+}
+
+// Of the middle of the wheels, in any unit.
+Speeds robot_speeds(std::span<const Recording> recordings, const Mapping& mapping, double step_s) {
+  Mapping robot = mapping;
+  robot.reference.reset();
+  const auto columns = gather(recordings, robot);
+  if (!columns) return {};
+  std::vector<double> times;
+  std::vector<double> way;
+  std::vector<std::size_t> rows(columns->rows());
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = i;
+  if (mapping.wheels) {
+    const WheelTravel travel = wheel_travel(*columns, rows, *mapping.wheels);
+    const bool is_speed = mapping.wheels->kind == WheelKind::speed;
+    const auto middle = [&](std::size_t i) {
+      const double left = travel.values[0][i];
+      return travel.values[1].empty() || mapping.wheels->body_motion ? left
+                                                                     : 0.5 * (left + travel.values[1][i]);
+    };
+    double last = 0.0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (!std::isfinite(columns->t_s[i]) || !std::isfinite(middle(i))) continue;
+      const double duration_s = times.empty() ? 0.0 : columns->t_s[i] - times.back();
+      add_point(times, way, columns->t_s[i],
+                times.empty() ? 0.0
+                : is_speed    ? middle(i) * duration_s
+                              : middle(i) - last);
+      last = middle(i);
+    }
+    return on_grid(times, way, step_s);
+  }
+  double held = 0.0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    add_point(times, way, columns->t_s[i], times.empty() ? 0.0 : held * (columns->t_s[i] - times.back()));
+    const double first = columns->command[0].empty() ? held : columns->command[0][i];
+    if (std::isfinite(first)) held = first;
+  }
+  return on_grid(times, way, step_s);
+}
+
+// Correlation of a[i] and b[i - shift] where both are, 0 where less than half of the shorter is.
+double correlation(const Speeds& a, const Speeds& b, long shift) {
+  const auto size_a = static_cast<long>(a.values.size());
+  const auto size_b = static_cast<long>(b.values.size());
+  const long begin = std::max(0L, shift);
+  const long end = std::min(size_a, size_b + shift);
+  if (2 * (end - begin) < std::min(size_a, size_b)) return 0.0;
+  double n = 0, sa = 0, sb = 0, saa = 0, sbb = 0, sab = 0;
+  for (long i = begin; i < end; ++i) {
+    const double va = a.values[static_cast<std::size_t>(i)];
+    const double vb = b.values[static_cast<std::size_t>(i - shift)];
+    n += 1;
+    sa += va;
+    sb += vb;
+    saa += va * va;
+    sbb += vb * vb;
+    sab += va * vb;
+  }
+  const double variances = (saa - sa * sa / n) * (sbb - sb * sb / n);
+  return variances > 0.0 ? (sab - sa * sb / n) / std::sqrt(variances) : 0.0;
+}
+
+struct Best {
+  long shift = 0;
+  double correlation = 0.0;
+};
+
+Best best_shift(const Speeds& robot, const Speeds& reference, long from, long to) {
+  Best best;
+  for (long shift = from; shift <= to; ++shift) {
+    const double found = correlation(robot, reference, shift);
+    if (found > best.correlation) best = {shift, found};
+  }
+  return best;
+}
+
+}  // namespace
+
+tl::expected<ClockShift, std::string> find_clock_shift(std::span<const Recording> recordings,
+                                                       const Mapping& mapping) {
+  if (!mapping.reference->x || !mapping.reference->y)
+    return tl::unexpected(std::string(
+        "a reference without places has no clock to compare; give its shift: --set reference.shift_s=0"));
+  const Speeds robot = robot_speeds(recordings, mapping, grid_s);
+  const Speeds reference = reference_speeds(recordings, mapping, grid_s);
+  if (static_cast<double>(std::min(robot.values.size(), reference.values.size())) * grid_s < fewest_s) {
+    return tl::unexpected(
+        std::string("too little of the robot or its reference moves to compare their clocks; give the shift: "
+                    "--set reference.shift_s=0"));
+  }
+  const Best coarse = best_shift(robot, reference, -static_cast<long>(reference.values.size()),
+                                 static_cast<long>(robot.values.size()));
+  if (coarse.correlation < least_correlation) {
+    return tl::unexpected(
+        "the speed of the reference fits that of the robot at no shift of its clock (correlation " +
+        config::fixed_number(coarse.correlation, 2) + " at best); give it: --set reference.shift_s=0");
+  }
+  const Speeds fine_robot = robot_speeds(recordings, mapping, fine_s);
+  const Speeds fine_reference = reference_speeds(recordings, mapping, fine_s);
+  const long per_grid = std::lround(grid_s / fine_s);
+  const Best fine =
+      best_shift(fine_robot, fine_reference, (coarse.shift - 2) * per_grid, (coarse.shift + 2) * per_grid);
+  const long shift = fine.correlation > 0.0 ? fine.shift : coarse.shift * per_grid;
+  ClockShift result;
+  result.seconds = robot.start_s - reference.start_s + fine_s * static_cast<double>(shift);
+  result.evidence = "the clock of the reference is shifted by " + config::fixed_number(result.seconds, 3) +
+                    " s: there its speed and that of the robot agree best (correlation " +
+                    config::fixed_number(coarse.correlation, 2) + ")";
+  return result;
+}
+
+}  // namespace wheelwright::import

@@ -1,0 +1,24 @@
+// The clock of a reference that was recorded by another machine, against that of the robot.
+#pragma once
+
+#include <span>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "tools/wheelwright/import/mapping/mapping.hpp"
+#include "tools/wheelwright/import/recording.hpp"
+
+namespace wheelwright::import {
+
+struct ClockShift {
+  double seconds = 0.0;  // to be added to the stamps of the reference
+  std::string evidence;
+};
+
+// The shift at which the speed of the reference and that of the wheels (without wheels: that of the commands)
+// agree best: largest correlation, over all shifts at which at least half of the shorter record lies in the
+// other. Fails, with one line, where none stands out.
+tl::expected<ClockShift, std::string> find_clock_shift(std::span<const Recording> recordings,
+                                                       const Mapping& mapping);
+
+}  // namespace wheelwright::import

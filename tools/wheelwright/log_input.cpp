@@ -1,0 +1,94 @@
+#include "tools/wheelwright/log_input.hpp"
+
+#include <algorithm>
+#include <ostream>
+
+#include "config/load/drive_log_file.hpp"
+#include "model/settled_travel.hpp"
+#include "tools/wheelwright/import/conversion/repair_checks.hpp"
+#include "tools/wheelwright/import/import_files.hpp"
+
+namespace wheelwright::tools {
+namespace {
+
+bool is_sound(const std::vector<DriveLog>& runs) {
+  return !import::find_repair(runs);
+}
+
+std::vector<DriveLog> import_runs(const std::string& path, const import::GivenMapping& given,
+                                  std::ostream& err) {
+  const auto understood = import::understand({{path}, std::nullopt, given});
+  if (!understood) throw config::LogError(understood.error());
+  auto conversion = import::to_runs(*understood);
+  if (!conversion) throw config::LogError(conversion.error());
+  std::string said = path + ": imported from " + understood->recordings.front().format;
+  for (const auto& finding : understood->inference.findings) said += "; " + finding;
+  err << "wheelwright: " << said << "\n";
+  for (const auto& doubt : understood->inference.doubts)
+    err << "wheelwright: " << path << ": " << doubt << "\n";
+  for (const auto& remark : conversion->remarks) err << "wheelwright: " << path << ": " << remark << "\n";
+  return std::move(conversion->runs);
+}
+
+// A drive log says most precisely itself what is wrong with it.
+std::vector<DriveLog> load_runs(const std::string& path, const import::GivenMapping& given,
+                                std::ostream& err) {
+  if (!given.entries().empty()) return import_runs(path, given, err);
+  std::string refusal;
+  try {
+    auto runs = config::load_drive_logs(path);
+    if (is_sound(runs)) return runs;
+  } catch (const config::LogError& error) {
+    refusal = error.what();
+  }
+  try {
+    return import_runs(path, given, err);
+  } catch (const config::LogError& error) {
+    if (refusal.empty() || !import::is_drive_log(path)) throw;
+    throw config::LogError(refusal);
+  }
+}
+
+}  // namespace
+
+std::vector<DriveLog> load_all_runs(const LogInput& input, std::ostream& err) {
+  const import::GivenMapping given(input.mapping, {});
+  std::vector<DriveLog> runs;
+  for (const auto& path : input.paths) {
+    for (auto& run : load_runs(path, given, err)) {
+      take_settled_travel(run);
+      runs.push_back(std::move(run));
+    }
+  }
+  return runs;
+}
+
+DriveLog load_one_run(const LogInput& input, std::ostream& err) {
+  const import::GivenMapping given(input.mapping, {});
+  auto runs = load_runs(input.paths.front(), given, err);
+  if (runs.size() != 1) {
+    throw config::LogError(input.paths.front() + ": holds " + std::to_string(runs.size()) +
+                           " runs (the second starts in line " + std::to_string(runs[1].first_line) +
+                           "), but one is wanted here; split the file");
+  }
+  return std::move(runs.front());
+}
+
+std::vector<DriveLog> with_wheel_on_both_sides(std::vector<DriveLog> runs) {
+  const std::size_t count = runs.size();
+  for (std::size_t run = 0; run < count; ++run) {
+    const auto& metadata = runs[run].other_metadata;
+    if (std::ranges::find(metadata, "one_wheel", &std::pair<std::string, std::string>::first) ==
+        metadata.end())
+      continue;
+    DriveLog mirrored = runs[run];
+    for (auto& sample : mirrored.samples) {
+      std::swap(sample.command_m_s.left, sample.command_m_s.right);
+      if (sample.ticks) std::swap(sample.ticks->left, sample.ticks->right);
+    }
+    runs.push_back(std::move(mirrored));
+  }
+  return runs;
+}
+
+}  // namespace wheelwright::tools

@@ -1,0 +1,29 @@
+// The logs of a command line: drive logs as they are, and any other file that can be made one.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "model/drive_log.hpp"
+
+namespace wheelwright::tools {
+
+struct LogInput {
+  std::vector<std::string> paths;
+  std::string mapping;  // file, or empty
+};
+
+// All runs of all files, in order. A file that is no drive log, or a drive log whose time or counters have to
+// be put right, is imported; what was done is said on `err`, one line each. Throws config::LogError where a
+// file cannot be used, and config::ConfigError for the mapping.
+std::vector<DriveLog> load_all_runs(const LogInput& input, std::ostream& err);
+
+// The same for a command that wants exactly one run.
+DriveLog load_one_run(const LogInput& input, std::ostream& err);
+
+// Runs of one wheel alone ("# one_wheel: left"), once more as runs of the other wheel, so that a model of two
+// wheels can be fitted to what is known of one; other runs as they are.
+std::vector<DriveLog> with_wheel_on_both_sides(std::vector<DriveLog> runs);
+
+}  // namespace wheelwright::tools
