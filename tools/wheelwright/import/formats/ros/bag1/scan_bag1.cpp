@@ -134,13 +134,11 @@ class Scanner {
 
   void add_connection(const RecordHeader& header, std::string_view data) {
     if (connections_.contains(header.connection)) return;  // once more, in the index
-    TopicDescription description{header.topic, "", "ros1", "", ""};
+    TopicDescription description{header.topic, "", "ros1", "ros1msg", ""};
     for_each_field(data, [&](auto name, auto value) {
       if (name == "type") description.type = value;
       if (name == "message_definition") description.definition = value;
     });
-    const bool is_empty_type = description.type == "std_msgs/Empty";
-    if (!description.definition.empty() || is_empty_type) description.schema_encoding = "ros1msg";
     connections_.emplace(header.connection, recording_.topic(description));
   }
 

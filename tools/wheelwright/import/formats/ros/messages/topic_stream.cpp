@@ -23,7 +23,9 @@ std::string frame_name(std::string_view frame) {
 
 tl::expected<MessageDefinition, std::string> definition_of(const TopicDescription& description) {
   const bool is_ros1 = description.message_encoding == "ros1";
-  const std::string& encoding = description.schema_encoding;
+  // A recorder that found no definition writes an empty one. Only this type has none that is right.
+  const bool has_definition = !description.definition.empty() || description.type == "std_msgs/Empty";
+  const std::string_view encoding = has_definition ? std::string_view(description.schema_encoding) : "";
   if (encoding == "ros1msg" || encoding == "ros2msg") {
     return parse_definition(description.type, description.definition,
                             encoding == "ros1msg" ? Dialect::ros1 : Dialect::ros2);
