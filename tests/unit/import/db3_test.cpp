@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
+#include <sstream>
 
 #include "tests/support/bag_bytes.hpp"
 #include "tests/support/catch.hpp"
@@ -34,16 +36,16 @@ class Database {
     run("CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER, timestamp INTEGER, data BLOB)");
   }
   void add_topic(int id, const std::string& name, const std::string& type) {
-    run("INSERT INTO topics VALUES(" + std::to_string(id) + ",'" + name + "','" + type + "','cdr','')");
+    std::ostringstream text;
+    text << "INSERT INTO topics VALUES(" << id << ",'" << name << "','" << type << "','cdr','')";
+    run(text.str());
   }
   void add_message(int topic, std::uint64_t time_ns, const std::string& data) {
-    std::string hex;
-    for (const char c : data) {
-      constexpr std::string_view digits = "0123456789abcdef";
-      hex += {digits[static_cast<unsigned char>(c) >> 4U], digits[static_cast<unsigned char>(c) & 15U]};
-    }
-    run("INSERT INTO messages(topic_id, timestamp, data) VALUES(" + std::to_string(topic) + "," +
-        std::to_string(time_ns) + ",x'" + hex + "')");
+    std::ostringstream text;
+    text << "INSERT INTO messages(topic_id, timestamp, data) VALUES(" << topic << "," << time_ns << ",x'";
+    for (const char c : data) text << std::hex << std::setw(2) << std::setfill('0') << (c & 0xff);
+    text << "')";
+    run(text.str());
   }
 
  private:

@@ -108,8 +108,8 @@ TEST_CASE("A connection without a definition keeps its rows") {
 
 TEST_CASE("Lengths of records that exceed the bag end it with a remark") {
   for (const std::string& tail : {Bytes().number(std::uint32_t{0xffffffff}).str(),
-                                 Bytes().number(std::uint32_t{5}).raw("\xff\xff\xff\xffx").number(1).str(),
-                                 Bytes().text("").number(std::uint32_t{0xffffffff}).str()}) {
+                                  Bytes().number(std::uint32_t{5}).raw("\xff\xff\xff\xffx").number(1).str(),
+                                  Bytes().text("").number(std::uint32_t{0xffffffff}).str()}) {
     const Recording recording = read(begin(closed) + connection() + message(1, 2) + tail);
     CHECK(counts(recording) == std::vector<double>{1});
     REQUIRE(recording.remarks.size() == 1);

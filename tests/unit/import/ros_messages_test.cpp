@@ -1,5 +1,6 @@
 // What becomes of the fields of messages, whatever file they come from.
 #include <cmath>
+#include <sstream>
 
 #include "tests/support/bag_bytes.hpp"
 #include "tests/support/catch.hpp"
@@ -292,15 +293,14 @@ TEST_CASE("Elements without bytes take no time, however many they are") {
 }
 
 TEST_CASE("A definition that stands for more fields than memory holds is refused") {
-  std::string definition = "A0 a\n";
+  std::ostringstream definition;
+  definition << "A0 a\n";
   for (int level = 0; level < 20; ++level) {
-    definition += "===\nMSG: a/A" + std::to_string(level) + "\n";
-    for (int field = 0; field < 10; ++field) {
-      definition += (level < 19 ? "A" + std::to_string(level + 1) : std::string("int8")) + " f" +
-                    std::to_string(field) + "\n";
-    }
+    definition << "===\nMSG: a/A" << level << "\n";
+    for (int field = 0; field < 10; ++field) definition << "A" << level + 1 << " f" << field << "\n";
   }
-  CHECK_THAT(reason(of_ros1(definition, {"x"})), ContainsSubstring("too large"));
+  definition << "===\nMSG: a/A20\nint8 f\n";
+  CHECK_THAT(reason(of_ros1(definition.str(), {"x"})), ContainsSubstring("too large"));
 }
 
 TEST_CASE("Messages of JSON have their numbers by path") {
