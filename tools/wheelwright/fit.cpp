@@ -19,7 +19,7 @@ namespace {
 
 struct FitOptions {
   std::vector<std::string> logs;
-  std::string mapping;
+  ImportOptions import;
   std::string output;
   std::string type = "fir";
   std::string order = "auto";
@@ -70,7 +70,7 @@ ArxFitOptions arma_options(const FitOptions& options) {
 }
 
 std::vector<DriveLog> load_training_runs(const FitOptions& options, std::ostream& err) {
-  auto runs = with_wheel_on_both_sides(load_all_runs({options.logs, options.mapping}, err));
+  auto runs = with_wheel_on_both_sides(load_all_runs({options.logs, options.import}, err));
   check_runs_of_one_robot(runs);
   for (const auto& run : runs) {
     if (const auto impossible = find_impossible_command(run, options.max_command_m_s)) {
@@ -150,7 +150,7 @@ Action add_fit(CLI::App& app) {
   command->add_option("LOG", options->logs, "Drive logs with encoder counts; all their runs are used")
       ->required();
   command->add_option("-o,--output", options->output, "Model file to write")->required();
-  command->add_option("--mapping", options->mapping, "Mapping file (YAML) for logs that are no drive logs");
+  add_import_options(*command, options->import);
   command->add_option("--type", options->type, "fir (moving average) or arma")->capture_default_str();
   command
       ->add_option("--order", options->order,

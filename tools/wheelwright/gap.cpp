@@ -27,7 +27,7 @@ namespace {
 struct GapCommand {
   std::vector<std::string> train;
   std::vector<std::string> test;
-  std::string mapping;
+  ImportOptions import;
   std::string model;
   std::string output;
   std::optional<double> largest_speed_m_s;
@@ -48,7 +48,7 @@ void check_folder(const GapCommand& command) {
   if (std::filesystem::exists(folder / "drive_log.csv", ignored)) {
     throw UsageError(folder.string() + ": is the folder of a run; give the analysis a folder of its own");
   }
-  config::InputFiles inputs{command.model, command.mapping};
+  config::InputFiles inputs{command.model, command.import.mapping};
   inputs.insert(inputs.end(), command.train.begin(), command.train.end());
   inputs.insert(inputs.end(), command.test.begin(), command.test.end());
   if (const auto problem =
@@ -113,9 +113,9 @@ ExitStatus run_gap(const GapCommand& command, Streams streams) {
   check_folder(command);
   gap::GapOptions options;
   if (!command.model.empty()) options.model = config::load_model(command.model);
-  const auto train = load_all_runs({command.train, command.mapping}, streams.err);
+  const auto train = load_all_runs({command.train, command.import}, streams.err);
   const auto test = command.test.empty() ? std::vector<DriveLog>{}
-                                         : load_all_runs({command.test, command.mapping}, streams.err);
+                                         : load_all_runs({command.test, command.import}, streams.err);
   make_folder(command.output);
 
   const ProgressLine progress(streams.err);
@@ -149,7 +149,7 @@ Action add_gap(CLI::App& app) {
                       "Drive logs to confirm it on; else some of the others are held out");
   command->add_option("--model", options->model,
                       "Model whose gap is looked for; else a linear one is fitted");
-  command->add_option("--mapping", options->mapping, "Mapping file (YAML) for logs that are no drive logs");
+  add_import_options(*command, options->import);
   command->add_option("-o,--output", options->output, "Folder for gap.json, model.yaml and report.html")
       ->required();
   command

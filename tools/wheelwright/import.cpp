@@ -12,6 +12,7 @@
 #include "tools/wheelwright/import/import_files.hpp"
 #include "tools/wheelwright/json_text.hpp"
 #include "tools/wheelwright/log_checks.hpp"
+#include "tools/wheelwright/log_input.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -80,11 +81,10 @@ void add_mrclam(CLI::App& import, const std::shared_ptr<MrclamFiles>& files) {
       "Example: wheelwright import mrclam Robot1_Odometry.dat Robot1_Groundtruth.dat -o robot1.csv");
 }
 
-struct ImportOptions {
+struct ImportCommand {
   std::vector<std::string> files;
   std::string reference;
-  std::string mapping;
-  std::vector<std::string> settings;
+  ImportOptions import;
   std::string output;
   bool json = false;
 };
@@ -100,13 +100,13 @@ std::vector<std::string> outputs_for(const std::string& output, std::size_t runs
   return paths;
 }
 
-void check_all_outputs(const ImportOptions& options, const std::vector<std::string>& outputs) {
+void check_all_outputs(const ImportCommand& options, const std::vector<std::string>& outputs) {
   std::vector<std::string> inputs = options.files;
-  inputs.insert(inputs.end(), {options.reference, options.mapping});
+  inputs.insert(inputs.end(), {options.reference, options.import.mapping});
   for (const auto& output : outputs) check_output({output, config::OutputKind::drive_log}, inputs);
 }
 
-void save_runs(const std::vector<DriveLog>& runs, const ImportOptions& options) {
+void save_runs(const std::vector<DriveLog>& runs, const ImportCommand& options) {
   const auto outputs = outputs_for(options.output, runs.size());
   if (outputs.size() == 1 && outputs.front() == options.output)
     return config::save_drive_logs(runs, options.output);
@@ -117,7 +117,7 @@ void save_runs(const std::vector<DriveLog>& runs, const ImportOptions& options) 
   for (std::size_t run = 0; run < runs.size(); ++run) config::save_drive_log(runs[run], outputs[run]);
 }
 
-void print(std::ostream& out, const ImportOptions& options, const import::Understood& understood,
+void print(std::ostream& out, const ImportCommand& options, const import::Understood& understood,
            const import::Conversion& conversion) {
   for (const auto& recording : understood.recordings)
     out << recording.name << ": " << recording.format << "\n";
@@ -131,7 +131,7 @@ void print(std::ostream& out, const ImportOptions& options, const import::Unders
   out << "wrote " << options.output << "\n";
 }
 
-nlohmann::ordered_json to_json(const ImportOptions& options, const import::Understood& understood,
+nlohmann::ordered_json to_json(const ImportCommand& options, const import::Understood& understood,
                                const import::Conversion& conversion) {
   nlohmann::ordered_json json{{"formats", nlohmann::ordered_json::array()}};
   for (const auto& recording : understood.recordings) json["formats"].push_back(recording.format);
@@ -147,15 +147,15 @@ nlohmann::ordered_json to_json(const ImportOptions& options, const import::Under
   return json;
 }
 
-ExitStatus import_files(const ImportOptions& options, Streams streams) {
+ExitStatus import_files(const ImportCommand& options, Streams streams) {
   if (options.files.empty())
     throw UsageError("name the files to import; 'wheelwright import --help' has an example");
   if (options.output.empty()) throw UsageError("say where the drive log is to go: -o LOG.csv");
   if (outputs_for(options.output, 1).front() == options.output) check_all_outputs(options, {options.output});
   import::ImportRequest request{{options.files.begin(), options.files.end()},
                                 std::nullopt,
-                                { options.mapping,
-                                  options.settings }};
+                                { options.import.mapping,
+                                  options.import.settings }};
   if (!options.reference.empty()) request.reference = options.reference;
   const auto understood = import::understand(request);
   if (!understood) throw UsageError(understood.error());
@@ -174,7 +174,7 @@ ExitStatus import_files(const ImportOptions& options, Streams streams) {
 
 Action add_import(CLI::App& app) {
   const auto files = std::make_shared<MrclamFiles>();
-  const auto options = std::make_shared<ImportOptions>();
+  const auto options = std::make_shared<ImportCommand>();
   CLI::App* command = app.add_subcommand("import", "Any robot's log to a drive log");
   command->require_subcommand(0, 1);
   command->add_option("FILE", options->files,
@@ -183,8 +183,7 @@ Action add_import(CLI::App& app) {
                       "Drive log to write; a folder gets a file for each run");
   command->add_option("--reference", options->reference,
                       "File of poses from outside, with a clock of its own");
-  command->add_option("--mapping", options->mapping, "Mapping file (YAML): what the columns are");
-  command->add_option("--set", options->settings, "One key of the mapping, e.g. robot.wheel_base_m=0.235");
+  add_import_options(*command, options->import);
   command->add_flag("--json", options->json, "What was found and done, as JSON");
   command->footer(
       "What is not said is found: 'wheelwright inspect FILE' shows it. The mapping that was used is in the "

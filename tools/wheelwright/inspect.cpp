@@ -13,6 +13,7 @@
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/import_files.hpp"
 #include "tools/wheelwright/json_text.hpp"
+#include "tools/wheelwright/log_input.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -24,8 +25,7 @@ using nlohmann::ordered_json;
 struct InspectOptions {
   std::vector<std::string> files;
   std::string reference;
-  std::string mapping;
-  std::vector<std::string> settings;
+  ImportOptions import;
   bool json = false;
 };
 
@@ -135,8 +135,8 @@ std::string import_line(const InspectOptions& options) {
   std::string line = "wheelwright import";
   for (const auto& file : options.files) line += " " + shell_word(file);
   if (!options.reference.empty()) line += " --reference " + shell_word(options.reference);
-  if (!options.mapping.empty()) line += " --mapping " + shell_word(options.mapping);
-  for (const auto& setting : options.settings) line += " --set " + shell_word(setting);
+  if (!options.import.mapping.empty()) line += " --mapping " + shell_word(options.import.mapping);
+  for (const auto& setting : options.import.settings) line += " --set " + shell_word(setting);
   return line + " -o LOG.csv";
 }
 
@@ -214,8 +214,8 @@ ordered_json to_json(const InspectOptions& options, const import::Understood& un
 ExitStatus run_inspect(const InspectOptions& options, Streams streams) {
   import::ImportRequest request{{options.files.begin(), options.files.end()},
                                 std::nullopt,
-                                { options.mapping,
-                                  options.settings }};
+                                { options.import.mapping,
+                                  options.import.settings }};
   if (!options.reference.empty()) request.reference = options.reference;
   const auto understood = import::understand(request);
   if (!understood) throw UsageError(understood.error());
@@ -239,8 +239,7 @@ Action add_inspect(CLI::App& app) {
       ->required();
   command->add_option("--reference", options->reference,
                       "File of poses from outside, with a clock of its own");
-  command->add_option("--mapping", options->mapping, "Mapping file (YAML): what the columns are");
-  command->add_option("--set", options->settings, "One key of the mapping, e.g. robot.wheel_base_m=0.235");
+  add_import_options(*command, options->import);
   command->add_flag("--json", options->json, "The same as JSON");
   command->footer(
       "Exit status: 0 it can be imported, 1 something has to be given (it says what), 2 bad usage or no "

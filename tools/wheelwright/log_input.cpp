@@ -51,8 +51,14 @@ std::vector<DriveLog> load_runs(const std::string& path, const import::GivenMapp
 
 }  // namespace
 
+void add_import_options(CLI::App& command, ImportOptions& options) {
+  command.add_option("--mapping", options.mapping, "Mapping file (YAML) for logs that are no drive logs");
+  command.add_option("--set", options.settings, "One key of the mapping, e.g. robot.wheel_base_m=0.235")
+      ->allow_extra_args(false);
+}
+
 std::vector<DriveLog> load_all_runs(const LogInput& input, std::ostream& err) {
-  const import::GivenMapping given(input.mapping, {});
+  const import::GivenMapping given(input.import.mapping, input.import.settings);
   std::vector<DriveLog> runs;
   for (const auto& path : input.paths) {
     for (auto& run : load_runs(path, given, err)) {
@@ -64,7 +70,7 @@ std::vector<DriveLog> load_all_runs(const LogInput& input, std::ostream& err) {
 }
 
 DriveLog load_one_run(const LogInput& input, std::ostream& err) {
-  const import::GivenMapping given(input.mapping, {});
+  const import::GivenMapping given(input.import.mapping, input.import.settings);
   auto runs = load_runs(input.paths.front(), given, err);
   if (runs.size() != 1) {
     throw config::LogError(input.paths.front() + ": holds " + std::to_string(runs.size()) +

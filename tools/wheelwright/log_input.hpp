@@ -5,13 +5,26 @@
 #include <string>
 #include <vector>
 
+#include <CLI/CLI.hpp>
+
 #include "model/drive_log.hpp"
 
 namespace wheelwright::tools {
 
+// What is said of logs that are no drive logs.
+struct ImportOptions {
+  std::string mapping;                // file, or empty
+  std::vector<std::string> settings;  // KEY=VALUE, each on top of the file
+
+  bool empty() const { return mapping.empty() && settings.empty(); }
+};
+
+// Adds --mapping and --set.
+void add_import_options(CLI::App& command, ImportOptions& options);
+
 struct LogInput {
   std::vector<std::string> paths;
-  std::string mapping;  // file, or empty
+  ImportOptions import;
 };
 
 // All runs of all files, in order. A file that is no drive log, or a drive log whose time or counters have to

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "config/load/drive_log_file.hpp"
 #include "config/load/model_file.hpp"
 #include "config/load/output_file.hpp"
 #include "config/load/text_format.hpp"
@@ -11,6 +12,7 @@
 #include "tools/wheelwright/commands.hpp"
 #include "tools/wheelwright/json_text.hpp"
 #include "tools/wheelwright/log_checks.hpp"
+#include "tools/wheelwright/log_input.hpp"
 #include "tools/wheelwright/progress_line.hpp"
 #include "tools/wheelwright/report/calibration_section.hpp"
 #include "tools/wheelwright/report/evaluation_section.hpp"
@@ -26,6 +28,7 @@ namespace fs = std::filesystem;
 
 struct ReportOptions {
   std::string log;
+  ImportOptions import;
   std::string output;
   std::string model;
   std::string truth;
@@ -66,13 +69,31 @@ std::string log_section(const DriveLog& log, const std::optional<RobotModel>& mo
   return html::element("h2", "The log") + figures_html(draw(plots));
 }
 
-std::string run_page(const ReportOptions& options, const ProgressLine& progress) {
+// A run of the daemon or a log of this project, else any file that can be imported.
+RunMaterial material_of(const ReportOptions& options, const std::optional<RobotModel>& model,
+                        std::ostream& err) {
+  std::error_code ignored;
+  const bool is_bag = fs::exists(fs::path(options.log) / "metadata.yaml", ignored);
+  try {
+    if (options.import.empty() && !is_bag) return load_run_material(options.log, model);
+  } catch (const config::LogError&) {
+    if (fs::is_directory(options.log, ignored)) throw;
+  }
+  RunMaterial material;
+  material.name = fs::path(options.log).filename().string();
+  material.drive = load_one_run({{options.log}, options.import}, err);
+  for (const auto& [key, value] : material.drive->other_metadata) material.metadata[key] = value;
+  material.model = model;
+  return material;
+}
+
+std::string run_page(const ReportOptions& options, const ProgressLine& progress, std::ostream& err) {
   const auto model = options.model.empty() ? std::nullopt : std::optional(config::load_model(options.model));
   const auto truth =
       options.truth.empty() ? std::nullopt : std::optional(config::CsvTable::load(options.truth));
   const auto say = progress.callback();
   say("reading and fitting", 0.0);
-  const RunMaterial run = load_run_material(options.log, model);
+  const RunMaterial run = material_of(options, model, err);
   std::string body = html::element("h1", "Run " + run.name) + about(run) + refusals(run.calibration);
   say("drawing the run", 0.4);
   const std::string of_run = run_section(run, truth);
@@ -104,12 +125,13 @@ void refuse_gap_folder(const fs::path& folder) {
 ExitStatus run_report(const ReportOptions& options, Streams streams) {
   refuse_gap_folder(options.log);
   const std::string output = options.output.empty() ? usual_output(options.log) : options.output;
-  check_output({output, config::OutputKind::page}, {options.log, options.model, options.truth});
+  check_output({output, config::OutputKind::page},
+               {options.log, options.model, options.truth, options.import.mapping});
   const ProgressLine progress(streams.err);
   const std::string page = is_evaluation(options.log)
                                ? html::page("Evaluation", html::element("h1", "The paper's Table II") +
                                                               evaluation_section(options.log))
-                               : run_page(options, progress);
+                               : run_page(options, progress, streams.err);
   progress.clear();
   if (const auto error = config::write_output({output, config::OutputKind::page}, page))
     throw UsageError(*error);
@@ -128,10 +150,13 @@ Action add_report(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("report", "What a run, a calibration or an evaluation came to, as a page");
   command
-      ->add_option("LOG", options->log, "Folder of a run or of an evaluation, or a drive log, or a pose log")
+      ->add_option(
+          "LOG", options->log,
+          "Folder of a run or of an evaluation, a drive log, a pose log, or any log that import reads")
       ->required();
   command->add_option("-o,--output", options->output,
                       "Page to write (default: report.html in the folder, or beside the log)");
+  add_import_options(*command, options->import);
   command->add_option("--model", options->model, "Model to hold against the log, instead of the run's own");
   command->add_option("--truth", options->truth,
                       "True motion that roomba-sim wrote, to draw beside the route");

@@ -23,7 +23,7 @@ using nlohmann::ordered_json;
 struct ScoreOptions {
   std::string model;
   std::vector<std::string> logs;
-  std::string mapping;
+  ImportOptions import;
   bool json = false;
 };
 
@@ -104,7 +104,7 @@ ExitStatus run_score(const ScoreOptions& options, Streams streams) {
   ScoreSums sums;
   std::vector<ScoredRun> runs;
   for (const auto& path : options.logs) {
-    const auto logs = load_all_runs({{path}, options.mapping}, streams.err);
+    const auto logs = load_all_runs({{path}, options.import}, streams.err);
     for (const auto& log : logs) {
       check_log_for_model(log, model.core, streams.err);
       runs.push_back(scored_run(model, log, logs.size() == 1, sums));
@@ -128,7 +128,7 @@ Action add_score(CLI::App& app) {
   CLI::App* command = app.add_subcommand("score", "How far a model's free run and measured runs are apart");
   command->add_option("MODEL", options->model, "Model file")->required();
   command->add_option("LOG", options->logs, "Drive logs with encoder counts or reference poses")->required();
-  command->add_option("--mapping", options->mapping, "Mapping file (YAML) for logs that are no drive logs");
+  add_import_options(*command, options->import);
   command->add_flag("--json", options->json, "All logs together as JSON, in m/s, m and rad");
   command->footer(
       "Errors are predicted minus measured; stretches between holes in the rows each from its own "

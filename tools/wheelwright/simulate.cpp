@@ -19,7 +19,7 @@ namespace {
 struct SimulateOptions {
   std::string model;
   std::string log;
-  std::string mapping;
+  ImportOptions import;
   std::string output;
   bool json = false;
 };
@@ -60,7 +60,7 @@ nlohmann::ordered_json to_json(const std::vector<PredictedMotion>& motion, const
 ExitStatus run_simulate(const SimulateOptions& options, Streams streams) {
   check_output({options.output, config::OutputKind::motion}, {options.model, options.log});
   const RobotModel model = config::load_model(options.model);
-  const DriveLog log = load_one_run({{options.log}, options.mapping}, streams.err);
+  const DriveLog log = load_one_run({{options.log}, options.import}, streams.err);
   check_log_for_model(log, model.core, streams.err);
   const auto motion = free_run(model, log);
   if (const auto error = config::write_output({options.output, config::OutputKind::motion}, to_csv(motion)))
@@ -82,7 +82,7 @@ Action add_simulate(CLI::App& app) {
   command->add_option("LOG", options->log, "Drive log of one run; its measurements are not used")->required();
   command->add_option("-o,--output", options->output, "CSV to write: t, wheel speeds, v, w, x, y, theta")
       ->required();
-  command->add_option("--mapping", options->mapping, "Mapping file (YAML) for logs that are no drive logs");
+  add_import_options(*command, options->import);
   command->add_flag("--json", options->json,
                     "Rows, duration and end as JSON; the motion goes to the CSV all the same");
   command->footer("Example: wheelwright simulate robot.yaml run2.csv -o predicted.csv");

@@ -9,6 +9,7 @@
 
 #include "config/load/printable_text.hpp"
 #include "tools/wheelwright/import/conversion/counts.hpp"
+#include "tools/wheelwright/import/conversion/join_streams.hpp"
 #include "tools/wheelwright/import/conversion/stamps.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
@@ -21,9 +22,20 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 // A mapped channel and where its values go.
 struct Source {
   const Stream* stream;
-  const Channel* channel;
+  const std::vector<double>* values;
   Column* target;
+  Joining joining;
 };
+
+void unwrap_angles(Column& angles) {
+  constexpr double turn = 2.0 * std::numbers::pi;
+  double last = nothing;
+  for (double& angle : angles) {
+    if (!std::isfinite(angle)) continue;
+    if (std::isfinite(last)) angle -= turn * std::round((angle - last) / turn);
+    last = angle;
+  }
+}
 
 class Gathering {
  public:
@@ -32,8 +44,8 @@ class Gathering {
 
   tl::expected<DriveColumns, std::string> run() {
     if (mapping_.command) {
-      add(mapping_.command->first, columns_.command[0]);
-      if (mapping_.command->second) add(*mapping_.command->second, columns_.command[1]);
+      add(mapping_.command->first, columns_.command[0], Joining::held);
+      if (mapping_.command->second) add(*mapping_.command->second, columns_.command[1], Joining::held);
     }
     if (mapping_.wheels) {
       add(mapping_.wheels->left, columns_.wheel[0]);
@@ -41,25 +53,29 @@ class Gathering {
     }
     add_reference();
     if (mapping_.gyro) add(mapping_.gyro->column, columns_.gyro);
-    if (mapping_.battery) add(mapping_.battery->column, columns_.battery);
+    if (mapping_.battery) add(mapping_.battery->column, columns_.battery, Joining::held);
     if (!problem_.empty()) return tl::unexpected(problem_);
     if (sources_.empty()) return tl::unexpected(name() + ": nothing in it is mapped to a robot");
     if (!merge()) return tl::unexpected(problem_);
-    make_headings();
     return std::move(columns_);
   }
 
  private:
   std::string name() const { return recordings_.empty() ? std::string("nothing") : recordings_.front().name; }
 
-  void add(const ChannelName& wanted, Column& target) {
+  FoundChannel find(const ChannelName& wanted) {
     const FoundChannel found = find_channel(recordings_, wanted);
     if (found.channel == nullptr) {
       problem_ = name() + ": there is no one column '" + config::excerpt(wanted.text()) +
                  "'; 'wheelwright inspect' lists them";
-      return;
     }
-    sources_.push_back({found.stream, found.channel, &target});
+    return found;
+  }
+
+  void add(const ChannelName& wanted, Column& target, Joining joining = Joining::between) {
+    const FoundChannel found = find(wanted);
+    if (found.channel != nullptr)
+      sources_.push_back({found.stream, &found.channel->values, &target, joining});
   }
 
   void add_reference() {
@@ -67,12 +83,34 @@ class Gathering {
     const ReferenceMapping& reference = *mapping_.reference;
     if (reference.x) add(*reference.x, columns_.x);
     if (reference.y) add(*reference.y, columns_.y);
-    if (reference.theta) add(*reference.theta, columns_.theta_rad);
-    if (!reference.qw || !reference.qz) return;
-    add(*reference.qz, quaternion_[2]);
-    add(*reference.qw, quaternion_[3]);
-    if (reference.qx) add(*reference.qx, quaternion_[0]);
-    if (reference.qy) add(*reference.qy, quaternion_[1]);
+    if (reference.theta) add_heading(*reference.theta);
+    if (reference.qw && reference.qz) add_quaternion(reference);
+  }
+
+  // Unwrapped, so that it may be interpolated.
+  void add_heading(const ChannelName& wanted) {
+    const FoundChannel found = find(wanted);
+    if (found.channel == nullptr) return;
+    const auto unit = find_unit(angle_units(), mapping_.reference->angle_unit);
+    heading_ = found.channel->values;
+    for (double& theta : heading_) theta *= unit ? unit->in_si : 1.0;
+    sources_.push_back({found.stream, &heading_, &columns_.theta_rad, Joining::between});
+  }
+
+  void add_quaternion(const ReferenceMapping& reference) {
+    const FoundChannel z = find(*reference.qz);
+    const FoundChannel w = find(*reference.qw);
+    const FoundChannel x = reference.qx ? find(*reference.qx) : FoundChannel{};
+    const FoundChannel y = reference.qy ? find(*reference.qy) : FoundChannel{};
+    if (z.channel == nullptr || w.channel == nullptr || z.stream != w.stream) return;
+    for (std::size_t i = 0; i < w.channel->values.size(); ++i) {
+      const double qx = x.channel == nullptr ? 0.0 : x.channel->values[i];
+      const double qy = y.channel == nullptr ? 0.0 : y.channel->values[i];
+      const double qz = z.channel->values[i];
+      const double qw = w.channel->values[i];
+      heading_.push_back(std::atan2(2.0 * (qw * qz + qx * qy), qw * qw + qx * qx - qy * qy - qz * qz));
+    }
+    sources_.push_back({w.stream, &heading_, &columns_.theta_rad, Joining::between});
   }
 
   bool merge() {
@@ -92,7 +130,7 @@ class Gathering {
     if (streams.size() == 1) {
       columns_.t_s = std::move(times.front());
       columns_.places = streams.front()->places;
-      for (const auto& source : sources_) *source.target = source.channel->values;
+      for (const auto& source : sources_) *source.target = *source.values;
       return true;
     }
     make_wheels_even(streams, times);
@@ -124,7 +162,25 @@ class Gathering {
     }
   }
 
-  void merge_streams(const std::vector<const Stream*>& streams, const std::vector<Column>& times) {
+  // Rows are those of the wheels, and all else is joined to them; without wheels there is a row wherever any
+  // stream has one, so that poses stand at their own times (CommandTimeline takes commands at any).
+  void merge_streams(const std::vector<const Stream*>& streams, std::vector<Column>& times) {
+    const Stream* wheels =
+        mapping_.wheels ? find_channel(recordings_, mapping_.wheels->left).stream : nullptr;
+    const auto of_wheels = std::ranges::find(streams, wheels);
+    if (of_wheels == streams.end()) return unite_streams(streams, times);
+    columns_.t_s = times[static_cast<std::size_t>(of_wheels - streams.begin())];
+    columns_.places = wheels->places;
+    unwrap_angles(heading_);  // a heading between two is on the short way
+    for (const auto& source : sources_) {
+      const auto at = static_cast<std::size_t>(std::ranges::find(streams, source.stream) - streams.begin());
+      *source.target = source.stream == wheels
+                           ? *source.values
+                           : join(times[at], *source.values, columns_.t_s, source.joining);
+    }
+  }
+
+  void unite_streams(const std::vector<const Stream*>& streams, const std::vector<Column>& times) {
     struct Row {
       double t_s;
       std::size_t stream;
@@ -145,33 +201,15 @@ class Gathering {
     for (const Row& row : rows) {
       while (columns_.t_s[at] < row.t_s) ++at;
       for (const auto& source : sources_) {
-        if (source.stream == streams[row.stream]) (*source.target)[at] = source.channel->values[row.row];
+        if (source.stream == streams[row.stream]) (*source.target)[at] = (*source.values)[row.row];
       }
     }
-  }
-
-  // Yaw of a quaternion, or a heading in the unit of its column.
-  void make_headings() {
-    if (!mapping_.reference) return;
-    const auto& [qx, qy, qz, qw] = quaternion_;
-    if (!qw.empty()) {
-      columns_.theta_rad.resize(qw.size());
-      for (std::size_t i = 0; i < qw.size(); ++i) {
-        const double x = qx.empty() ? 0.0 : qx[i];
-        const double y = qy.empty() ? 0.0 : qy[i];
-        columns_.theta_rad[i] =
-            std::atan2(2.0 * (qw[i] * qz[i] + x * y), qw[i] * qw[i] + x * x - y * y - qz[i] * qz[i]);
-      }
-      return;
-    }
-    const auto unit = find_unit(angle_units(), mapping_.reference->angle_unit);
-    for (double& theta : columns_.theta_rad) theta *= unit ? unit->in_si : 1.0;
   }
 
   std::span<const Recording> recordings_;
   const Mapping& mapping_;
   DriveColumns columns_;
-  std::array<Column, 4> quaternion_;  // x, y, z, w
+  Column heading_;
   std::vector<Source> sources_;
   std::string problem_;
 };

@@ -41,8 +41,9 @@ struct FoundChannel {
 };
 FoundChannel find_channel(std::span<const Recording> recordings, const ChannelName& name);
 
-// Rows of several streams are merged: one at each time at which any of them has a row. Fails, with one line,
-// where a mapped channel is not there or there is no time.
+// Several streams are merged: the rows are those of the wheels, to which all else is joined
+// (join_streams.hpp); without wheels there is one at each time at which any stream has one. Fails, with one
+// line, where a mapped channel is not there or there is no time.
 tl::expected<DriveColumns, std::string> gather(std::span<const Recording> recordings, const Mapping& mapping);
 
 }  // namespace wheelwright::import

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 
 #include "config/load/text_format.hpp"
@@ -24,7 +25,23 @@ constexpr double fastest_m_s = 3.0;  // larger commands are in no metres per sec
 constexpr double near_gain = 1.35;   // a unit is taken where the gain is within this factor of it
 constexpr double least_explained = 0.1;
 constexpr double sure_nats = 50.0;
+constexpr double burst_part = 0.2;      // of the median step: a shorter one is of a burst
 constexpr double sure_explained = 0.5;  // share of the variance from which a gain is believed
+
+// Between rows that have a value.
+double median_step_of(const std::vector<double>& t_s, const Column& values) {
+  std::vector<double> steps;
+  double last_s = NAN;
+  for (std::size_t i = 0; i < t_s.size(); ++i) {
+    if (!std::isfinite(values[i])) continue;
+    if (std::isfinite(last_s)) steps.push_back(t_s[i] - last_s);
+    last_s = t_s[i];
+  }
+  if (steps.empty()) return 0.0;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
 
 double largest(const Column& column) {
   double result = 0.0;
@@ -71,13 +88,17 @@ void add_run(const DriveColumns& columns, const Mapping& mapping, const RunRows&
   if (!is_speed) {
     if (const auto even = even_stamps(t_s, travel.values[0])) t_s = even->t_s;
   }
+  const double shortest_s = burst_part * median_step_of(t_s, travel.values[0]);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::array<double, 2> value{travel.values[0][i],
                                       is_pair ? travel.values[1][i] : travel.values[0][i]};
     if (std::isfinite(value[0]) && std::isfinite(value[1])) {
       const double duration_s = t_s[i] - last_s;
       std::array<double, 2> speed{};
-      for (std::size_t k = 0; k < 2; ++k) speed[k] = is_speed ? value[k] : (value[k] - last[k]) / duration_s;
+      // Rows that were handled in one go say nothing of a speed.
+      const bool is_burst = !is_speed && duration_s < shortest_s;
+      for (std::size_t k = 0; k < 2; ++k)
+        speed[k] = is_speed ? value[k] : is_burst ? std::numeric_limits<double>::quiet_NaN() : (value[k] - last[k]) / duration_s;
       if (as_body) speed = {0.5 * (speed[0] + speed[1]), speed[1] - speed[0]};
       for (std::size_t k = 0; k < 2; ++k) {
         result[k].speed.push_back(speed[k]);

@@ -1,0 +1,92 @@
+#include "tools/wheelwright/import/conversion/join_streams.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace wheelwright::import {
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double hole_s = 0.3;
+constexpr double hole_in_steps = 3.0;
+
+struct Sample {
+  double t_s;
+  double value;
+};
+
+std::vector<Sample> samples_of(std::span<const double> t_s, std::span<const double> values) {
+  std::vector<Sample> samples;
+  for (std::size_t i = 0; i < t_s.size(); ++i) {
+    if (std::isfinite(t_s[i]) && std::isfinite(values[i])) samples.push_back({t_s[i], values[i]});
+  }
+  std::ranges::stable_sort(samples, {}, &Sample::t_s);
+  return samples;
+}
+
+double longest_step(const std::vector<Sample>& samples) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < samples.size(); ++i) steps.push_back(samples[i].t_s - samples[i - 1].t_s);
+  if (steps.empty()) return 0.0;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return std::max(hole_s, hole_in_steps * *middle);
+}
+
+// The row nearest to a time.
+std::size_t nearest(std::span<const double> to_s, double t_s) {
+  const auto above = std::ranges::lower_bound(to_s, t_s);
+  if (above == to_s.begin()) return 0;
+  if (above == to_s.end()) return to_s.size() - 1;
+  const auto at = static_cast<std::size_t>(above - to_s.begin());
+  return t_s - to_s[at - 1] < to_s[at] - t_s ? at - 1 : at;
+}
+
+std::vector<double> hold(const std::vector<Sample>& samples, std::span<const double> to_s) {
+  std::vector<double> result(to_s.size(), nothing);
+  for (const Sample& sample : samples) {
+    if (sample.t_s <= to_s.back()) result[nearest(to_s, sample.t_s)] = sample.value;
+  }
+  double last = nothing;
+  for (double& value : result) {
+    if (std::isfinite(value)) last = value;
+    value = last;
+  }
+  return result;
+}
+
+std::vector<double> interpolate(const std::vector<Sample>& samples, std::span<const double> to_s) {
+  std::vector<double> result(to_s.size(), nothing);
+  const double longest_s = longest_step(samples);
+  std::size_t at = 0;
+  for (std::size_t row = 0; row < to_s.size(); ++row) {
+    while (at + 1 < samples.size() && samples[at + 1].t_s <= to_s[row]) ++at;
+    if (at + 1 >= samples.size() || samples[at].t_s > to_s[row]) continue;
+    const double step_s = samples[at + 1].t_s - samples[at].t_s;
+    if (step_s > longest_s || step_s > 1.0) continue;
+    const double part = step_s > 0.0 ? (to_s[row] - samples[at].t_s) / step_s : 0.0;
+    result[row] = samples[at].value + part * (samples[at + 1].value - samples[at].value);
+  }
+  // Single ones, as poses at the ends of a run.
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const bool alone = (i == 0 || samples[i].t_s - samples[i - 1].t_s > longest_s ||
+                        samples[i].t_s - samples[i - 1].t_s > 1.0) &&
+                       (i + 1 == samples.size() || samples[i + 1].t_s - samples[i].t_s > longest_s ||
+                        samples[i + 1].t_s - samples[i].t_s > 1.0);
+    if (alone && samples[i].t_s >= to_s.front() && samples[i].t_s <= to_s.back())
+      result[nearest(to_s, samples[i].t_s)] = samples[i].value;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<double> join(std::span<const double> from_s, std::span<const double> values,
+                         std::span<const double> to_s, Joining joining) {
+  const auto samples = samples_of(from_s, values);
+  if (to_s.empty() || samples.empty()) return std::vector<double>(to_s.size(), nothing);
+  return joining == Joining::held ? hold(samples, to_s) : interpolate(samples, to_s);
+}
+
+}  // namespace wheelwright::import

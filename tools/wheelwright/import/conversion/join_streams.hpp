@@ -1,0 +1,22 @@
+// Values of one stream at the times of the rows of another.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace wheelwright::import {
+
+// How the value at a row is had from the rows of its own stream.
+enum class Joining {
+  held,     // it holds until the next: a command, a voltage
+  between,  // on the line between two neighbours: a place, a heading that was unwrapped, a turn rate
+};
+
+// `values` at `from_s`, at each of the times `to_s`; both rise. A held value counts from the row that is
+// nearest to it in time, so that commands are early as often as late. Nothing is interpolated across a hole
+// (more than three usual steps of the stream, and 0.3 s): there, and where the stream is sparse, a value goes
+// to the row nearest to it. Not-a-number where there is none.
+std::vector<double> join(std::span<const double> from_s, std::span<const double> values,
+                         std::span<const double> to_s, Joining joining);
+
+}  // namespace wheelwright::import
