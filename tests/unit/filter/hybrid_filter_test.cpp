@@ -47,8 +47,8 @@ TEST_CASE("The same frames give the same output to the bit") {
 TEST_CASE("The covariance is symmetric, positive and grows with the way, faster while a wheel is not heard") {
   HybridFilter filter(model());
   HybridFilter deaf(model());
-  Eigen::Matrix3d heard;
-  Eigen::Matrix3d unheard;
+  Eigen::Matrix3d heard = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d unheard = Eigen::Matrix3d::Zero();
   for (std::size_t k = 0; k < drive().frames.size(); ++k) {
     SensorFrame frame = drive().frames[k];
     heard = filter.step(frame).covariance;

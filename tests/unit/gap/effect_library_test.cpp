@@ -75,7 +75,8 @@ TEST_CASE("Every effect says what is seen, why, and in which units and bounds") 
     CHECK_FALSE(info.cause.empty());
     CHECK_FALSE(info.variants.empty());
     for (const auto& variant : info.variants) {
-      for (const auto& parameter : parameters_of({info.name, variant.name, {}})) check_described(parameter);
+      const auto parameters = parameters_of({info.name, variant.name, {}});
+      for (const auto& parameter : parameters) check_described(parameter);
     }
   }
 }

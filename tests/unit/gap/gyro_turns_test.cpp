@@ -113,7 +113,7 @@ TEST_CASE("A wheel base that is far off is seen by a gyro, and not told from the
   const GapAnalysis analysis = analysed(logs_with_gyro("effective_track"));
   CHECK(analysis.verdict == Verdict::unnamed);
   CHECK(analysis.found.empty());
-  CHECK_THAT(analysis.summary, Catch::Matchers::Contains("wheel base or the gyro's scale"));
+  CHECK_THAT(analysis.summary, ContainsSubstring("wheel base or the gyro's scale"));
 }
 
 TEST_CASE("First and last headings tell a wheel base that is off from the scale of a gyro between them") {
@@ -130,7 +130,7 @@ TEST_CASE("A gyro in degrees or of the other sign is a fault, and left out") {
   for (DriveSample& sample : log.samples) *sample.gyro_z_rad_s *= factor;
   const GatedLog gated = gate(log);
   REQUIRE(gated.faults.size() == 1);
-  CHECK_THAT(gated.faults.front().what, Catch::Matchers::Contains("gyro"));
+  CHECK_THAT(gated.faults.front().what, ContainsSubstring("gyro"));
   CHECK_FALSE(gated.faults.front().explains);
   CHECK_FALSE(has_gyro(gated.log));
 }

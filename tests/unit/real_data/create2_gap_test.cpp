@@ -42,7 +42,7 @@ TEST_CASE("That later runs of a real Create 2 are faster is seen, and no cause i
   const auto analysis = gap_between(*folder, {"run1.csv", "run2.csv"}, {"run3.csv", "run4.csv"});
   CHECK(analysis.verdict == Verdict::unnamed);
   CHECK(analysis.found.empty());
-  CHECK_THAT(analysis.summary, Catch::Matchers::Contains("gain changed"));
+  CHECK_THAT(analysis.summary, ContainsSubstring("gain changed"));
 }
 
 TEST_CASE("Between two later runs of a real Create 2, one wheel is slower and one is faster") {
@@ -50,10 +50,10 @@ TEST_CASE("Between two later runs of a real Create 2, one wheel is slower and on
   if (!folder) return;
   const auto forth = gap_between(*folder, {"run3.csv"}, {"run4.csv"});
   CHECK(forth.verdict == Verdict::unnamed);
-  CHECK_THAT(forth.summary, Catch::Matchers::Contains("left and"));
+  CHECK_THAT(forth.summary, ContainsSubstring("left and"));
   const auto back = gap_between(*folder, {"run4.csv"}, {"run3.csv"});
   CHECK(back.verdict == Verdict::unnamed);
-  CHECK_THAT(back.summary, Catch::Matchers::Contains("left and"));
+  CHECK_THAT(back.summary, ContainsSubstring("left and"));
 }
 
 TEST_CASE("The garbage in a real log is a fault of the data, with its row") {

@@ -14,19 +14,17 @@ constexpr std::size_t most_rows = 20'000;  // enough to decide, and quick
 }  // namespace
 
 ResponseFit fit_response(const ResponseRows& rows) {
-  // Unknowns: the response, and a constant.
-  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(lags + 1, lags + 1);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(lags + 1);
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(lags, lags);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(lags);
   double sum = 0.0;
   double squares = 0.0;
   std::size_t count = 0;
   std::size_t begin = 0;
-  Eigen::VectorXd regressors(lags + 1);
+  Eigen::VectorXd regressors(lags);
   for (const std::size_t end : rows.run_ends) {
     for (std::size_t i = begin + lags; i < end && count < most_rows; ++i) {
       for (Eigen::Index lag = 0; lag < lags; ++lag)
         regressors[lag] = rows.command[i - static_cast<std::size_t>(lag)];
-      regressors[lags] = 1.0;
       const double speed = rows.speed[i];
       if (!std::isfinite(speed) || !regressors.allFinite()) continue;
       normal.selfadjointView<Eigen::Lower>().rankUpdate(regressors);
@@ -43,13 +41,13 @@ ResponseFit fit_response(const ResponseRows& rows) {
   if (count < fewest_rows || !(variance > 0.0)) return fit;
   const Eigen::MatrixXd full = normal.selfadjointView<Eigen::Lower>();
   // A command that is held makes its lags alike: a small ridge keeps their sum, which is the gain.
-  const double ridge = 1e-6 * full.diagonal().head(lags).mean();
+  const double ridge = 1e-6 * full.diagonal().mean();
   if (!(ridge > 0.0)) return fit;
   Eigen::MatrixXd damped = full;
-  damped.diagonal().head(lags).array() += ridge;
+  damped.diagonal().array() += ridge;
   const Eigen::VectorXd response = damped.ldlt().solve(right);
   const double rest = squares - 2.0 * response.dot(right) + response.dot(full * response);
-  fit.gain = response.head(lags).sum();
+  fit.gain = response.sum();
   fit.explained = std::clamp(1.0 - rest / variance, 0.0, 1.0);
   // Rounding leaves a rest that no model can explain: it bounds the evidence.
   fit.nats = -0.5 * n * std::log(std::max(1.0 - fit.explained, 1e-6));
