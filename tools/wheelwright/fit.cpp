@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "config/load/model_file.hpp"
+#include "model/gap/data_gate.hpp"
 #include "model/identification/fir_fit.hpp"
 #include "tools/wheelwright/commands.hpp"
 #include "tools/wheelwright/fit_arma.hpp"
@@ -69,6 +70,17 @@ ArxFitOptions arma_options(const FitOptions& options) {
   return result;
 }
 
+// A model of counts that contradict their commands would be believed.
+void refuse_contradictions(const std::vector<DriveLog>& runs) {
+  for (const auto& run : runs) {
+    for (const auto& fault : gap::gate(run).faults) {
+      if (!fault.explains || !fault.what.starts_with("ticks_")) continue;
+      throw DataRefusal(fault.log + ":" + std::to_string(fault.row) +
+                        ": the data contradict themselves: " + fault.what);
+    }
+  }
+}
+
 std::vector<DriveLog> load_training_runs(const FitOptions& options, std::ostream& err) {
   auto runs = with_wheel_on_both_sides(load_all_runs({options.logs, options.import}, err));
   check_runs_of_one_robot(runs);
@@ -80,6 +92,7 @@ std::vector<DriveLog> load_training_runs(const FitOptions& options, std::ostream
       throw UsageError(*impossible);
     }
   }
+  refuse_contradictions(runs);
   return runs;
 }
 

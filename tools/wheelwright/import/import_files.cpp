@@ -1,5 +1,7 @@
 #include "tools/wheelwright/import/import_files.hpp"
 
+#include <algorithm>
+
 #include "tools/wheelwright/import/conversion/clock_shift.hpp"
 #include "tools/wheelwright/import/open_recording.hpp"
 
@@ -7,12 +9,43 @@ namespace wheelwright::import {
 namespace {
 
 // Where several files have a table each, its stream is named as its file.
-void name_tables(std::vector<Recording>& recordings, const std::vector<std::filesystem::path>& files) {
+void name_tables(std::vector<Recording>& recordings) {
   if (recordings.size() < 2) return;
-  for (std::size_t i = 0; i < recordings.size(); ++i) {
-    for (auto& stream : recordings[i].streams) {
-      if (stream.name.empty()) stream.name = files[i].stem().string();
+  for (auto& recording : recordings) {
+    for (auto& stream : recording.streams) {
+      if (stream.name.empty()) stream.name = std::filesystem::path(recording.name).stem().string();
     }
+  }
+}
+
+bool have_the_same_columns(const Recording& a, const Recording& b) {
+  if (a.streams.size() != 1 || b.streams.size() != 1) return false;
+  const Stream& first = a.streams.front();
+  const Stream& second = b.streams.front();
+  return first.received_s.empty() && second.received_s.empty() &&
+         std::ranges::equal(first.channels, second.channels, {}, &Channel::name, &Channel::name);
+}
+
+// Tables of the same columns are runs of one robot: the rows of all, one after the other. Each begins a run.
+void append_runs(std::vector<Recording>& recordings) {
+  for (std::size_t i = 1; i < recordings.size();) {
+    if (!have_the_same_columns(recordings.front(), recordings[i])) {
+      ++i;
+      continue;
+    }
+    Stream& all = recordings.front().streams.front();
+    const Stream& next = recordings[i].streams.front();
+    if (all.run_starts.empty()) all.run_starts.push_back(0);
+    all.run_starts.push_back(all.rows);
+    for (std::size_t c = 0; c < all.channels.size(); ++c) {
+      auto& values = all.channels[c].values;
+      values.insert(values.end(), next.channels[c].values.begin(), next.channels[c].values.end());
+    }
+    all.places.insert(all.places.end(), next.places.begin(), next.places.end());
+    all.rows += next.rows;
+    recordings.front().remarks.push_back("its rows are followed by those of " + recordings[i].name +
+                                         ", a run of its own");
+    recordings.erase(recordings.begin() + static_cast<std::ptrdiff_t>(i));
   }
 }
 
@@ -25,17 +58,27 @@ std::string names_of(const std::vector<std::filesystem::path>& files) {
 
 tl::expected<Understood, std::string> understand(const ImportRequest& request) {
   Understood result;
-  std::vector<std::filesystem::path> files = request.files;
+  const std::vector<std::filesystem::path>& files = request.files;
   result.name = names_of(files);
-  if (request.reference) files.push_back(*request.reference);
   for (const auto& file : files) {
     auto recording = open_recording(file);
     if (!recording) return tl::unexpected(recording.error());
     result.recordings.push_back(std::move(*recording));
   }
-  name_tables(result.recordings, files);
+  append_runs(result.recordings);
+  if (request.reference) {
+    auto recording = open_recording(*request.reference);
+    if (!recording) return tl::unexpected(recording.error());
+    result.recordings.push_back(std::move(*recording));
+  }
+  name_tables(result.recordings);
   result.inference = infer_mapping(result.recordings, request.given);
   result.mapping = to_mapping(result.inference.entries, "mapping");
+  if (request.reference && !result.mapping.reference) {
+    return tl::unexpected(
+        request.reference->string() +
+        ": no pose was found in it; say which columns hold it: --set reference.x=COLUMN, reference.y=COLUMN");
+  }
   if (request.reference && result.mapping.reference && !request.given.says("reference.clock")) {
     result.mapping.reference->clock = ReferenceClock::shifted;
   }

@@ -30,7 +30,9 @@ struct Stream {
                                    // no time beside the channels
   std::vector<Channel> channels;   // empty where the rows could not be decoded
   std::vector<std::size_t> places;  // line of each row in a text file, for messages; empty elsewhere
-  std::string not_decoded;          // why there are no channels, in one line; empty where there are
+  std::vector<std::size_t>
+      run_starts;           // rows at which a run begins for sure; empty where the file does not say
+  std::string not_decoded;  // why there are no channels, in one line; empty where there are
 
   const Channel* find(std::string_view channel) const;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 
 #include "config/load/text_format.hpp"
@@ -59,8 +60,9 @@ bool is_one_wheel(const Mapping& mapping) {
 
 class RunMaker {
  public:
-  RunMaker(const DriveColumns& columns, const Mapping& mapping, const std::string& name)
-      : columns_(columns), mapping_(mapping), name_(name) {}
+  RunMaker(const DriveColumns& columns, const Column& times_s, const Mapping& mapping,
+           const std::string& name)
+      : columns_(columns), times_s_(times_s), mapping_(mapping), name_(name) {}
 
   DriveLog make(const RunRows& rows, std::vector<std::string>& remarks) {
     DriveLog log;
@@ -68,8 +70,9 @@ class RunMaker {
     log.wheel_base_m = mapping_.wheel_base_m.value_or(one_wheel_base_m);
     log.first_line = rows.front() < columns_.places.size() ? columns_.places[rows.front()] : rows.front() + 1;
     std::vector<double> t_s;
-    for (const std::size_t row : rows) t_s.push_back(columns_.t_s[row] - columns_.t_s[rows.front()]);
+    for (const std::size_t row : rows) t_s.push_back(times_s_[row] - times_s_[rows.front()]);
     std::array<Column, 2> counts = wheel_counts(rows, t_s, log, remarks);
+    name_holes(rows, t_s, remarks);
     make_samples(rows, t_s, counts, log, remarks);
     log.period_s = mapping_.time.period_s ? *mapping_.time.period_s : period_of(log);
     return log;
@@ -96,6 +99,19 @@ class RunMaker {
       for (double& count : travel.values[side]) count = -count;
     }
     return travel.values;
+  }
+
+  void name_holes(const RunRows& rows, const std::vector<double>& t_s,
+                  std::vector<std::string>& remarks) const {
+    constexpr std::size_t most_named = 5;
+    const double longest_s = std::max(0.3, 5.0 * median_step(t_s));
+    std::size_t count = 0;
+    for (std::size_t i = 1; i < t_s.size(); ++i) {
+      if (t_s[i] - t_s[i - 1] <= longest_s || ++count > most_named) continue;
+      remarks.push_back(columns_.place(rows[i]) + ": no rows for " + fixed_number(t_s[i] - t_s[i - 1], 3) +
+                        " s");
+    }
+    if (count > most_named) remarks.push_back("and " + std::to_string(count - most_named) + " more holes");
   }
 
   void make_even(const RunRows& rows, const WheelTravel& travel, std::vector<double>& t_s,
@@ -249,6 +265,7 @@ class RunMaker {
   }
 
   const DriveColumns& columns_;
+  const Column& times_s_;
   const Mapping& mapping_;
   const std::string& name_;
 };
@@ -279,6 +296,53 @@ std::string what_is_missing(const Mapping& mapping) {
 
 }  // namespace
 
+namespace {
+
+// A log that writes counts only where they changed writes every column so.
+bool is_written_on_change(const DriveColumns& columns) {
+  const std::array<const Column*, 3> references{&columns.x, &columns.y, &columns.theta_rad};
+  return std::ranges::any_of(columns.wheel, is_log_on_change) &&
+         std::ranges::any_of(references, [](const Column* column) { return is_log_on_change(*column); });
+}
+
+DriveColumns filled(DriveColumns columns) {
+  for (Column* column : {&columns.x, &columns.y, &columns.theta_rad, &columns.gyro, &columns.battery})
+    fill_down(*column);
+  return columns;
+}
+
+}  // namespace
+
+TimeRepair repair_runs(const DriveColumns& columns) {
+  TimeRepair all;
+  std::vector<double> t_s = columns.t_s;
+  if (const std::size_t spread = spread_coarse_stamps(t_s); spread > 0) {
+    all.remarks.push_back(std::to_string(spread) +
+                          " rows have the stamp of the row before: the clock is coarser than the rows, which "
+                          "are taken to be even between its steps");
+  }
+  std::vector<std::size_t> starts = columns.run_starts;
+  if (starts.empty()) starts.push_back(0);
+  starts.push_back(t_s.size());
+  for (std::size_t run = 0; run + 1 < starts.size(); ++run) {
+    const std::size_t begin = starts[run];
+    const std::function<std::string(std::size_t)> place = [&](std::size_t row) {
+      return columns.place(begin + row);
+    };
+    const std::function<bool(std::size_t, std::size_t)> same = [&](std::size_t a, std::size_t b) {
+      return are_alike(columns, begin + a, begin + b);
+    };
+    TimeRepair part = repair_time(std::span(t_s).subspan(begin, starts[run + 1] - begin), place, same);
+    for (auto& rows : part.runs) {
+      for (auto& row : rows) row += begin;
+      all.runs.push_back(std::move(rows));
+    }
+    all.remarks.insert(all.remarks.end(), part.remarks.begin(), part.remarks.end());
+  }
+  all.t_s = std::move(t_s);
+  return all;
+}
+
 std::optional<double> wheel_scale(const WheelMapping& wheels) {
   switch (wheels.kind) {
     case WheelKind::counts:
@@ -300,6 +364,47 @@ std::optional<double> wheel_scale(const WheelMapping& wheels) {
   return unit->in_si * *wheels.wheel_radius_m;
 }
 
+namespace {
+
+void accumulate(Column& values) {
+  double sum = 0.0;
+  for (double& value : values) {
+    if (!std::isfinite(value)) continue;
+    sum += value;
+    value = sum;
+  }
+}
+
+// An angle that goes round starts again at every turn.
+void unwrap_wheel(Column& angles, const std::string& which, const WheelMapping& wheels,
+                  const std::string& place, std::vector<std::string>& remarks) {
+  const double turn = 2.0 * std::numbers::pi / in_si(angle_units(), wheels.unit);
+  double lowest = INFINITY;
+  double highest = -INFINITY;
+  for (const double angle : angles) {
+    if (!std::isfinite(angle)) continue;
+    lowest = std::min(lowest, angle);
+    highest = std::max(highest, angle);
+  }
+  if (!(highest - lowest > 0.6 * turn) || highest - lowest > 1.01 * turn) return;
+  std::size_t wraps = 0;
+  double last = std::numeric_limits<double>::quiet_NaN();
+  double offset = 0.0;
+  for (double& angle : angles) {
+    if (!std::isfinite(angle)) continue;
+    const double jump = std::isfinite(last) ? std::round((angle - last) / turn) : 0.0;
+    if (jump != 0.0) ++wraps;
+    last = angle;
+    offset -= jump * turn;
+    angle += offset;
+  }
+  if (wraps > 0)
+    remarks.push_back(place + ": the angle of the " + which + " wheel starts again " + std::to_string(wraps) +
+                      " times, unwrapped");
+}
+
+}  // namespace
+
 WheelTravel wheel_travel(const DriveColumns& columns, std::span<const std::size_t> rows,
                          const WheelMapping& wheels) {
   WheelTravel travel;
@@ -308,8 +413,11 @@ WheelTravel wheel_travel(const DriveColumns& columns, std::span<const std::size_
     if (column.empty()) continue;
     Column& values = travel.values[side];
     for (const std::size_t row : rows) values.push_back(column[row]);
-    if (wheels.kind != WheelKind::counts) continue;
     const std::string which = side == 0 ? "left" : "right";
+    if (wheels.per_row) accumulate(values);
+    if (wheels.kind == WheelKind::angle)
+      unwrap_wheel(values, which, wheels, columns.place(rows.front()), travel.remarks);
+    if (wheels.kind != WheelKind::counts) continue;
     if (is_log_on_change(values)) {
       fill_down(values);
       if (side == 0)
@@ -332,15 +440,12 @@ tl::expected<Conversion, std::string> convert(const DriveColumns& columns, const
                                               const std::string& name) {
   if (const auto missing = what_is_missing(mapping); !missing.empty())
     return tl::unexpected(name + ": " + missing);
+  if (is_written_on_change(columns)) return convert(filled(columns), mapping, name);
   Conversion conversion;
-  const std::function<std::string(std::size_t)> place = [&](std::size_t row) { return columns.place(row); };
-  const std::function<bool(std::size_t, std::size_t)> same = [&](std::size_t a, std::size_t b) {
-    return are_alike(columns, a, b);
-  };
-  TimeRepair time = repair_time(columns.t_s, place, same);
+  TimeRepair time = repair_runs(columns);
   conversion.remarks = columns.remarks;
   conversion.remarks.insert(conversion.remarks.end(), time.remarks.begin(), time.remarks.end());
-  RunMaker maker(columns, mapping, name);
+  RunMaker maker(columns, time.t_s, mapping, name);
   for (const auto& rows : time.runs) {
     DriveLog log = maker.make(rows, conversion.remarks);
     if (log.samples.size() < 2) continue;

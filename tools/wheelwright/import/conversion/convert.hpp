@@ -8,6 +8,7 @@
 
 #include "model/drive_log.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
+#include "tools/wheelwright/import/conversion/time_repair.hpp"
 #include "tools/wheelwright/import/mapping/mapping.hpp"
 
 namespace wheelwright::import {
@@ -21,6 +22,9 @@ struct Conversion {
 // counts.
 tl::expected<Conversion, std::string> convert(const DriveColumns& columns, const Mapping& mapping,
                                               const std::string& name);
+
+// The runs of the rows: time made to rise (time_repair.hpp) within each run that the files tell apart.
+TimeRepair repair_runs(const DriveColumns& columns);
 
 // Distance of one count, or what one unit of the wheel channels is in metres (m/s for speeds), by what the
 // mapping says; nothing where it says too little.

@@ -7,7 +7,7 @@
 namespace wheelwright::import {
 namespace {
 
-constexpr std::array counter_widths{8, 10, 12, 14, 15, 16, 20, 24, 31, 32};
+constexpr std::array counter_widths{8, 16, 24, 32};
 constexpr std::size_t fewest_changes = 5;
 
 // Largest step of counts that are unwrapped at `modulus`, and how many jumps there are.

@@ -18,6 +18,7 @@ namespace wheelwright::import {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double resolution_s = 2e-6;  // of the times in a drive log, with something to spare
 
 // A mapped channel and where its values go.
 struct Source {
@@ -130,6 +131,7 @@ class Gathering {
     if (streams.size() == 1) {
       columns_.t_s = std::move(times.front());
       columns_.places = streams.front()->places;
+      columns_.run_starts = streams.front()->run_starts;
       for (const auto& source : sources_) *source.target = *source.values;
       return true;
     }
@@ -194,12 +196,12 @@ class Gathering {
     }
     std::ranges::stable_sort(rows, {}, &Row::t_s);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (i == 0 || rows[i].t_s > columns_.t_s.back()) columns_.t_s.push_back(rows[i].t_s);
+      if (i == 0 || rows[i].t_s > columns_.t_s.back() + resolution_s) columns_.t_s.push_back(rows[i].t_s);
     }
     for (const auto& source : sources_) source.target->assign(columns_.t_s.size(), nothing);
     std::size_t at = 0;
     for (const Row& row : rows) {
-      while (columns_.t_s[at] < row.t_s) ++at;
+      while (at + 1 < columns_.t_s.size() && columns_.t_s[at + 1] <= row.t_s) ++at;
       for (const auto& source : sources_) {
         if (source.stream == streams[row.stream]) (*source.target)[at] = (*source.values)[row.row];
       }

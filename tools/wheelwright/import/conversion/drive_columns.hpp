@@ -27,7 +27,8 @@ struct DriveColumns {
   Column theta_rad;  // of a quaternion, or of the column in its unit
   Column gyro;
   Column battery;
-  std::vector<std::string> remarks;  // what was done to the time of streams before they were merged
+  std::vector<std::size_t> run_starts;  // rows at which a run begins for sure
+  std::vector<std::string> remarks;     // what was done to the time of streams before they were merged
 
   std::size_t rows() const { return t_s.size(); }
   // "line 12", or "row 12" of merged rows.

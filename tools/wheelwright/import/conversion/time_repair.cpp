@@ -148,6 +148,27 @@ class Repair {
 
 }  // namespace
 
+std::size_t spread_coarse_stamps(std::vector<double>& t_s) {
+  std::size_t repeated = 0;
+  for (std::size_t i = 1; i < t_s.size(); ++i) {
+    if (t_s[i] == t_s[i - 1]) ++repeated;
+  }
+  if (3 * repeated < t_s.size() || t_s.empty()) return 0;
+  std::size_t begin = 0;
+  double step_s = 0.0;
+  while (begin < t_s.size()) {
+    std::size_t end = begin + 1;
+    while (end < t_s.size() && t_s[end] == t_s[begin]) ++end;
+    const double stamp_s = t_s[begin];
+    // The last group has no next step: it goes on as the one before.
+    if (end < t_s.size() && t_s[end] > stamp_s)
+      step_s = (t_s[end] - stamp_s) / static_cast<double>(end - begin);
+    for (std::size_t i = begin; i < end; ++i) t_s[i] = stamp_s + step_s * static_cast<double>(i - begin);
+    begin = end;
+  }
+  return repeated;
+}
+
 TimeRepair repair_time(std::span<const double> t_s, const std::function<std::string(std::size_t)>& place,
                        const std::function<bool(std::size_t, std::size_t)>& same) {
   return Repair(t_s, place, same).run();

@@ -17,7 +17,13 @@ using RunRows = std::vector<std::size_t>;
 struct TimeRepair {
   std::vector<RunRows> runs;
   std::vector<std::string> remarks;  // one line each, with the place
+  std::vector<double> t_s;           // of all rows, where stamps were spread
 };
+
+// Rows of a clock that is coarser than they are (a third of them and more have the stamp of the row before)
+// are spread evenly up to its next step. Returns how many had the stamp of the row before; 0 where nothing
+// was done.
+std::size_t spread_coarse_stamps(std::vector<double>& t_s);
 
 // `place` names a row for a remark; `same` says whether two rows are alike but for the time.
 TimeRepair repair_time(std::span<const double> t_s, const std::function<std::string(std::size_t)>& place,

@@ -16,9 +16,13 @@ struct Name {
 };
 
 NamedSide side_of(const NameWords& words) {
-  if (words.has_any({"left", "l", "lft", "lhs", "lw", "wl", "izq", "links", "gauche"}))
+  // In "p_RS_R_x" (EuRoC) the letters name frames.
+  if (words.has("rs") || words.has_any({"front", "rear"})) return NamedSide::none;
+  if (words.has_any({"left", "l", "lft", "port", "gauche", "links", "linke", "linkes", "sinistra",
+                     "izquierda", "lhs", "lw", "wl", "izq", "links", "gauche"}))
     return NamedSide::left;
-  if (words.has_any({"right", "r", "rgt", "rhs", "rw", "wr", "der", "rechts", "droite"}))
+  if (words.has_any({"right", "r", "rgt", "starboard", "stbd", "droite", "rechts", "rechte", "rechtes",
+                     "destra", "derecha", "rhs", "rw", "wr", "der", "rechts", "droite"}))
     return NamedSide::right;
   return NamedSide::none;
 }
@@ -33,8 +37,9 @@ std::optional<Quantity> time_or_pose(const Name& name) {
   const NameWords& words = name.words;
   const auto last = words.last();
   if (name.side == NamedSide::none && !words.has_any({"period", "delay"}) &&
-      (words.has_any({"time", "timestamp", "stamp", "t", "sec", "secs", "seconds", "millis", "micros", "nsec",
-                      "datetime", "date", "epoch", "elapsed", "clock", "timestamps"}) ||
+      (words.has_any({"time",     "timestamp", "stamp", "t",       "ts",     "zeit",      "temps",
+                      "tiempo",   "sec",       "secs",  "seconds", "millis", "micros",    "nsec",
+                      "datetime", "date",      "epoch", "elapsed", "clock",  "timestamps"}) ||
        (words.words().size() == 1 && (last == "ms" || last == "us" || last == "ns" || last == "s")))) {
     return Quantity::time;
   }
@@ -75,9 +80,18 @@ Quantity of_wheel(const Name& name) {
   return Quantity::unknown;
 }
 
+// Of a vector that lies in the plane of the floor: a robot on two wheels moves along x and turns about z.
+bool is_other_axis(const NameWords& words) {
+  const auto last = words.last();
+  if (words.has_any({"acc", "accel", "acceleration", "force", "torque", "mag", "covariance"})) return true;
+  if (words.has("linear")) return last == "y" || last == "z";
+  return words.has("angular") && (last == "x" || last == "y");
+}
+
 Quantity of_body(const Name& name) {
   const NameWords& words = name.words;
   const auto last = words.last();
+  if (is_other_axis(words)) return Quantity::unknown;
   const bool about_z = last == "z" || words.words().size() == 1;
   if (words.has_any({"battery", "bat", "batt", "vbat", "voltage", "volt", "supply"}) &&
       !words.has_any({"percentage", "percent", "current", "charge", "capacity", "temperature"})) {
@@ -91,6 +105,8 @@ Quantity of_body(const Name& name) {
       (words.has("angular") && last != "x" && last != "y") ||
       words.has_any({"w", "omega", "wz", "yawrate", "ang", "rot", "turnrate"}) ||
       (words.has_any({"yaw", "turn", "turning"}) && words.has_any({"rate", "vel", "speed"})) ||
+      (name.is_command &&
+       words.has_any({"turn", "turning", "steer", "steering", "rotation", "yaw", "ang"})) ||
       find_unit(angular_units(), name.unit);
   if (is_angular) return name.is_command ? Quantity::angular_command : Quantity::angular_speed;
   const bool is_linear = (words.has("linear") && last != "y" && last != "z") ||

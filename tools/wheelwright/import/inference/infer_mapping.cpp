@@ -58,7 +58,8 @@ void add_doubts(const DriveColumns& columns, const Mapping& mapping, std::vector
     return;
   }
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
-    if (own[k].gain >= 0.0 || own[k].explained < 0.5) continue;
+    const bool is_reversed = k == 0 ? mapping.wheels->left_reversed : mapping.wheels->right_reversed;
+    if ((own[k].gain < 0.0) == is_reversed || own[k].explained < 0.5) continue;
     const std::string side = k == 0 ? "left" : "right";
     doubts.push_back(
         "the " + side +
@@ -91,10 +92,12 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
   set_time_unit(recordings, given, mapping, inference.findings);
   map_by_numbers(recordings, given, mapping, inference.findings);
   map_metadata(recordings, mapping);
+  const bool unit_assumed = mapping.wheels && mapping.wheels->unit_assumed && !given.says("wheels.unit");
   mapping = to_mapping(overlaid(mapping, given), "mapping");
+  if (mapping.wheels) mapping.wheels->unit_assumed = unit_assumed;
   if (mapping.command || mapping.wheels) {
     if (const auto columns = gather(recordings, mapping)) {
-      set_units(*columns, given, mapping, inference.findings);
+      set_units(*columns, given, mapping, inference.findings, inference.doubts);
       add_doubts(*columns, mapping, inference.doubts);
     }
   }

@@ -92,9 +92,12 @@ std::string NameWords::take_unit() {
   for (const std::size_t count : {std::size_t{3}, std::size_t{2}, std::size_t{1}}) {
     if (words_.size() <= count && !(count == 1 && words_.size() == 1 && words_[0] == "rpm")) continue;
     std::string ending;
+    std::string joined;  // "batt_mV" has the words m and v
     for (std::size_t i = words_.size() - count; i < words_.size(); ++i) {
       ending += (ending.empty() ? "" : "_") + words_[i];
+      joined += words_[i];
     }
+    if (count == 2 && joined == "mv") ending = joined;
     // "cmd_v" is a speed; "battery_v" is in volts.
     if (ending == "v" && !has_any({"battery", "bat", "batt", "voltage", "vbat", "supply"})) continue;
     if (ending == "ms" || ending == "us" || ending == "ns" || ending == "s") {
@@ -105,6 +108,11 @@ std::string NameWords::take_unit() {
     if (unit.empty()) continue;
     if (words_.size() > count) words_.resize(words_.size() - count);
     return std::string(unit);
+  }
+  // Anywhere, where it can be nothing else: "target_rpm_left".
+  for (const string_view word :
+       {"rpm", "rps", "dps", "mps", "mmps", "cmps", "radps", "degps", "kmh", "kph", "deg", "degrees"}) {
+    if (has(word)) return std::string(unit_by_spelling(word));
   }
   return {};
 }

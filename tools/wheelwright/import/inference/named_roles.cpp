@@ -5,8 +5,10 @@
 #include <cmath>
 #include <optional>
 
+#include "tools/wheelwright/import/conversion/drive_columns.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/inference/column_names.hpp"
+#include "tools/wheelwright/import/inference/name_words.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {
@@ -92,6 +94,24 @@ class ByNames {
     return std::nullopt;
   }
 
+  // Two columns that differ by 1 and 2 alone: "m1_counts" and "m2_counts".
+  std::optional<NamedPair> numbered_pair(Quantity quantity) {
+    const auto candidates = all(quantity, NamedSide::none);
+    for (const auto& first : candidates) {
+      for (const auto& second : candidates) {
+        std::string expected = first.channel->name;
+        const auto digit = expected.find('1');
+        if (digit == std::string::npos) continue;
+        expected[digit] = '2';
+        if (second.stream != first.stream || second.channel->name != expected) continue;
+        findings_.push_back(first.channel->name + " is taken for the left wheel and " + expected +
+                            " for the right one; nothing says so");
+        return NamedPair{first, second};
+      }
+    }
+    return std::nullopt;
+  }
+
   void find_wheels() {
     struct Kind {
       Quantity quantity;
@@ -105,8 +125,23 @@ class ByNames {
       if (const auto found = sides(quantity)) return take_wheels(kind, found->first, found->second);
     }
     for (const auto& [quantity, kind] : kinds) {
+      if (const auto two = numbered_pair(quantity)) return take_wheels(kind, two->first, two->second);
+    }
+    for (const auto& [quantity, kind] : kinds) {
+      // Of several without a side nobody knows which is which.
+      if (all(quantity, NamedSide::none).size() > 1) continue;
       if (const auto found = single(quantity)) return take_wheels(kind, *found, std::nullopt);
     }
+  }
+
+  static bool are_whole(const std::vector<double>& values) {
+    return std::ranges::all_of(
+        values, [](double value) { return !std::isfinite(value) || value == std::round(value); });
+  }
+
+  static bool is_per_row(const Named& named) {
+    return NameWords(named.channel->name)
+        .has_any({"delta", "diff", "inc", "increment", "increments", "dticks"});
   }
 
   void take_wheels(WheelKind kind, const Named& left, const std::optional<Named>& right) {
@@ -115,10 +150,17 @@ class ByNames {
     wheels.left = left.name();
     if (right) wheels.right = right->name();
     wheels.unit = left.meaning.unit;
-    if (wheels.unit.empty() && kind == WheelKind::angle) wheels.unit = "rad";
-    if (wheels.unit.empty() && kind == WheelKind::distance) wheels.unit = "m";
-    if (wheels.unit.empty() && kind == WheelKind::speed) wheels.unit = "m/s";
-    if (kind == WheelKind::counts) wheels.unit.clear();
+    // Parts of a count are none.
+    if (kind == WheelKind::counts && !are_whole(left.channel->values)) wheels.kind = WheelKind::angle;
+    wheels.per_row = is_per_row(left);
+    if (wheels.kind == WheelKind::counts) wheels.unit.clear();
+    const std::span<const Unit> units = wheels.kind == WheelKind::speed      ? speed_units()
+                                        : wheels.kind == WheelKind::distance ? distance_units()
+                                                                             : angle_units();
+    if (wheels.kind != WheelKind::counts && !find_unit(units, wheels.unit)) {
+      wheels.unit = units.front().name;
+      wheels.unit_assumed = true;
+    }
     mapping_.wheels = wheels;
   }
 
@@ -127,6 +169,10 @@ class ByNames {
       return take_command(CommandKind::wheels, found->first, found->second);
     if (const auto found = sides(Quantity::duty))
       return take_command(CommandKind::duty, found->first, found->second);
+    for (const auto& [quantity, kind] :
+         {std::pair{Quantity::command, CommandKind::wheels}, {Quantity::duty, CommandKind::duty}}) {
+      if (const auto two = numbered_pair(quantity)) return take_command(kind, two->first, two->second);
+    }
     const auto linear = all(Quantity::linear_command, NamedSide::none);
     if (const auto found = pair(linear, all(Quantity::angular_command, NamedSide::none))) {
       return take_command(CommandKind::twist, found->first, found->second);
@@ -285,12 +331,13 @@ class ByNames {
 
   // A column of the stream that holds the wheels, else the commands, else the reference.
   void find_time() {
-    std::string stream;
-    if (mapping_.reference && mapping_.reference->x) stream = mapping_.reference->x->stream;
-    if (mapping_.command) stream = mapping_.command->first.stream;
-    if (mapping_.wheels) stream = mapping_.wheels->left.stream;
+    const Stream* stream = nullptr;
+    if (mapping_.reference && mapping_.reference->x)
+      stream = find_channel(recordings_, *mapping_.reference->x).stream;
+    if (mapping_.command) stream = find_channel(recordings_, mapping_.command->first).stream;
+    if (mapping_.wheels) stream = find_channel(recordings_, mapping_.wheels->left).stream;
     for (const auto& named : named_) {
-      if (named.meaning.quantity != Quantity::time || named.stream->name != stream) continue;
+      if (named.meaning.quantity != Quantity::time || named.stream != stream) continue;
       if (!named.stream->received_s.empty()) return;  // stamps of messages are found by themselves
       mapping_.time.column = ChannelName{"", named.channel->name};
       return;

@@ -8,6 +8,7 @@
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/counts.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
+#include "tools/wheelwright/import/inference/column_names.hpp"
 #include "tools/wheelwright/import/inference/named_roles.hpp"
 #include "tools/wheelwright/import/inference/pose_columns.hpp"
 #include "tools/wheelwright/import/inference/response_fit.hpp"
@@ -283,6 +284,13 @@ class ByNumbers {
     }
   }
 
+  // Whether the names say that the first is the right one.
+  bool are_exchanged(const Channel* first, const Channel* second) const {
+    if (first == nullptr || second == nullptr) return false;
+    const auto side = [this](const Channel& channel) { return meaning_of(stream_, channel).side; };
+    return side(*first) == NamedSide::right || side(*second) == NamedSide::left;
+  }
+
   void take(const Assignment& best) {
     const bool one_wheel = best.wheel[1].channel == nullptr;
     // Counted speeds of two wheels have the same step; forward and turning speed have not.
@@ -295,12 +303,15 @@ class ByNumbers {
                                  " % of the speed, " + fixed_number(best.nats, 0) + " nats)";
     if (!mapping_.command) {
       CommandMapping command;
+      const bool exchanged =
+          best.kind != CommandKind::twist && are_exchanged(best.command[0], best.command[1]);
       command.kind = best.kind;
       if (best.kind == CommandKind::wheels && largest_size(best.command[0]->values) > fastest_m_s)
         command.kind = CommandKind::duty;
       if (is_body) command.kind = CommandKind::twist;
-      command.first = {stream_.name, best.command[0]->name};
-      if (best.command[1] != nullptr) command.second = ChannelName{stream_.name, best.command[1]->name};
+      command.first = {stream_.name, best.command[exchanged ? 1 : 0]->name};
+      if (best.command[1] != nullptr)
+        command.second = ChannelName{stream_.name, best.command[exchanged ? 0 : 1]->name};
       mapping_.command = command;
       const bool is_twist = command.kind == CommandKind::twist;
       findings_.push_back(std::string(is_twist ? "commands are forward and turning speed: "
@@ -315,8 +326,10 @@ class ByNumbers {
       if (!best.wheel[0].cumulative && largest_size(best.wheel[0].channel->values) <= fastest_m_s)
         wheels.unit = "m/s";
       wheels.body_motion = is_body;
-      wheels.left = {stream_.name, best.wheel[0].channel->name};
-      if (!one_wheel) wheels.right = ChannelName{stream_.name, best.wheel[1].channel->name};
+      const bool exchanged = are_exchanged(best.wheel[0].channel, best.wheel[1].channel);
+      wheels.left = {stream_.name, best.wheel[exchanged ? 1 : 0].channel->name};
+      if (!one_wheel) wheels.right = ChannelName{stream_.name, best.wheel[exchanged ? 0 : 1].channel->name};
+      wheels.unit_assumed = !best.wheel[0].cumulative;
       mapping_.wheels = wheels;
       findings_.push_back(std::string(best.wheel[0].cumulative ? "counts" : "speeds") +
                           (one_wheel ? " of one wheel: "
@@ -341,7 +354,7 @@ class ByNumbers {
 
 void map_by_numbers(std::span<const Recording> recordings, const GivenMapping& given, Mapping& mapping,
                     std::vector<std::string>& findings) {
-  if (mapping.command && mapping.wheels) return;
+  if (mapping.command && mapping.wheels && mapping.time.column) return;
   const Stream* stream = longest_table(recordings);
   if (stream == nullptr || stream->rows < fewest_rows) return;
   ByNumbers by_numbers(*stream, mapping, findings);
@@ -354,7 +367,7 @@ void map_by_numbers(std::span<const Recording> recordings, const GivenMapping& g
   TimeMapping time = mapping.time;
   if (!time.column && !time.period_s) time.period_s = 1.0;  // any will do to compare assignments
   const Column t_s = stream_times(*stream, time);
-  if (t_s.empty()) return;
+  if (t_s.empty() || (mapping.command && mapping.wheels)) return;
   by_numbers.find_motion(t_s);
   if (!mapping.reference && mapping.command && mapping.wheels)
     find_pose_columns(*stream, by_numbers.unused(), mapping, findings);

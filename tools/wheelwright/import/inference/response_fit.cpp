@@ -7,7 +7,7 @@
 namespace wheelwright::import {
 namespace {
 
-constexpr Eigen::Index lags = 20;  // rows of the past
+constexpr Eigen::Index lags = 30;  // rows of the past
 constexpr std::size_t fewest_rows = 20;
 constexpr std::size_t most_rows = 20'000;  // enough to decide, and quick
 

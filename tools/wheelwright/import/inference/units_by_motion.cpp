@@ -73,7 +73,7 @@ double full_scale_of(double largest_duty) {
 }
 
 // Measured speed per row from travel or speeds; commands as they were in force before each row.
-void add_run(const DriveColumns& columns, const Mapping& mapping, const RunRows& rows,
+void add_run(const DriveColumns& columns, const Column& times_s, const Mapping& mapping, const RunRows& rows,
              std::array<ResponseRows, 2>& result) {
   const WheelTravel travel = wheel_travel(columns, rows, *mapping.wheels);
   const bool is_speed = mapping.wheels->kind == WheelKind::speed;
@@ -84,7 +84,7 @@ void add_run(const DriveColumns& columns, const Mapping& mapping, const RunRows&
   std::array<double, 2> last{NAN, NAN};
   double last_s = NAN;
   std::vector<double> t_s;
-  for (const std::size_t row : rows) t_s.push_back(columns.t_s[row]);
+  for (const std::size_t row : rows) t_s.push_back(times_s[row]);
   if (!is_speed) {
     if (const auto even = even_stamps(t_s, travel.values[0])) t_s = even->t_s;
   }
@@ -98,7 +98,9 @@ void add_run(const DriveColumns& columns, const Mapping& mapping, const RunRows&
       // Rows that were handled in one go say nothing of a speed.
       const bool is_burst = !is_speed && duration_s < shortest_s;
       for (std::size_t k = 0; k < 2; ++k)
-        speed[k] = is_speed ? value[k] : is_burst ? std::numeric_limits<double>::quiet_NaN() : (value[k] - last[k]) / duration_s;
+        speed[k] = is_speed   ? value[k]
+                   : is_burst ? std::numeric_limits<double>::quiet_NaN()
+                              : (value[k] - last[k]) / duration_s;
       if (as_body) speed = {0.5 * (speed[0] + speed[1]), speed[1] - speed[0]};
       for (std::size_t k = 0; k < 2; ++k) {
         result[k].speed.push_back(speed[k]);
@@ -120,8 +122,8 @@ void add_run(const DriveColumns& columns, const Mapping& mapping, const RunRows&
 class UnitFinder {
  public:
   UnitFinder(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
-             std::vector<std::string>& findings)
-      : columns_(columns), given_(given), mapping_(mapping), findings_(findings) {}
+             std::vector<std::string>& findings, std::vector<std::string>& doubts)
+      : columns_(columns), given_(given), mapping_(mapping), findings_(findings), doubts_(doubts) {}
 
   void run() {
     if (mapping_.command && mapping_.wheels) {
@@ -133,7 +135,11 @@ class UnitFinder {
       explained_ = mapping_.command->kind == CommandKind::twist
                        ? fits_[0].explained
                        : std::max(fits_[0].explained, fits_[1].explained);
-      if (is_sure()) by_gain();
+      if (is_sure()) {
+        by_gain();
+        check_gain();
+        doubt_weak_evidence();
+      }
       suggest_base();
     }
     if (mapping_.reference && mapping_.wheels && mapping_.wheel_base_m) reference_units();
@@ -154,10 +160,11 @@ class UnitFinder {
   bool unit_is_said() const { return given_.says("command.unit"); }
 
   void by_gain() {
-    if (mapping_.wheels->kind == WheelKind::speed && !given_.says("wheels.unit") &&
-        !given_.says("wheels.wheel_radius_m")) {
+    if (mapping_.wheels->kind == WheelKind::speed && !given_.says("wheels.unit")) {
       speed_unit();
     }
+    if (mapping_.wheels->kind == WheelKind::angle || mapping_.wheels->kind == WheelKind::distance)
+      travel_unit();
     const auto scale = wheel_scale(*mapping_.wheels);
     if (!scale) return find_scale();
     const double gain_m_s = std::abs(gain_) * *scale;
@@ -195,7 +202,9 @@ class UnitFinder {
           full_scale_of(std::max(largest(columns_.command[0]), largest(columns_.command[1])));
     }
     if (given_.says("command.full_scale_m_s")) return;
-    command.full_scale_m_s = round_to(gain_m_s * command.full_scale);
+    const double full_m_s = round_to(gain_m_s * command.full_scale);
+    if (full_m_s < 0.001 || full_m_s > 100.0) return;
+    command.full_scale_m_s = full_m_s;
     findings_.push_back("commands are a duty of " + plain_number(command.full_scale) + ", which leads to " +
                         plain_number(*command.full_scale_m_s) + " m/s by the wheels" + evidence());
   }
@@ -209,6 +218,8 @@ class UnitFinder {
     const auto unit = find_unit(speed_units(), command.unit);
     if (!unit || unit->of_wheel) return;
     const double scale = round_to(unit->in_si / std::abs(gain_));
+    if (!(scale > 1e-9) || scale > 1.0) return;  // no wheel has such a count or radius
+    found_scale_ = true;
     if (mapping_.wheels->kind == WheelKind::counts) {
       mapping_.wheels->metres_per_count = scale;
       findings_.push_back("a count is " + plain_number(scale) +
@@ -218,7 +229,9 @@ class UnitFinder {
     } else {
       const auto angle = find_unit(mapping_.wheels->kind == WheelKind::angle ? angle_units() : speed_units(),
                                    mapping_.wheels->unit);
-      mapping_.wheels->wheel_radius_m = round_to(scale / (angle ? angle->in_si : 1.0));
+      const double radius_m = round_to(scale / (angle ? angle->in_si : 1.0));
+      if (radius_m < 0.003 || mapping_.wheels->unit.empty()) return;
+      mapping_.wheels->wheel_radius_m = radius_m;
       findings_.push_back("the wheel radius is " + plain_number(*mapping_.wheels->wheel_radius_m) +
                           " m, so that a wheel reaches the speed that it is asked for; --set "
                           "wheels.wheel_radius_m if you know it" +
@@ -226,16 +239,94 @@ class UnitFinder {
     }
   }
 
-  // Of wheel speeds that the file gives no unit.
+  // Of wheel speeds that the file gives no unit: the one in which wheels come near their commands, else none.
   void speed_unit() {
     WheelMapping& wheels = *mapping_.wheels;
-    if (wheels.unit != "m/s" || mapping_.command->kind == CommandKind::duty || !(gain_ > 0.0)) return;
-    const double gain = gain_ / command_in_si();
+    if (!wheels.unit_assumed || mapping_.command->kind == CommandKind::duty) return;
+    const double gain = std::abs(gain_) / command_in_si();
     if (gain > 1.0 / 3.0 && gain < 3.0) return;
-    if (const auto unit = unit_of_gain(speed_units().first(3), 1.0 / gain, std::nullopt)) {
-      wheels.unit = unit->name;
+    for (const Unit& unit : speed_units()) {
+      if (unit.of_wheel && !wheels.wheel_radius_m) continue;
+      if (!is_near(gain, 1.0 / (unit.in_si * (unit.of_wheel ? *wheels.wheel_radius_m : 1.0)))) continue;
+      wheels.unit = unit.name;
       findings_.push_back("wheel speeds are in " + wheels.unit + evidence());
+      return;
     }
+    wheels.unit.clear();
+  }
+
+  // Of wheel angles or distances that the file gives no unit, with the radius of the wheel.
+  void travel_unit() {
+    WheelMapping& wheels = *mapping_.wheels;
+    if (!wheels.unit_assumed || mapping_.command->kind == CommandKind::duty) return;
+    const double metres = command_in_si() / std::abs(gain_);  // of one unit
+    for (const Unit& unit : angle_units()) {
+      if (!wheels.wheel_radius_m || !is_near(metres, unit.in_si * *wheels.wheel_radius_m)) continue;
+      return take_travel_unit(WheelKind::angle, unit);
+    }
+    for (const Unit& unit : distance_units()) {
+      if (is_near(metres, unit.in_si)) return take_travel_unit(WheelKind::distance, unit);
+    }
+  }
+
+  void take_travel_unit(WheelKind kind, const Unit& unit) {
+    mapping_.wheels->kind = kind;
+    mapping_.wheels->unit = unit.name;
+    mapping_.wheels->unit_assumed = false;
+    findings_.push_back(std::string("the travel of the wheels is ") +
+                        (kind == WheelKind::angle ? "an angle" : "a distance") + " in " +
+                        mapping_.wheels->unit + evidence());
+  }
+
+  // Units and scales that are known leave nothing to find, and may be wrong.
+  void check_gain() {
+    const auto scale = wheel_scale(*mapping_.wheels);
+    if (!scale || mapping_.command->kind == CommandKind::duty || found_scale_) return;
+    const auto unit = find_unit(speed_units(), mapping_.command->unit);
+    if (!unit || (unit->of_wheel && !mapping_.wheels->wheel_radius_m)) return;
+    const double command = unit->in_si * (unit->of_wheel ? *mapping_.wheels->wheel_radius_m : 1.0);
+    const double gain = std::abs(gain_) * *scale / command;
+    if (gain < 0.6 || gain > 1.6) {
+      doubts_.push_back("the wheels go " + plain_number(round_to(gain)) +
+                        " times as far as commanded: check the units of commands and wheels, and the scale");
+    }
+    if (mapping_.command->kind != CommandKind::twist || mapping_.wheels->body_motion ||
+        !mapping_.wheel_base_m)
+      return;
+    const auto angular = find_unit(angular_units(), mapping_.command->angular_unit);
+    const double turn = fits_[1].gain * *scale / *mapping_.wheel_base_m / (angular ? angular->in_si : 1.0);
+    if (fits_[1].explained < sure_explained || (turn > 0.5 && turn < 2.0)) return;
+    if (!given_.says("command.angular_unit") && mapping_.command->angular_unit == "rad/s" &&
+        is_near(turn, pi / 180.0)) {
+      mapping_.command->angular_unit = "deg/s";
+      findings_.push_back("the angular command is in deg/s: the robot turns " + plain_number(round_to(turn)) +
+                          " times as far as in rad/s");
+      return;
+    }
+    doubts_.push_back(
+        turn < 0.0
+            ? std::string("the robot turns against its commands: its angular command is clockwise, or the "
+                          "sides are swapped")
+            : "the robot turns " + plain_number(round_to(turn)) +
+                  " times as far as commanded: check the unit of the angular command and the wheel base");
+  }
+
+  void doubt_weak_evidence() {
+    if (explained_ >= 0.7 || !is_sure()) return;
+    bool falls = false;
+    for (const Column& wheel : columns_.wheel) {
+      for (std::size_t i = 1; i < wheel.size(); ++i) falls = falls || wheel[i] < wheel[i - 1];
+    }
+    bool back = false;
+    for (const Column& command : columns_.command) {
+      for (const double value : command) back = back || value < 0.0;
+    }
+    const bool is_count = mapping_.wheels->kind == WheelKind::counts;
+    doubts_.push_back(
+        "the command explains only " + fixed_number(100.0 * explained_, 0) + " % of the speed" +
+        (is_count && back && !falls
+             ? ": the counts never fall, though commands are negative; they have lost their sign"
+             : ""));
   }
 
   // What turning suggests; the wheel base itself is given.
@@ -256,11 +347,8 @@ class UnitFinder {
     double turn_squares = 0.0;
     double way = 0.0;
     double reference_way = 0.0;
-    const std::function<std::string(std::size_t)> nowhere = [](std::size_t) { return std::string(); };
-    const std::function<bool(std::size_t, std::size_t)> differ = [](std::size_t, std::size_t) {
-      return false;
-    };
-    for (const auto& rows : repair_time(columns_.t_s, nowhere, differ).runs) {
+    const TimeRepair time = repair_runs(columns_);
+    for (const auto& rows : time.runs) {
       const WheelTravel travel = wheel_travel(columns_, rows, *mapping_.wheels);
       std::size_t before = rows.size();
       for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -330,6 +418,8 @@ class UnitFinder {
   const GivenMapping& given_;
   Mapping& mapping_;
   std::vector<std::string>& findings_;
+  std::vector<std::string>& doubts_;
+  bool found_scale_ = false;
   std::array<ResponseFit, 2> fits_;
   double gain_ = 0.0;
   double explained_ = 0.0;
@@ -339,16 +429,14 @@ class UnitFinder {
 
 std::array<ResponseRows, 2> response_rows(const DriveColumns& columns, const Mapping& mapping) {
   std::array<ResponseRows, 2> result;
-  const std::function<std::string(std::size_t)> nowhere = [](std::size_t) { return std::string(); };
-  const std::function<bool(std::size_t, std::size_t)> differ = [](std::size_t, std::size_t) { return false; };
-  for (const auto& rows : repair_time(columns.t_s, nowhere, differ).runs)
-    add_run(columns, mapping, rows, result);
+  const TimeRepair time = repair_runs(columns);
+  for (const auto& rows : time.runs) add_run(columns, time.t_s, mapping, rows, result);
   return result;
 }
 
 void set_units(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
-               std::vector<std::string>& findings) {
-  UnitFinder(columns, given, mapping, findings).run();
+               std::vector<std::string>& findings, std::vector<std::string>& doubts) {
+  UnitFinder(columns, given, mapping, findings, doubts).run();
 }
 
 }  // namespace wheelwright::import

@@ -17,8 +17,9 @@ namespace wheelwright::import {
 // Speed of both wheels and the command of each, of the mapped columns: in units of the channels per second.
 std::array<ResponseRows, 2> response_rows(const DriveColumns& columns, const Mapping& mapping);
 
-// Sets what is not given; adds a line with the evidence to `findings`.
+// Sets what is not given; adds a line with the evidence to `findings`, and to `doubts` where what is known
+// cannot be.
 void set_units(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
-               std::vector<std::string>& findings);
+               std::vector<std::string>& findings, std::vector<std::string>& doubts);
 
 }  // namespace wheelwright::import

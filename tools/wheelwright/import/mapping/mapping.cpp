@@ -60,6 +60,7 @@ void add_wheels(Entries& entries, const WheelMapping& wheels) {
   entries.add(wheels.body_motion ? "wheels.angular" : "wheels.right", wheels.right);
   if (wheels.bits) entries.add("wheels.bits", std::to_string(*wheels.bits));
   if (wheels.kind != WheelKind::counts) entries.add("wheels.unit", wheels.unit);
+  if (wheels.per_row) entries.add("wheels.per_row", "true");
   entries.add("wheels.metres_per_count", wheels.metres_per_count);
   entries.add("wheels.metres_per_count_right", wheels.metres_per_count_right);
   entries.add("wheels.counts_per_turn", wheels.counts_per_turn);

@@ -36,29 +36,31 @@ enum class CommandKind : std::uint8_t { wheels, twist, duty };
 
 struct CommandMapping {
   CommandKind kind = CommandKind::wheels;
-  ChannelName first;                  // left, or linear
-  std::optional<ChannelName> second;  // right, or angular; absent: one command for both wheels
-  std::string unit = "m/s";           // of wheel and linear speeds; see speed_units() in units.hpp
+  ChannelName first{};                  // left, or linear
+  std::optional<ChannelName> second{};  // right, or angular; absent: one command for both wheels
+  std::string unit = "m/s";             // of wheel and linear speeds; see speed_units() in units.hpp
   std::string angular_unit = "rad/s";
-  double full_scale = 1.0;               // duty: the number that stands for all of it
-  std::optional<double> full_scale_m_s;  // duty: the speed that all of it leads to
+  double full_scale = 1.0;                 // duty: the number that stands for all of it
+  std::optional<double> full_scale_m_s{};  // duty: the speed that all of it leads to
 };
 
 enum class WheelKind : std::uint8_t { counts, angle, distance, speed };
 
 struct WheelMapping {
   WheelKind kind = WheelKind::counts;
-  ChannelName left;
-  std::optional<ChannelName> right;  // absent: one wheel
-  std::optional<int> bits;           // width of a counter that wraps
-  std::string unit;                  // of angles, distances, speeds
-  std::optional<double> metres_per_count;
-  std::optional<double> metres_per_count_right;  // where it is not that of the left wheel
-  std::optional<double> counts_per_turn;
-  std::optional<double> wheel_radius_m;
+  ChannelName left{};
+  std::optional<ChannelName> right{};  // absent: one wheel
+  std::optional<int> bits{};           // width of a counter that wraps
+  std::string unit{};                  // of angles, distances, speeds
+  std::optional<double> metres_per_count{};
+  std::optional<double> metres_per_count_right{};  // where it is not that of the left wheel
+  std::optional<double> counts_per_turn{};
+  std::optional<double> wheel_radius_m{};
   bool left_reversed = false;
   bool right_reversed = false;
-  bool body_motion = false;  // the channels are forward and turning speed of the body, not left and right
+  bool per_row = false;       // the channels hold the travel since the row before
+  bool unit_assumed = false;  // the file does not say the unit; the motion may tell another
+  bool body_motion = false;   // the channels are forward and turning speed of the body, not left and right
 };
 
 enum class ReferenceClock : std::uint8_t { same, shifted };

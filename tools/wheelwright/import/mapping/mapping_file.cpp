@@ -99,6 +99,7 @@ std::optional<WheelMapping> read_wheels(YamlReader& from) {
   wheels.right = channel(from, wheels.body_motion ? "angular" : "right");
   if (from.has("bits")) wheels.bits = static_cast<int>(from.integer("bits", {8, 32}));
   wheels.unit = read_wheel_unit(from, wheels.kind);
+  wheels.per_row = from.boolean("per_row", false);
   wheels.metres_per_count = number(from, "metres_per_count", {1e-9, 1, "m"});
   wheels.metres_per_count_right = number(from, "metres_per_count_right", {1e-9, 1, "m"});
   wheels.counts_per_turn = number(from, "counts_per_turn", {1, 1e8});
@@ -194,6 +195,7 @@ constexpr std::string_view known_keys[] = {"time.column",
                                            "wheels.angular",
                                            "wheels.bits",
                                            "wheels.unit",
+                                           "wheels.per_row",
                                            "wheels.metres_per_count",
                                            "wheels.metres_per_count_right",
                                            "wheels.counts_per_turn",
@@ -237,8 +239,11 @@ MappingEntry parse_setting(const std::string& setting) {
   if (equals == std::string::npos || known == std::end(known_keys)) {
     const std::vector<std::string> keys(std::begin(known_keys), std::end(known_keys));
     const std::string nearest = config::nearest_word(key, keys);
-    throw config::ConfigError("--set " + config::excerpt(setting) + ": must be KEY=VALUE, such as " +
-                              (nearest.empty() ? "robot.wheel_base_m" : nearest) + "=...");
+    const std::string such = nearest.empty() ? "robot.wheel_base_m" : nearest;
+    throw config::ConfigError("--set " + config::excerpt(setting) +
+                              (equals == std::string::npos
+                                   ? ": must be KEY=VALUE, such as " + such + "=..."
+                                   : ": there is no such key; did you mean " + such + "?"));
   }
   return {key, setting.substr(equals + 1)};
 }
