@@ -31,12 +31,6 @@ std::string header_text(std::string_view bytes) {
   return std::string(text.substr(0, end == std::string_view::npos ? 0 : end + 1));
 }
 
-// The struct that a variable is a field of; empty at the top.
-std::string struct_of(const std::string& name) {
-  const auto point = name.rfind('.');
-  return point == std::string::npos ? std::string() : name.substr(0, point);
-}
-
 class Sorter {
  public:
   explicit Sorter(Recording& recording) : recording_(recording) {}
@@ -49,7 +43,7 @@ class Sorter {
     const bool is_vector = variable.rows == 1 || variable.columns == 1;
     if (is_vector) {
       const std::size_t length = std::max(variable.rows, variable.columns);
-      stream_for(variable.name, length).channels.push_back({variable.name, {}, std::move(variable.values)});
+      stream_for(length).channels.push_back({variable.name, {}, std::move(variable.values)});
       return;
     }
     take_matrix(variable);
@@ -88,7 +82,7 @@ class Sorter {
                                    " values, too many columns for a log: left out");
       return;
     }
-    Stream& stream = stream_for(matrix.name, length);
+    Stream& stream = stream_for(length);
     for (std::size_t i = 0; i < count; ++i) {
       const std::string number = std::to_string(i + 1);
       Channel channel{matrix.name + (is_upright ? "(:," + number + ")" : "(" + number + ",:)"), {}, {}};
@@ -99,20 +93,19 @@ class Sorter {
     }
   }
 
-  Stream& stream_for(const std::string& variable, std::size_t length) {
-    const std::string within = struct_of(variable);
-    const auto [found, is_new] = numbers_.try_emplace({within, length}, streams_.size());
+  Stream& stream_for(std::size_t length) {
+    const auto [found, is_new] = numbers_.try_emplace(length, streams_.size());
     if (is_new) {
       streams_.emplace_back();
       streams_.back().rows = length;
-      streams_.back().name = (within.empty() ? "" : within + ", ") + std::to_string(length) + " values";
+      streams_.back().name = std::to_string(length) + " values";
     }
     return streams_[found->second];
   }
 
   Recording& recording_;
   std::vector<Stream> streams_;
-  std::map<std::pair<std::string, std::size_t>, std::size_t> numbers_;
+  std::map<std::size_t, std::size_t> numbers_;  // of streams, by length
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // MATLAB files as recordings: level 5 (save -v6, -v7; Octave's -v6 and -v7) and level 4.
 // Specification: MathWorks, "MAT-File Format" (R2024a).
 //
-// Vectors of equal length, at the top or in one struct, make a stream; a matrix of N rows and few columns
+// Vectors of equal length, at the top or in structs, make a stream; a matrix of N rows and few columns
 // gives the channels "name(:,1)", "name(:,2)" ...; fields of structs are "data.left"; scalars and short texts
 // go to the metadata. What is not read (cells, objects such as a timeseries, complex and sparse arrays) is
 // named in a remark with the mend.

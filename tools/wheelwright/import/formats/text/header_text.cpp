@@ -132,7 +132,7 @@ bool join_upper_names(const std::vector<std::string>& upper, std::vector<std::st
   std::string group;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (!upper[i].empty()) group = upper[i];
-    if (twice.contains(names[i]) && !group.empty()) joined[i] = group + "." + names[i];
+    if (!group.empty() && !names[i].empty()) joined[i] = group + "." + names[i];
   }
   names = joined;
   return true;
@@ -146,7 +146,8 @@ std::vector<Column> name_columns(const std::vector<std::string>& header, const s
   const std::set<std::string> twice = repeated(bare);
   std::set<std::string> taken;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
-    Column column{std::to_string(i + 1), {}, kinds[i]};
+    const std::string number = std::to_string(i + 1);
+    Column column{std::ranges::find(bare, number) == bare.end() ? number : "column " + number, {}, kinds[i]};
     if (i < header.size() && !trim(header[i]).empty()) {
       auto [name, unit] = split_unit(header[i]);
       column.name = twice.contains(name) ? std::string(trim(header[i])) : std::move(name);

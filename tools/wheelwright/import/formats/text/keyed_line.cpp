@@ -38,6 +38,15 @@ bool is_assigned(std::string_view rest) {
   return rest.starts_with(':') || rest.starts_with('=');
 }
 
+// "[INFO] " of a ROS log.
+void skip_log_level(std::string_view& line) {
+  for (const std::string_view level : {"[DEBUG]", "[INFO]", "[WARN]", "[ERROR]", "[FATAL]"}) {
+    if (!line.starts_with(level)) continue;
+    line = trim(line.substr(level.size()));
+    return;
+  }
+}
+
 // A blank, then a number.
 bool is_followed_by_number(std::string_view rest) {
   return !rest.empty() && (rest.front() == ' ' || rest.front() == '\t') && begins_number(trim(rest));
@@ -69,6 +78,7 @@ bool KeyedLine::parse(std::string_view line) {
 
 void KeyedLine::take_stamp(std::string_view& line) {
   line = trim(line);
+  skip_log_level(line);
   auto prefix = stamp_prefix(line);
   if (!prefix) {
     const auto blank = std::min(line.find_first_of(" \t;"), line.size());

@@ -34,6 +34,33 @@ std::optional<double> read_plain(std::string_view cell) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
+// Nearly every number of a log: up to 15 digits with a point among them. Both the digits and the power of ten
+// are exact as doubles, so their quotient is rounded once, as from_chars would; only faster.
+std::optional<double> read_short_decimal(std::string_view cell) {
+  constexpr std::size_t max_digits = 15;
+  constexpr std::array<double, max_digits + 1> powers_of_ten{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                             1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+  const bool is_negative = !cell.empty() && cell.front() == '-';
+  if (is_negative) cell.remove_prefix(1);
+  if (cell.size() > max_digits || cell.empty()) return std::nullopt;
+  std::uint64_t digits = 0;
+  std::size_t decimals = 0;
+  bool has_point = false;
+  for (const char character : cell) {
+    if (is_digit(character)) {
+      digits = digits * 10 + static_cast<std::uint64_t>(character - '0');
+      decimals += has_point ? 1U : 0U;
+    } else if (character == '.' && !has_point) {
+      has_point = true;
+    } else {
+      return std::nullopt;
+    }
+  }
+  if (has_point && cell.size() == 1) return std::nullopt;
+  const double value = static_cast<double>(digits) / powers_of_ten[decimals];
+  return is_negative ? -value : value;
+}
+
 std::optional<double> read_hexadecimal(std::string_view cell) {
   std::uint64_t value = 0;
   const auto [end, error] = std::from_chars(cell.data() + 2, cell.data() + cell.size(), value, 16);
@@ -91,6 +118,7 @@ std::optional<double> read_number(std::string_view cell, char decimal) {
   const char first = cell.front();
   if (!is_digit(first) && first != '-' && first != '.' && first != ',') return read_truth(cell);
   if (decimal == '.') {
+    if (const auto number = read_short_decimal(cell)) return number;
     if (const auto number = read_plain(cell)) return number;
   }
   std::array<char, longest_number> buffer;

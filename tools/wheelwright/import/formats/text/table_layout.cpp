@@ -49,6 +49,12 @@ bool is_first_data_row(const Cells& cells, const std::vector<ColumnKind>& kinds,
   return is_data_row(cells, kinds, dialect);
 }
 
+// A line drawn beneath the names: "|---|---|".
+bool is_rule(std::string_view line) {
+  return line.find("--") != std::string_view::npos &&
+         line.find_first_not_of("-+=|: \t,;") == std::string_view::npos;
+}
+
 // The lines above the first row of a table.
 class Head {
  public:
@@ -110,6 +116,7 @@ class Head {
   std::size_t take_header(std::size_t first_row) {
     if (first_row == 0) return 0;
     std::size_t at = first_row - 1;
+    if (at > 0 && is_rule(sample_.head[at].text)) --at;
     layout_.header = header_cells(sample_.head[at]);
     if (layout_.header.empty()) return first_row;
     const std::vector<std::string> above = at > 0 ? header_cells(sample_.head[at - 1]) : layout_.header;
@@ -127,25 +134,30 @@ class Head {
 
   void take_line_above(const Line& line) {
     const bool is_note = is_comment(line.text);
-    const std::string_view text = is_note ? comment_text(line.text) : trim(line.text);
+    const auto stamp = table_.dialect.rows_are_stamped ? stamp_prefix(line.text) : std::nullopt;
+    const std::string_view bare = line.text.substr(stamp ? stamp->length : 0);
+    const std::string_view text = is_note ? comment_text(bare) : trim(bare);
     if (text.empty()) return;
     if (auto pair = key_and_value(text)) {
       layout_.metadata.push_back(*std::move(pair));
-      return;
-    }
-    if (is_note) {
+    } else if (is_note) {
       layout_.metadata.emplace_back("comment", std::string(text));
-      return;
-    }
-    Cells cells;
-    split_row(line.text, table_.dialect, cells);
-    const std::size_t filled = width_of(cells, 2);
-    if (table_.width != 2 && filled == 2 && !cells[0].empty()) {
-      layout_.metadata.emplace_back(std::string(cells[0]), std::string(cells[1]));
-    } else if (++left_out_ <= max_remarks_above) {
+    } else if (!take_pair(bare) && ++left_out_ <= max_remarks_above) {
       layout_.remarks.push_back("line " + std::to_string(line.number) + ": '" + config::excerpt(text) +
                                 "' above the table: left out");
     }
+  }
+
+  // "robot,Rover" above a wider table.
+  bool take_pair(std::string_view line) {
+    Dialect dialect = table_.dialect;
+    dialect.rows_are_stamped = false;
+    Cells cells;
+    split_row(line, dialect, cells);
+    if (dialect.separator == ' ' || table_.width == 2 || width_of(cells, 2) != 2 || cells[0].empty())
+      return false;
+    layout_.metadata.emplace_back(std::string(cells[0]), std::string(cells[1]));
+    return true;
   }
 
   static std::vector<std::string> as_strings(const Cells& cells) {

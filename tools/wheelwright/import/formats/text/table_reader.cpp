@@ -92,7 +92,8 @@ class Reader {
     const std::string last = with_point(cells_[width - 1], dialect_.decimal);
     Cells above;
     split_row(row_above_, dialect_, above);
-    return above.size() >= width &&
+    if (above.size() < width) return false;
+    return (last.empty() && !above[width - 1].empty()) ||
            config::has_lost_figures(last, with_point(above[width - 1], dialect_.decimal));
   }
 

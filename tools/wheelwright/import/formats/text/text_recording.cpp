@@ -70,8 +70,22 @@ std::string in_words(const SniffedTable& table, const TableLayout& layout) {
   return words + (layout.has_units_row ? ", units beneath it" : "");
 }
 
+constexpr std::string_view yaml_refusal =
+    "messages as YAML, as rostopic echo and ros2 topic echo print them; write them with 'rostopic echo -p' "
+    "or 'ros2 "
+    "topic echo --csv', or give the bag";
+
+// Each message ends with a line of its own.
+bool are_yaml_messages(const TextSample& sample) {
+  return std::ranges::count_if(sample.contents, [](std::string_view line) { return trim(line) == "---"; }) >
+         1;
+}
+
 std::string refusal(const TextSample& sample) {
   if (sample.contents.empty()) return "holds comments only; a table of numbers is needed";
+  if (sample.contents.size() == 1) {
+    return "holds one line, '" + config::excerpt(trim(sample.contents.front())) + "', and no rows of numbers";
+  }
   return "no table of numbers, and no lines with a word and its numbers (the first line is '" +
          config::excerpt(trim(sample.contents.front())) + "')";
 }
@@ -96,6 +110,7 @@ class TextReader {
     TableLayout layout;
     if (table.score() >= min_table_score) layout = find_layout(sample, table);
     if (are_keyed(sample, table, layout)) {
+      if (are_yaml_messages(sample)) return fail(std::string(yaml_refusal));
       return finish("text, lines of a key and its numbers",
                     read_keyed_lines(decoded_.text, recording_.remarks));
     }

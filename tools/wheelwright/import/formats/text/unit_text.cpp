@@ -106,7 +106,7 @@ NameAndUnit split_unit(std::string_view name) {
   if (open == std::string_view::npos || open == 0) return {std::string(name), {}};
   const std::string_view unit = trim(name.substr(open + 1, name.size() - open - 2));
   const std::string_view before = trim(name.substr(0, open));
-  if (!is_unit(unit) || before.empty()) return {std::string(name), {}};
+  if (before.empty() || (!is_unit(unit) && !unit.empty())) return {std::string(name), {}};
   return {std::string(before), std::string(unit)};
 }
 

@@ -8,7 +8,8 @@ namespace wheelwright::import {
 
 struct NameAndUnit {
   std::string name;
-  std::string unit;  // empty where the brackets are absent, or hold something else: "v (left)", "pose[0]"
+  std::string
+      unit;  // empty where the brackets are absent, empty, or hold something else: "v (left)", "pose[0]"
 };
 NameAndUnit split_unit(std::string_view name);
 
