@@ -19,7 +19,6 @@ TEST_CASE("Lines with key letters make a stream for each key") {
 TEST_CASE("Names beside their numbers are channels") {
   CHECK(values("L:1 R:2\nL:3 R:4\n", "R") == Values{2.0, 4.0});
   CHECK(values("left=12, right=-13\nleft=14, right=-15\n", "right") == Values{-13.0, -15.0});
-  CHECK(values("L12R13\nL14R15\n", "R") == Values{13.0, 15.0});
   CHECK(values("x1: 0.5 x2: 7\nx1: 0.6 x2: 8\n", "x2") == Values{7.0, 8.0});
 }
 
@@ -41,7 +40,8 @@ TEST_CASE("A time before the key is a channel") {
   CHECK(unit(arrow, "stamp") == "hms");
   const import::Recording number = read_text("0.5 M 1 2\n0.5 B 12.1\n0.6 M 3 4\n0.6 B 12.2\n");
   CHECK(values(stream(number, "M"), "stamp") == Values{0.5, 0.6});
-  const import::Recording ros = read_text("[INFO] [1678.5] [driver]: L:1 R:2\n[INFO] [1678.6] [driver]: L:3 R:4\n");
+  const import::Recording ros =
+      read_text("[INFO] [1678.5] [driver]: L:1 R:2\n[INFO] [1678.6] [driver]: L:3 R:4\n");
   CHECK(values(stream(ros, "driver"), "stamp") == Values{1678.5, 1678.6});
 }
 
@@ -66,8 +66,9 @@ TEST_CASE("Messages as YAML are refused with the mend") {
 }
 
 TEST_CASE("JSON lines give their numbers under flattened names") {
-  const import::Recording recording =
-      read_text("{\"t\":0.5,\"p\":{\"x\":[1,2]},\"s\":\"a\"}\n{\"t\":0.6,\"p\":{\"x\":[3,null]},\"s\":\"b\"}\n{\"t\":0.7,\"p\":\n");
+  const import::Recording recording = read_text(
+      "{\"t\":0.5,\"p\":{\"x\":[1,2]},\"s\":\"a\"}\n{\"t\":0.6,\"p\":{\"x\":[3,null]},\"s\":\"b\"}\n{\"t\":0."
+      "7,\"p\":\n");
   CHECK(names(recording.streams[0]) == Names{"t", "p.x[0]", "p.x[1]"});
   CHECK(values(recording.streams[0], "p.x[0]") == Values{1.0, 3.0});
   CHECK(has_remark(recording, "line 3: no object with numbers"));

@@ -61,9 +61,8 @@ inline std::string unit(const import::Recording& recording, const std::string& c
 }
 
 inline bool has_remark(const import::Recording& recording, const std::string& part) {
-  return std::ranges::any_of(recording.remarks, [&](const std::string& remark) {
-    return remark.find(part) != std::string::npos;
-  });
+  return std::ranges::any_of(
+      recording.remarks, [&](const std::string& remark) { return remark.find(part) != std::string::npos; });
 }
 
 }  // namespace wheelwright::test

@@ -22,7 +22,8 @@ TEST_CASE("Columns without a header row have their numbers for names") {
 
 TEST_CASE("A header row may be a comment") {
   CHECK(names_of("#time;posL\n0:00:00.5;3\n0:00:00.6;4\n") == Names{"time", "posL"});
-  CHECK(names_of("%time,field.x\n1678384520802112048,3\n1678384520852112048,4\n") == Names{"time", "field.x"});
+  CHECK(names_of("%time,field.x\n1678384520802112048,3\n1678384520852112048,4\n") ==
+        Names{"time", "field.x"});
 }
 
 TEST_CASE("Comments and pairs above a table are metadata") {
@@ -37,11 +38,13 @@ TEST_CASE("A comment with a key is no header of a table without one") {
 }
 
 TEST_CASE("Text above a table is left out with a remark") {
-  CHECK(has_remark(read_text("Experiment 5\nt,v\n1,2\n2,3\n"), "line 1: 'Experiment 5' above the table: left out"));
+  CHECK(has_remark(read_text("Experiment 5\nt,v\n1,2\n2,3\n"),
+                   "line 1: 'Experiment 5' above the table: left out"));
 }
 
 TEST_CASE("Units in brackets behind a name are its unit, other brackets stay") {
-  const import::Recording recording = read_text("t [ms],speed (m/s),v (left),pose[0],v_mps\n1,2,3,4,5\n2,3,4,5,6\n");
+  const import::Recording recording =
+      read_text("t [ms],speed (m/s),v (left),pose[0],v_mps\n1,2,3,4,5\n2,3,4,5,6\n");
   CHECK(names(recording.streams[0]) == Names{"t", "speed", "v (left)", "pose[0]", "v_mps"});
   CHECK(unit(recording, "t") == "ms");
   CHECK(unit(recording, "speed") == "m/s");

@@ -39,7 +39,8 @@ TEST_CASE("A table is read whichever sign parts its fields") {
   check_table("t\tv\n0.000\t-0.25\n0.050\t1.5\n0.100\t3e-5\n", "tabulators between fields");
   check_table("t v\n0.000  -0.25\n0.050   1.5\n  0.100 3e-5\n", "blanks between fields");
   check_table("t | v\n0.000 | -0.25\n0.050 | 1.5\n0.100 | 3e-5\n", "'|' between fields");
-  check_table("| t | v |\n|---|---|\n| 0.000 | -0.25 |\n| 0.050 | 1.5 |\n| 0.100 | 3e-5 |\n", "'|' between fields");
+  check_table("| t | v |\n|---|---|\n| 0.000 | -0.25 |\n| 0.050 | 1.5 |\n| 0.100 | 3e-5 |\n",
+              "'|' between fields");
 }
 
 TEST_CASE("A decimal comma is found beside every separator but the comma") {
@@ -49,7 +50,8 @@ TEST_CASE("A decimal comma is found beside every separator but the comma") {
 }
 
 TEST_CASE("A line sep= names the separator, as Excel has it") {
-  check_table("sep=;\r\nt;v\r\n0,000;-0,25\r\n0,050;1,5\r\n0,100;3e-5\r\n", "';' between fields, decimal comma");
+  check_table("sep=;\r\nt;v\r\n0,000;-0,25\r\n0,050;1,5\r\n0,100;3e-5\r\n",
+              "';' between fields, decimal comma");
 }
 
 TEST_CASE("Lines end at LF, CR and CR LF") {
@@ -67,8 +69,12 @@ TEST_CASE("UTF-8 and UTF-16 are read with and without a byte order mark") {
 }
 
 TEST_CASE("Names in Latin-1 become UTF-8") {
-  const import::Recording recording = read_text("Zeit;Gr\xf6\xdf" "e [\xb0]\n0;1\n1;2\n");
-  CHECK(recording.streams[0].channels[1].name == "Gr\xc3\xb6\xc3\x9f" "e");
+  const import::Recording recording = read_text(
+      "Zeit;Gr\xf6\xdf"
+      "e [\xb0]\n0;1\n1;2\n");
+  CHECK(recording.streams[0].channels[1].name ==
+        "Gr\xc3\xb6\xc3\x9f"
+        "e");
   CHECK(recording.streams[0].channels[1].unit == "\xc2\xb0");
   CHECK_THAT(recording.format, ContainsSubstring("Latin-1"));
 }
@@ -106,14 +112,16 @@ TEST_CASE("Rows such as 1,05 under one name are numbers with a decimal comma") {
 }
 
 TEST_CASE("A comma that parts fields and decimals is refused with the mend") {
-  CHECK_THAT(refusal_of("t,v\n0,05,1,20\n0,10,1,25\n0,15,1,30\n"), ContainsSubstring("write ';' between the fields"));
+  CHECK_THAT(refusal_of("t,v\n0,05,1,20\n0,10,1,25\n0,15,1,30\n"),
+             ContainsSubstring("write ';' between the fields"));
 }
 
 TEST_CASE("Blanks and tabulators in turn part the columns of MRCLAM files") {
   const import::Recording recording = read_text(
       "# MRCLAM\n# Time [s]    forward velocity [m/s]    angular velocity[rad/s]\n"
       "1248444187.156 \t  0.086 \t -0.398\n1248444187.186 \t  0.086 \t -0.398\n");
-  CHECK(names(recording.streams[0]) == std::vector<std::string>{"Time", "forward velocity", "angular velocity"});
+  CHECK(names(recording.streams[0]) ==
+        std::vector<std::string>{"Time", "forward velocity", "angular velocity"});
   CHECK(unit(recording, "angular velocity") == "rad/s");
   CHECK(recording.metadata.front().second == "MRCLAM");
 }
@@ -122,7 +130,8 @@ TEST_CASE("TUM and EuRoC references are tables") {
   const import::Recording tum = read_text(
       "# timestamp tx ty tz qx qy qz qw\n1305031102.1758 1.3 0.6 1.6 0.6 0.6 -0.3 -0.3\n"
       "1305031102.2758 1.4 0.6 1.6 0.6 0.6 -0.3 -0.3\n");
-  CHECK(names(tum.streams[0]) == std::vector<std::string>{"timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"});
+  CHECK(names(tum.streams[0]) ==
+        std::vector<std::string>{"timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"});
   const import::Recording euroc = read_text(
       "#timestamp [ns], p_RS_R_x [m], q_RS_w []\n1403636580838555648,4.6,0.5\n1403636580843555648,4.7,0.5\n");
   CHECK(names(euroc.streams[0]) == std::vector<std::string>{"timestamp", "p_RS_R_x", "q_RS_w"});

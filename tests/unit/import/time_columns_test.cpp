@@ -42,7 +42,8 @@ TEST_CASE("Dates are read in the ways that people write them") {
 }
 
 TEST_CASE("What is no time is not read as one") {
-  for (const char* text : {"1.5", "12:61:00", "25", "2024-13-05", "2024-02-30", "1:2:3:4", "12:00:00x", "-1:00:00"})
+  for (const char* text :
+       {"1.5", "12:61:00", "25", "2024-13-05", "2024-02-30", "1:2:3:4", "12:00:00x", "-1:00:00"})
     CHECK_FALSE(import::read_time(text, DateOrder::day_first));
 }
 
@@ -56,7 +57,8 @@ TEST_CASE("Columns of times have seconds, and say of which kind") {
 }
 
 TEST_CASE("A date and its time in two columns are one channel") {
-  const import::Recording recording = read_text("Date,Time,v\n05/03/2024,12:00:00,1\n05/03/2024,12:00:01,2\n25/03/2024,12:00:02,2\n");
+  const import::Recording recording =
+      read_text("Date,Time,v\n05/03/2024,12:00:00,1\n05/03/2024,12:00:01,2\n25/03/2024,12:00:02,2\n");
   CHECK(values(recording.streams[0], "Date Time")[1] == noon + 1.0);
   CHECK(unit(recording, "Date Time") == "iso");
   CHECK(names(recording.streams[0]) == std::vector<std::string>{"Date Time", "v"});
@@ -69,8 +71,10 @@ TEST_CASE("The order of day and month is taken from a number above 12") {
 }
 
 TEST_CASE("The stamp of a serial monitor before each row is a channel") {
-  const import::Recording recording = read_text("12:00:00.100 -> boot\n12:00:00.200 -> t,l\n12:00:00.300 -> 10,5\n12:00:00.400 -> 20,6\n12:00:00.500 -> 30,7\n");
-  CHECK(names(recording.streams[0]) == std::vector<std::string>{"stamp", "t", "l"});
+  const import::Recording recording = read_text(
+      "12:00:00.100 -> boot\n12:00:00.200 -> t,l,r\n12:00:00.300 -> 10,5,1\n12:00:00.400 -> "
+      "20,6,2\n12:00:00.500 -> 30,7,3\n");
+  CHECK(names(recording.streams[0]) == std::vector<std::string>{"stamp", "t", "l", "r"});
   CHECK(values(recording.streams[0], "stamp")[0] == Approx(43200.3));
   CHECK(values(recording.streams[0], "l") == Values{5.0, 6.0, 7.0});
 }

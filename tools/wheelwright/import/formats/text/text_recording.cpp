@@ -109,12 +109,15 @@ class TextReader {
     SniffedTable table = sniff_table(sample, separator);
     TableLayout layout;
     if (table.score() >= min_table_score) layout = find_layout(sample, table);
+    const bool is_weak = table.score() < min_table_score;
+    if ((is_weak || are_keyed(sample, table, layout)) && are_yaml_messages(sample)) {
+      return fail(std::string(yaml_refusal));
+    }
     if (are_keyed(sample, table, layout)) {
-      if (are_yaml_messages(sample)) return fail(std::string(yaml_refusal));
       return finish("text, lines of a key and its numbers",
                     read_keyed_lines(decoded_.text, recording_.remarks));
     }
-    if (table.score() < min_table_score) return fail(refusal(sample));
+    if (is_weak) return fail(refusal(sample));
     const CommaVerdict comma = judge_comma(sample, table.dialect, layout.header);
     if (comma.meaning == CommaMeaning::both) return fail(comma.text);
     if (comma.meaning == CommaMeaning::decimal) {
