@@ -87,6 +87,8 @@ int run(const Options& options) {
     std::cout << terminal.path() << std::endl;  // whoever started us waits for this line
   } else {
     link = std::make_unique<simulation::TerminalLink>(options.link, terminal.path());
+    std::cout << "the robot answers on " << config::printable(options.link) << " (" << terminal.path()
+              << "); Ctrl-C ends it" << std::endl;
   }
   take_precedence();
   simulation::serve_until_signal(robot, terminal, truth);

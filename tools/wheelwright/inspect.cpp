@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -52,8 +53,8 @@ std::optional<Steps> steps_of(const import::Stream& stream, const import::TimeMa
 }
 
 struct ChannelSummary {
-  double lowest = INFINITY;
-  double highest = -INFINITY;
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -std::numeric_limits<double>::infinity();
   std::size_t missing = 0;
   bool whole = true;
 };

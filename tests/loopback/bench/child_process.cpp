@@ -48,6 +48,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::f
   pid_ = ::fork();
   if (pid_ == 0) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // nothing of a test outlives it
+    ::setsid();                          // away from the terminal, if any, that the tests run in
     schedule_calling_thread(scheduling);
     ::dup2(out, STDOUT_FILENO);
     ::dup2(err, STDERR_FILENO);

@@ -227,7 +227,7 @@ TEST_CASE("A wheel that counts backwards and sides that are swapped are said, an
   CHECK_THAT(outcome.understood.inference.doubts.front(), ContainsSubstring("sides are swapped"));
 }
 
-TEST_CASE("A clock that is set in mid-log cuts the run there, and the rest is used") {
+TEST_CASE("A clock that is set in mid-drive leaves a hole, and the rest is used") {
   auto drive = foreign_drive();
   for (std::size_t k = 600; k < drive.rows.size(); ++k) drive.rows[k].t_s += 1.7e9;
   const auto text =
@@ -237,9 +237,11 @@ TEST_CASE("A clock that is set in mid-log cuts the run there, and the rest is us
       });
   const auto outcome = import_text(text, {base, "wheels.metres_per_count=0.0005", "time.unit=s"});
   REQUIRE(outcome.conversion);
-  REQUIRE(outcome.conversion->runs.size() == 2);
-  CHECK(outcome.conversion->runs.back().samples.size() == 600);
-  CHECK(outcome.conversion->runs.back().samples.front().t_s == 0.0);
+  REQUIRE(outcome.conversion->runs.size() == 1);
+  const auto& samples = outcome.conversion->runs.front().samples;
+  REQUIRE(samples.size() == 1200);
+  CHECK_THAT(samples[600].t_s - samples[599].t_s, WithinAbs(10.0, 1e-5));
+  CHECK_THAT(samples.back().t_s - samples[600].t_s, WithinAbs(599 * 0.05, 1e-5));
 }
 
 TEST_CASE("A file without commands says what is missing, with the option") {

@@ -16,10 +16,10 @@ std::vector<double> clock(int rows, double start_s = 0.0) {
   return t_s;
 }
 
-TimeRepair repair(const std::vector<double>& t_s, bool alike = true) {
+TimeRepair repair(const std::vector<double>& t_s, bool alike = true, bool at_rest = true) {
   return repair_time(
-      t_s, [](std::size_t row) { return "line " + std::to_string(row + 1); },
-      [alike](std::size_t, std::size_t) { return alike; });
+      t_s, {[](std::size_t row) { return "line " + std::to_string(row + 1); },
+            [alike](std::size_t, std::size_t) { return alike; }, [at_rest](std::size_t) { return at_rest; }});
 }
 
 std::vector<double> times(const std::vector<double>& t_s, const RunRows& rows) {
@@ -58,6 +58,26 @@ TEST_CASE("Where the clock jumps ahead by hours or decades a new run begins") {
     REQUIRE(repaired.runs.size() == 2);
     CHECK_THAT(repaired.remarks.front(), ContainsSubstring("line 101: no rows for"));
   }
+}
+
+TEST_CASE("A robot that drives goes on behind a hole of ten seconds, whatever the clock says") {
+  for (const double by_s : {-3.0, 3600.0, 1.7e9}) {
+    INFO("by " << by_s << " s");
+    auto t_s = clock(100, 100.0);
+    for (const double t : clock(100, 105.0 + by_s)) t_s.push_back(t);
+    const auto repaired = repair(t_s, true, false);
+    REQUIRE(repaired.runs.size() == 1);
+    CHECK(repaired.runs.front().size() == 200);
+    CHECK_THAT(repaired.t_s[100] - repaired.t_s[99], WithinAbs(10.0, 1e-6));
+    CHECK_THAT(repaired.t_s[199] - repaired.t_s[100], WithinAbs(99 * 0.05, 1e-6));
+    CHECK_THAT(repaired.remarks.front(), ContainsSubstring("line 101: "));
+  }
+}
+
+TEST_CASE("A clock that starts again from zero is a new run, also of a robot that drives") {
+  auto t_s = clock(100);
+  for (const double t : clock(100)) t_s.push_back(t);
+  CHECK(repair(t_s, true, false).runs.size() == 2);
 }
 
 TEST_CASE("A hole of some seconds stays in its run") {

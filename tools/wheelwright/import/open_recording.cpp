@@ -62,12 +62,6 @@ std::string why_unread(std::string_view head) {
   return "is a binary file of a format that no reader knows; CSV, ROS bags, MATLAB files and WPILOG are read";
 }
 
-ReadResult read_folder(const path& folder) {
-  if (std::filesystem::exists(folder / "metadata.yaml")) return read_bag_folder(folder);
-  return Failure(folder.string() +
-                 ": is a folder without metadata.yaml, so no ROS 2 bag; name the file to read");
-}
-
 // Text knows itself by what it has not: what else is known comes before it.
 const Format* find_format(std::string_view head) {
   if (head.empty()) return nullptr;
@@ -100,7 +94,7 @@ ReadResult open_checked(const path& file) {
 ReadResult open_recording(const path& path) {
   try {
     std::error_code error;
-    if (std::filesystem::is_directory(path, error)) return read_folder(path);
+    if (std::filesystem::is_directory(path, error)) return read_bag_folder(path);
     return open_checked(path);
   } catch (const std::bad_alloc&) {
     return Failure(path.string() + ": is too large for the free memory of this machine; split the file");

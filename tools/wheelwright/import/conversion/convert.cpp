@@ -16,7 +16,6 @@ namespace wheelwright::import {
 namespace {
 
 using config::fixed_number;
-using config::plain_number;
 
 // Of distances that were no counts: fine enough to add no noise to what an encoder shows.
 constexpr double fine_count_m = 1e-6;
@@ -42,6 +41,19 @@ bool are_alike(const DriveColumns& columns, std::size_t a, std::size_t b) {
     const double first = (*column)[a];
     const double second = (*column)[b];
     return first == second || (std::isnan(first) && std::isnan(second));
+  });
+}
+
+// By the command; by the counts beside it where there is none.
+bool is_at_rest(const DriveColumns& columns, std::size_t row) {
+  if (!columns.command[0].empty()) {
+    return std::ranges::all_of(columns.command, [row](const Column& command) {
+      return command.empty() || std::isnan(command[row]) || command[row] == 0.0;
+    });
+  }
+  const std::size_t other = row > 0 ? row - 1 : row + 1;
+  return std::ranges::all_of(columns.wheel, [&](const Column& wheel) {
+    return wheel.empty() || other >= wheel.size() || wheel[row] == wheel[other];
   });
 }
 
@@ -326,13 +338,12 @@ TimeRepair repair_runs(const DriveColumns& columns) {
   starts.push_back(t_s.size());
   for (std::size_t run = 0; run + 1 < starts.size(); ++run) {
     const std::size_t begin = starts[run];
-    const std::function<std::string(std::size_t)> place = [&](std::size_t row) {
-      return columns.place(begin + row);
-    };
-    const std::function<bool(std::size_t, std::size_t)> same = [&](std::size_t a, std::size_t b) {
-      return are_alike(columns, begin + a, begin + b);
-    };
-    TimeRepair part = repair_time(std::span(t_s).subspan(begin, starts[run + 1] - begin), place, same);
+    const RowQuestions ask{
+        [&](std::size_t row) { return columns.place(begin + row); },
+        [&](std::size_t a, std::size_t b) { return are_alike(columns, begin + a, begin + b); },
+        [&](std::size_t row) { return is_at_rest(columns, begin + row); }};
+    TimeRepair part = repair_time(std::span(t_s).subspan(begin, starts[run + 1] - begin), ask);
+    std::ranges::copy(part.t_s, t_s.begin() + static_cast<std::ptrdiff_t>(begin));
     for (auto& rows : part.runs) {
       for (auto& row : rows) row += begin;
       all.runs.push_back(std::move(rows));
@@ -379,8 +390,8 @@ void accumulate(Column& values) {
 void unwrap_wheel(Column& angles, const std::string& which, const WheelMapping& wheels,
                   const std::string& place, std::vector<std::string>& remarks) {
   const double turn = 2.0 * std::numbers::pi / in_si(angle_units(), wheels.unit);
-  double lowest = INFINITY;
-  double highest = -INFINITY;
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -std::numeric_limits<double>::infinity();
   for (const double angle : angles) {
     if (!std::isfinite(angle)) continue;
     lowest = std::min(lowest, angle);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace wheelwright::import {
 namespace {
@@ -35,8 +36,8 @@ Steps steps_at(std::span<const double> counts, double modulus) {
 }  // namespace
 
 std::optional<int> wrapped_bits(std::span<const double> counts) {
-  double lowest = INFINITY;
-  double highest = -INFINITY;
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -std::numeric_limits<double>::infinity();
   for (const double count : counts) {
     if (!std::isfinite(count)) continue;
     if (count != std::round(count)) return std::nullopt;
@@ -59,7 +60,7 @@ std::optional<int> wrapped_bits(std::span<const double> counts) {
 std::size_t unwrap(std::span<double> counts, int bits) {
   const double modulus = std::ldexp(1.0, bits);
   double offset = 0.0;
-  double last = NAN;
+  double last = std::numeric_limits<double>::quiet_NaN();
   std::size_t wraps = 0;
   for (double& count : counts) {
     if (!std::isfinite(count)) continue;
@@ -79,7 +80,7 @@ bool is_log_on_change(std::span<const double> values) {
   std::size_t shortest = values.size();
   std::size_t longest = 0;
   std::size_t blanks = 0;
-  double last = NAN;
+  double last = std::numeric_limits<double>::quiet_NaN();
   for (const double value : values) {
     if (!std::isfinite(value)) {
       ++blanks;
@@ -98,7 +99,7 @@ bool is_log_on_change(std::span<const double> values) {
 }
 
 void fill_down(std::span<double> values) {
-  double last = NAN;
+  double last = std::numeric_limits<double>::quiet_NaN();
   for (double& value : values) {
     if (std::isfinite(value)) {
       last = value;

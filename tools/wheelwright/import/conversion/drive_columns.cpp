@@ -56,7 +56,10 @@ class Gathering {
     if (mapping_.gyro) add(mapping_.gyro->column, columns_.gyro);
     if (mapping_.battery) add(mapping_.battery->column, columns_.battery, Joining::held);
     if (!problem_.empty()) return tl::unexpected(problem_);
-    if (sources_.empty()) return tl::unexpected(name() + ": nothing in it is mapped to a robot");
+    if (sources_.empty())
+      return tl::unexpected(name() +
+                            ": no columns were found that hold commands and what the wheels did; say which "
+                            "they are: --set command.left=COLUMN and wheels.left=COLUMN");
     if (!merge()) return tl::unexpected(problem_);
     return std::move(columns_);
   }

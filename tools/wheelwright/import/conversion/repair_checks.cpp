@@ -79,7 +79,7 @@ std::optional<std::string> find_repair(const DriveLog& run) {
 std::optional<std::string> find_repair(std::span<const DriveLog> runs) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (i > 0 && goes_on(runs[i - 1], runs[i])) return "rows out of order";
-    if (const auto repair = find_repair(runs[i])) return repair;
+    if (auto repair = find_repair(runs[i])) return repair;
   }
   return std::nullopt;
 }

@@ -140,7 +140,7 @@ TimeUnit time_unit(const std::vector<double>& times, std::optional<double> perio
   constexpr std::array units{std::pair{TimeUnit::s, 1.0}, std::pair{TimeUnit::ms, 1e-3},
                              std::pair{TimeUnit::us, 1e-6}, std::pair{TimeUnit::ns, 1e-9}};
   TimeUnit best = TimeUnit::s;
-  double lowest = INFINITY;
+  double lowest = std::numeric_limits<double>::infinity();
   for (const auto& [unit, seconds] : units) {
     double apart = std::abs(std::log(step * seconds / period_s.value_or(usual_period_s)));
     // Parts of a unit are written of seconds.

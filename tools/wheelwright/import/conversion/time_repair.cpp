@@ -13,6 +13,8 @@ using config::plain_number;
 
 constexpr double longest_pause_s = 60.0;
 constexpr double longest_pause_steps = 50.0;
+constexpr double hole_s = 10.0;
+constexpr double restart_below_s = 1.0;
 constexpr std::size_t most_out_of_order = 5;  // rows by which one may be late
 constexpr std::size_t most_remarks = 5;       // of a kind, with their places
 
@@ -47,17 +49,15 @@ class Kind {
 
 class Repair {
  public:
-  Repair(std::span<const double> t_s, const std::function<std::string(std::size_t)>& place,
-         const std::function<bool(std::size_t, std::size_t)>& same)
-      : t_s_(t_s), place_(place), same_(same) {
-    const double step_s = median_step(t_s);
-    pause_s_ = std::max(longest_pause_s, longest_pause_steps * step_s);
+  Repair(std::span<const double> t_s, const RowQuestions& ask) : stamps_s_(t_s), ask_(ask) {
+    pause_s_ = std::max(longest_pause_s, longest_pause_steps * median_step(t_s));
+    result_.t_s.assign(t_s.begin(), t_s.end());
   }
 
   TimeRepair run() {
-    for (std::size_t row = 0; row < t_s_.size(); ++row) {
-      if (!std::isfinite(t_s_[row])) {
-        untimed_.add(place_(row));
+    for (std::size_t row = 0; row < stamps_s_.size(); ++row) {
+      if (!std::isfinite(stamps_s_[row])) {
+        untimed_.add(ask_.place(row));
         continue;
       }
       add(row);
@@ -72,58 +72,72 @@ class Repair {
   }
 
  private:
+  // On the clock of the run.
+  double time_s(std::size_t row) const { return stamps_s_[row] + offset_s_; }
+
   void add(std::size_t row) {
+    result_.t_s[row] = time_s(row);
     if (rows_.empty()) {
       rows_.push_back(row);
       return;
     }
-    const double last_s = t_s_[rows_.back()];
-    const double step_s = t_s_[row] - last_s;
+    const double last_s = result_.t_s[rows_.back()];
+    const double step_s = time_s(row) - last_s;
     if (step_s > 0.0 && step_s <= pause_s_) {
       rows_.push_back(row);
     } else if (step_s == 0.0) {
       add_same_stamp(row);
     } else if (step_s < 0.0 && is_late(row, last_s)) {
-      late_.add(place_(row));
-      rows_.insert(std::ranges::upper_bound(rows_, t_s_[row], {}, [this](std::size_t r) { return t_s_[r]; }),
-                   row);
+      late_.add(ask_.place(row));
+      rows_.insert(first_after(time_s(row)), row);
     } else {
-      begin_run(row, step_s);
+      add_behind_break(row, step_s);
     }
   }
 
   void add_same_stamp(std::size_t row) {
-    const std::size_t before = rows_.back();
-    (same_(before, row) ? twice_ : replaced_).add(place_(row));
+    (ask_.are_alike(rows_.back(), row) ? twice_ : replaced_).add(ask_.place(row));
     rows_.back() = row;
   }
 
+  RunRows::iterator first_after(double t_s) {
+    return std::ranges::upper_bound(rows_, t_s, {}, [this](std::size_t r) { return result_.t_s[r]; });
+  }
+
   // The rows behind it go on where those before it ended.
-  bool is_late(std::size_t row, double last_s) const {
-    if (t_s_[row] < t_s_[rows_.front()]) return false;
-    for (std::size_t next = row + 1; next < t_s_.size() && next <= row + most_out_of_order; ++next) {
-      if (t_s_[next] > last_s)
-        return t_s_[next] - last_s <= pause_s_ && next - row <= most_out_of_order && is_few(row, last_s);
+  bool is_late(std::size_t row, double last_s) {
+    if (time_s(row) < result_.t_s[rows_.front()]) return false;
+    for (std::size_t next = row + 1; next < stamps_s_.size() && next <= row + most_out_of_order; ++next) {
+      if (time_s(next) > last_s) return time_s(next) - last_s <= pause_s_ && is_few(row, last_s);
     }
     return false;
   }
 
   // A clock that was set back goes through as many rows again as it was set back by.
-  bool is_few(std::size_t row, double last_s) const {
-    const auto first_above =
-        std::ranges::upper_bound(rows_, t_s_[row], {}, [this](std::size_t r) { return t_s_[r]; });
-    const auto repeated = static_cast<std::size_t>(rows_.end() - first_above);
+  bool is_few(std::size_t row, double last_s) {
+    const auto repeated = static_cast<std::size_t>(rows_.end() - first_after(time_s(row)));
     std::size_t behind = 0;
-    for (std::size_t next = row; next < t_s_.size() && t_s_[next] <= last_s; ++next) ++behind;
+    for (std::size_t next = row; next < stamps_s_.size() && time_s(next) <= last_s; ++next) ++behind;
     return repeated <= most_out_of_order && (behind == 1 || behind < repeated);
   }
 
-  void begin_run(std::size_t row, double step_s) {
-    finish_run();
-    rows_.push_back(row);
+  void add_behind_break(std::size_t row, double step_s) {
     const std::string by = step_s < 0.0 ? "the clock goes back by " + text(-step_s)
                                         : "no rows for " + text(step_s) + " by the clock";
-    result_.remarks.push_back(place_(row) + ": " + by + "; a new run begins");
+    const bool starts_again = step_s < 0.0 && stamps_s_[row] < restart_below_s;
+    if (starts_again || (ask_.is_at_rest(rows_.back()) && ask_.is_at_rest(row))) {
+      finish_run();
+      offset_s_ = 0.0;
+      result_.t_s[row] = stamps_s_[row];
+      result_.remarks.push_back(ask_.place(row) + ": " + by + "; a new run begins");
+    } else {
+      offset_s_ = result_.t_s[rows_.back()] + hole_s - stamps_s_[row];
+      result_.t_s[row] = time_s(row);
+      result_.remarks.push_back(ask_.place(row) + ": " + by +
+                                " while the robot drives; taken for a hole of " + fixed_number(hole_s, 0) +
+                                " s");
+    }
+    rows_.push_back(row);
   }
 
   static std::string text(double duration_s) {
@@ -132,14 +146,14 @@ class Repair {
   }
 
   void finish_run() {
-    if (rows_.size() == 1) short_.add(place_(rows_.front()));
+    if (rows_.size() == 1) short_.add(ask_.place(rows_.front()));
     if (rows_.size() > 1) result_.runs.push_back(std::move(rows_));
     rows_.clear();
   }
 
-  std::span<const double> t_s_;
-  const std::function<std::string(std::size_t)>& place_;
-  const std::function<bool(std::size_t, std::size_t)>& same_;
+  std::span<const double> stamps_s_;
+  const RowQuestions& ask_;
+  double offset_s_ = 0.0;  // of the run's clock beyond that of the file
   double pause_s_ = 0.0;
   RunRows rows_;
   TimeRepair result_;
@@ -169,9 +183,8 @@ std::size_t spread_coarse_stamps(std::vector<double>& t_s) {
   return repeated;
 }
 
-TimeRepair repair_time(std::span<const double> t_s, const std::function<std::string(std::size_t)>& place,
-                       const std::function<bool(std::size_t, std::size_t)>& same) {
-  return Repair(t_s, place, same).run();
+TimeRepair repair_time(std::span<const double> t_s, const RowQuestions& rows) {
+  return Repair(t_s, rows).run();
 }
 
 }  // namespace wheelwright::import

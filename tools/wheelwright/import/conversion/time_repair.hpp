@@ -17,7 +17,7 @@ using RunRows = std::vector<std::size_t>;
 struct TimeRepair {
   std::vector<RunRows> runs;
   std::vector<std::string> remarks;  // one line each, with the place
-  std::vector<double> t_s;           // of all rows, where stamps were spread
+  std::vector<double> t_s;           // of all rows
 };
 
 // Rows of a clock that is coarser than they are (a third of them and more have the stamp of the row before)
@@ -25,8 +25,13 @@ struct TimeRepair {
 // was done.
 std::size_t spread_coarse_stamps(std::vector<double>& t_s);
 
-// `place` names a row for a remark; `same` says whether two rows are alike but for the time.
-TimeRepair repair_time(std::span<const double> t_s, const std::function<std::string(std::size_t)>& place,
-                       const std::function<bool(std::size_t, std::size_t)>& same);
+// What is asked about rows.
+struct RowQuestions {
+  std::function<std::string(std::size_t)> place;            // its name, for a remark
+  std::function<bool(std::size_t, std::size_t)> are_alike;  // but for the time
+  std::function<bool(std::size_t)> is_at_rest;              // whether the robot is asked to stand
+};
+
+TimeRepair repair_time(std::span<const double> t_s, const RowQuestions& rows);
 
 }  // namespace wheelwright::import

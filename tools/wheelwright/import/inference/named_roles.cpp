@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
@@ -241,8 +242,8 @@ class ByNames {
   // Frames that are bolted to each other do not.
   static bool moves(const Channel& channel) {
     constexpr double least_m = 0.01;
-    double lowest = INFINITY;
-    double highest = -INFINITY;
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = -std::numeric_limits<double>::infinity();
     for (const double value : channel.values) {
       if (!std::isfinite(value)) continue;
       lowest = std::min(lowest, value);
@@ -385,7 +386,7 @@ bool is_held(const std::vector<double>& values) {
   constexpr double most_changes = 0.3;  // of the rows
   std::size_t changes = 0;
   std::size_t count = 0;
-  double last = NAN;
+  double last = std::numeric_limits<double>::quiet_NaN();
   for (const double value : values) {
     if (!std::isfinite(value)) continue;
     if (count > 0 && value != last) ++changes;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "config/load/text_format.hpp"
@@ -64,9 +65,9 @@ bool looks_counted(const std::vector<double>& values) {
   constexpr double least_range = 10.0;
   std::size_t changes = 0;
   std::size_t by_one = 0;
-  double lowest = INFINITY;
-  double highest = -INFINITY;
-  double last = NAN;
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -std::numeric_limits<double>::infinity();
+  double last = std::numeric_limits<double>::quiet_NaN();
   for (const double value : values) {
     if (!std::isfinite(value)) continue;
     if (std::isfinite(last) && value != last) {
@@ -87,7 +88,7 @@ double quantum(const std::vector<double>& values) {
     if (std::isfinite(value)) sorted.push_back(value);
   }
   std::ranges::sort(sorted);
-  double smallest = INFINITY;
+  double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < sorted.size(); ++i) {
     const double step = sorted[i] - sorted[i - 1];
     if (step > 1e-6 * std::abs(sorted.back() - sorted.front())) smallest = std::min(smallest, step);
@@ -185,7 +186,7 @@ class ByNumbers {
     std::vector<double> values = candidate.channel->values;
     if (!candidate.cumulative) return values;
     if (const auto bits = wrapped_bits(values)) unwrap(values, *bits);
-    std::vector<double> speed(values.size(), NAN);
+    std::vector<double> speed(values.size(), std::numeric_limits<double>::quiet_NaN());
     for (std::size_t i = 1; i < values.size(); ++i)
       speed[i] = (values[i] - values[i - 1]) / (t_s_[i] - t_s_[i - 1]);
     return speed;
@@ -195,8 +196,8 @@ class ByNumbers {
     ResponseRows rows;
     const std::size_t count = std::min(speed.size(), most_rows);
     rows.speed.assign(speed.begin(), speed.begin() + static_cast<std::ptrdiff_t>(count));
-    rows.command.assign(count, NAN);
-    double last = NAN;
+    rows.command.assign(count, std::numeric_limits<double>::quiet_NaN());
+    double last = std::numeric_limits<double>::quiet_NaN();
     for (std::size_t i = 0; i < count; ++i) {
       rows.command[i] = last;
       if (std::isfinite(command.values[i])) last = command.values[i];

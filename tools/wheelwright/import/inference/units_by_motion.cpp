@@ -31,7 +31,7 @@ constexpr double sure_explained = 0.5;  // share of the variance from which a ga
 // Between rows that have a value.
 double median_step_of(const std::vector<double>& t_s, const Column& values) {
   std::vector<double> steps;
-  double last_s = NAN;
+  double last_s = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < t_s.size(); ++i) {
     if (!std::isfinite(values[i])) continue;
     if (std::isfinite(last_s)) steps.push_back(t_s[i] - last_s);
@@ -79,10 +79,13 @@ void add_run(const DriveColumns& columns, const Column& times_s, const Mapping& 
   const bool is_speed = mapping.wheels->kind == WheelKind::speed;
   const bool is_pair = !travel.values[1].empty();
   const bool as_body = mapping.command->kind == CommandKind::twist && !mapping.wheels->body_motion && is_pair;
-  std::array<double, 2> command{NAN, NAN};
-  std::array<double, 2> in_force{NAN, NAN};
-  std::array<double, 2> last{NAN, NAN};
-  double last_s = NAN;
+  std::array<double, 2> command{std::numeric_limits<double>::quiet_NaN(),
+                                std::numeric_limits<double>::quiet_NaN()};
+  std::array<double, 2> in_force{std::numeric_limits<double>::quiet_NaN(),
+                                 std::numeric_limits<double>::quiet_NaN()};
+  std::array<double, 2> last{std::numeric_limits<double>::quiet_NaN(),
+                             std::numeric_limits<double>::quiet_NaN()};
+  double last_s = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> t_s;
   for (const std::size_t row : rows) t_s.push_back(times_s[row]);
   if (!is_speed) {
