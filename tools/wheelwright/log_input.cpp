@@ -43,7 +43,7 @@ std::vector<DriveLog> load_runs(const std::string& path, const import::GivenMapp
   }
   try {
     return import_runs(path, given, err);
-  } catch (const config::LogError& error) {
+  } catch (const std::runtime_error& error) {
     if (refusal.empty() || !import::is_drive_log(path)) throw;
     throw config::LogError(refusal);
   }

@@ -40,8 +40,7 @@ constexpr std::array<Format, 7> formats{{
     {is_zstd, nullptr, read_ros_file},
     {is_wpilog, [](std::string bytes, std::string name) { return read_wpilog(bytes, std::move(name)); },
      nullptr},
-    {is_mat_file, [](std::string bytes, std::string name) { return read_mat_file(bytes, std::move(name)); },
-     nullptr},
+    {is_mat_file, [](std::string bytes, std::string name) { return read_mat_file(bytes, name); }, nullptr},
     {is_text, read_text_table, nullptr},
 }};
 
@@ -78,8 +77,8 @@ ReadResult open_checked(const path& file) {
   std::string head = is_regular ? read_head(file) : std::string();
   const Format* format = find_format(head);
   if (format != nullptr && format->read_file != nullptr) return format->read_file(file);
-  if (is_regular && format == nullptr && !head.empty())
-    return Failure(file.string() + ": " + why_unread(head));
+  const bool is_short = is_regular && std::filesystem::file_size(file) <= config::log_file.most_bytes;
+  if (is_short && format == nullptr && !head.empty()) return Failure(file.string() + ": " + why_unread(head));
   auto bytes = config::read_text(file, config::log_file);
   if (!bytes) return Failure(bytes.error());
   head = bytes->substr(0, head_bytes);

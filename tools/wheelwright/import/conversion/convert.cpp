@@ -282,6 +282,18 @@ class RunMaker {
   const std::string& name_;
 };
 
+// Rows may be missing, or lie between the periods, but not by the hundred.
+std::string period_contradiction(const DriveLog& log) {
+  constexpr double most_off = 50.0;
+  std::vector<double> t_s;
+  for (const auto& sample : log.samples) t_s.push_back(sample.t_s);
+  const double step_s = median_step(t_s);
+  if (log.period_s <= most_off * step_s && step_s <= most_off * log.period_s) return {};
+  return "rows are " + config::plain_number(step_s) + " s apart (median), but the period is said to be " +
+         config::plain_number(log.period_s) +
+         " s; correct it, or say the unit of the time: --set time.unit=ms";
+}
+
 std::string what_is_missing(const Mapping& mapping) {
   if (!mapping.command)
     return "no commands were found; say which columns hold them: --set command.left=COLUMN and "
@@ -460,6 +472,9 @@ tl::expected<Conversion, std::string> convert(const DriveColumns& columns, const
   for (const auto& rows : time.runs) {
     DriveLog log = maker.make(rows, conversion.remarks);
     if (log.samples.size() < 2) continue;
+    if (const auto contradiction = period_contradiction(log); !contradiction.empty()) {
+      return tl::unexpected(name + ": " + contradiction);
+    }
     if (is_one_wheel(mapping)) log.other_metadata.emplace_back("one_wheel", "left");
     if (!mapping.robot.empty()) log.other_metadata.emplace_back("robot", mapping.robot);
     for (const auto& entry : mapping_entries(mapping)) {

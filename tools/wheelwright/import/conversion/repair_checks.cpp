@@ -85,6 +85,8 @@ std::optional<std::string> find_repair(std::span<const DriveLog> runs) {
 }
 
 bool is_drive_log(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return false;  // a pipe might never answer
   constexpr std::string_view mark = "# wheelwright_drive_log:";
   std::array<char, mark.size()> head{};
   std::ifstream(path).read(head.data(), head.size());

@@ -351,10 +351,12 @@ class ByNames {
   std::vector<std::string>& findings_;
 };
 
-std::optional<double> to_number(const std::string& text) {
+std::optional<double> number_between(const std::string& text, double minimum, double maximum) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !(value > 0.0)) return std::nullopt;
+  if (error != std::errc() || end != text.data() + text.size() || !(value >= minimum) || value > maximum) {
+    return std::nullopt;
+  }
   return value;
 }
 
@@ -368,15 +370,17 @@ void map_by_names(std::span<const Recording> recordings, Mapping& mapping,
 void map_metadata(std::span<const Recording> recordings, Mapping& mapping) {
   for (const auto& recording : recordings) {
     for (const auto& [key, text] : recording.metadata) {
-      const auto value = to_number(text);
       if (key == "robot" && mapping.robot.empty()) mapping.robot = text;
-      if (key == "wheel_base_m" && !mapping.wheel_base_m) mapping.wheel_base_m = value;
-      if (key == "period_s" && !mapping.time.period_s) mapping.time.period_s = value;
-      if (!mapping.wheels) continue;
+      if (key == "wheel_base_m" && !mapping.wheel_base_m)
+        mapping.wheel_base_m = number_between(text, 0.001, 10.0);
+      if (key == "period_s" && !mapping.time.period_s)
+        mapping.time.period_s = number_between(text, 0.0001, 10.0);
+      if (!mapping.wheels || !key.starts_with("metres_per_tick_")) continue;
+      const auto scale = number_between(text, 1e-9, 1.0);
       if (key == "metres_per_tick_left" && !mapping.wheels->metres_per_count)
-        mapping.wheels->metres_per_count = value;
-      if (key == "metres_per_tick_right" && value != mapping.wheels->metres_per_count) {
-        mapping.wheels->metres_per_count_right = value;
+        mapping.wheels->metres_per_count = scale;
+      if (key == "metres_per_tick_right" && scale != mapping.wheels->metres_per_count) {
+        mapping.wheels->metres_per_count_right = scale;
       }
     }
   }

@@ -114,7 +114,7 @@ bool is_mat_file(std::string_view head) {
   return is_level5(head) || head.starts_with("MATLAB 7.3") || is_level4(head);
 }
 
-ReadResult read_mat_file(std::string_view bytes, std::string name) {
+ReadResult read_mat_file(std::string_view bytes, const std::string& name) {
   if (is_hdf5(bytes)) {
     return tl::unexpected(name + ": a MATLAB file of version 7.3 (HDF5), which is not read; save it with " +
                           "save('log.mat', '-v7')");

@@ -19,6 +19,6 @@ bool is_mat_file(std::string_view head);
 
 // `bytes`: the whole file; `name` stands for it in messages. What lies before a cut is read. Refuses level
 // 7.3, which is HDF5, with the mend.
-ReadResult read_mat_file(std::string_view bytes, std::string name);
+ReadResult read_mat_file(std::string_view bytes, const std::string& name);
 
 }  // namespace wheelwright::import
