@@ -28,7 +28,7 @@ constexpr std::size_t head_bytes = 4096;
 // it needs from a large file is given the path; the other is null.
 struct Format {
   bool (*is_so)(std::string_view head);
-  ReadResult (*read_bytes)(std::string bytes, std::string name);
+  ReadResult (*read_bytes)(std::string&& bytes, const std::string& name);
   ReadResult (*read_file)(const path& file);
 };
 
@@ -38,10 +38,13 @@ constexpr std::array<Format, 7> formats{{
     {is_mcap, nullptr, read_ros_file},
     {is_sqlite, nullptr, read_ros_file},
     {is_zstd, nullptr, read_ros_file},
-    {is_wpilog, [](std::string bytes, std::string name) { return read_wpilog(bytes, std::move(name)); },
+    {is_wpilog, [](std::string&& bytes, const std::string& name) { return read_wpilog(bytes, name); },
      nullptr},
-    {is_mat_file, [](std::string bytes, std::string name) { return read_mat_file(bytes, name); }, nullptr},
-    {is_text, read_text_table, nullptr},
+    {is_mat_file, [](std::string&& bytes, const std::string& name) { return read_mat_file(bytes, name); },
+     nullptr},
+    {is_text,
+     [](std::string&& bytes, const std::string& name) { return read_text_table(std::move(bytes), name); },
+     nullptr},
 }};
 
 std::string read_head(const path& file) {

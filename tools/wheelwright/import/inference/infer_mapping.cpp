@@ -51,8 +51,7 @@ void add_doubts(const DriveColumns& columns, const Mapping& mapping, std::vector
   std::swap(rows[0].command, rows[1].command);
   const std::array<ResponseFit, 2> other{fit_response(rows[0]), fit_response(rows[1])};
   const double gained = other[0].nats + other[1].nats - own[0].nats - own[1].nats;
-  if (columns.command[1].size() > 0 && gained > 20.0 && other[0].explained > 0.5 &&
-      other[1].explained > 0.5) {
+  if (!columns.command[1].empty() && gained > 20.0 && other[0].explained > 0.5 && other[1].explained > 0.5) {
     doubts.push_back("the sides are swapped: each wheel follows the command of the other (" +
                      config::fixed_number(gained, 0) + " nats); exchange wheels.left and wheels.right");
     return;

@@ -209,6 +209,7 @@ class ByNumbers {
   std::optional<Assignment> best_assignment(const std::vector<const Channel*>& commands,
                                             const std::vector<Candidate>& wheels) const {
     std::vector<std::vector<double>> speeds;
+    speeds.reserve(wheels.size());
     for (const auto& wheel : wheels) speeds.push_back(speed_of(wheel));
     std::optional<Assignment> best;
     const auto offer = [&](const Assignment& assignment) {

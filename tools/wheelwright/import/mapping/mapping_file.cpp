@@ -25,7 +25,7 @@ std::optional<double> number(YamlReader& from, std::string_view key, const Range
 
 std::string unit(YamlReader& from, std::string_view key, std::span<const Unit> units,
                  const std::string& otherwise) {
-  const std::string name = from.text(key, otherwise);
+  std::string name = from.text(key, otherwise);
   if (name.empty()) return name;
   if (const auto found = find_unit(units, name)) return std::string(found->name);
   std::string right;

@@ -65,10 +65,9 @@ class Head {
 
   void read() {
     const std::size_t first_row = find_first_row();
-    std::size_t end = first_row;
+    std::size_t end = 0;
     if (first_row == sample_.head.size()) {
       layout_.first_row_line = 1;
-      end = 0;
     } else {
       layout_.first_row_line = sample_.head[first_row].number;
       end = take_header(first_row);

@@ -13,7 +13,8 @@ constexpr std::size_t longest_frame = 100;
 
 double seconds_of(std::uint64_t time_ns) {
   constexpr std::uint64_t second = 1'000'000'000;
-  return static_cast<double>(time_ns / second) + 1e-9 * static_cast<double>(time_ns % second);
+  const std::uint64_t whole_s = time_ns / second;
+  return static_cast<double>(whole_s) + 1e-9 * static_cast<double>(time_ns % second);
 }
 
 std::string frame_name(std::string_view frame) {
