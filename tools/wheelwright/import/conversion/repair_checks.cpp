@@ -60,11 +60,44 @@ bool goes_on(const DriveLog& before, const DriveLog& run) {
   return run.samples.front().t_s > before.samples.front().t_s + restart_rows * before.period_s;
 }
 
+// How far the reference turns for a radian by the counts, over windows in which the wheels go some way; 0
+// where nothing tells.
+double turn_slope(const DriveLog& run) {
+  constexpr double window_m = 0.1;
+  double products = 0.0;
+  double squares = 0.0;
+  const DriveSample* from = nullptr;
+  for (const auto& sample : run.samples) {
+    if (!sample.ticks || !sample.reference_theta_rad) continue;
+    if (from == nullptr) from = &sample;
+    const double left =
+        run.metres_per_tick->left * static_cast<double>(sample.ticks->left - from->ticks->left);
+    const double right =
+        run.metres_per_tick->right * static_cast<double>(sample.ticks->right - from->ticks->right);
+    if (std::abs(left) + std::abs(right) < window_m) continue;
+    const double turn = (right - left) / run.wheel_base_m;
+    const double seen = *sample.reference_theta_rad - *from->reference_theta_rad;
+    if (std::abs(turn) < 2.0 && std::abs(seen) < 150.0) {
+      products += turn * seen;
+      squares += turn * turn;
+    }
+    from = &sample;
+  }
+  return squares > 0.0 ? products / squares : 0.0;
+}
+
+bool has_degrees(const DriveLog& run) {
+  constexpr double degrees = 57.3;
+  const double slope = turn_slope(run);
+  return slope > degrees / 1.35 && slope < degrees * 1.35;
+}
+
 std::optional<std::string> find_repair(const DriveLog& run) {
   if (run.period_s > longest_period_s) return "a period of seconds";
   if (pauses(run)) return "a long pause";
   if (commands_are_no_speeds(run)) return "commands that are no speeds";
   if (!run.has_ticks()) return std::nullopt;
+  if (has_degrees(run)) return "headings in degrees";
   for (const auto side : {&WheelTicks::left, &WheelTicks::right}) {
     const auto counts = counts_of(run, side);
     if (wrapped_bits(counts)) return "a counter that wraps";
