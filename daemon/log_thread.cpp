@@ -161,6 +161,9 @@ void LogThread::tell(const roomba::Event& event) {
     case EventCode::arm_refused:
       spdlog::warn("not armed: the robot does not answer; arm it once it does");
       break;
+    case EventCode::arm_needless:
+      spdlog::info("armed already: the robot drives on");
+      break;
     case EventCode::stopped:
       spdlog::warn("stopped at {:.2f} s: {}", event.t_s,
                    name_of(static_cast<StopReason>(static_cast<int>(event.value))));

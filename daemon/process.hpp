@@ -41,7 +41,7 @@ std::optional<RobotModel> known_model(const config::DaemonConfig& config);
 // or another exception where it could not start.
 //
 // SIGTERM, SIGINT  wheels to rest, logs closed, out
-// SIGUSR1          arm: clears a latched stop and starts the mission (again)
+// SIGUSR1          arm: clears a latched stop and starts the mission (again); nothing while the robot drives
 // SIGUSR2          stop: wheels to rest, the process stays
 // SIGHUP           reload the configuration, all of it, unless the robot drives or there is a mistake in it;
 //                  the robot is not armed by it. A daemon that was started from a terminal ends as by

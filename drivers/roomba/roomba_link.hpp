@@ -78,6 +78,8 @@ class RoombaLink {
   LinkState state() const { return state_; }
   StopReason stop_reason() const { return stop_; }
   bool armed() const { return arm_state_ == ArmState::armed; }
+  // Neither armed nor about to be.
+  bool disarmed() const { return arm_state_ == ArmState::disarmed; }
   // The robot is told to stand, and its counts have not changed for some ticks.
   bool stands() const;
   const LinkCounts& counts() const { return counts_; }

@@ -138,8 +138,12 @@ void Session::tick() {
 }
 
 void Session::take_requests() {
-  if (end_requested_.load(std::memory_order_relaxed)) end_when_standing();
-  if (arm_requested_.exchange(false, std::memory_order_relaxed)) arm_if_there();
+  const bool arm = arm_requested_.exchange(false, std::memory_order_relaxed);
+  if (end_requested_.load(std::memory_order_relaxed)) {
+    end_when_standing();
+  } else if (arm) {
+    arm_if_there();
+  }
   const StopReason stop = stop_requested_.exchange(StopReason::none, std::memory_order_relaxed);
   if (stop != StopReason::none) link_.stop(stop);
   // The wheels stand by another hand, and the plan has gone on without them.
@@ -150,7 +154,9 @@ void Session::take_requests() {
 // Who arms a robot that does not answer is not to see it drive off minutes later, when somebody switches it
 // on.
 void Session::arm_if_there() {
-  if (link_.state() == LinkState::running) {
+  if (link_.armed() && !link_.stands()) {
+    report(EventCode::arm_needless, 0.0);
+  } else if (link_.state() == LinkState::running) {
     link_.arm();
   } else {
     report(EventCode::arm_refused, 0.0);
@@ -161,7 +167,7 @@ void Session::arm_if_there() {
 void Session::end_when_standing() {
   if (!end_by_tick_) {
     end_by_tick_ = tick_ + std::llround(longest_braking_s / config_.link.period_s);
-    if (link_.armed() && !link_.stands()) link_.stop(StopReason::requested);
+    if (!link_.disarmed() && !(link_.armed() && link_.stands())) link_.stop(StopReason::requested);
   }
   ending_ = link_.state() != LinkState::running || link_.stands() || tick_ >= *end_by_tick_;
 }

@@ -28,6 +28,7 @@ enum class EventCode : std::uint8_t {
   robot_text,  // text: what the robot printed by itself
   armed,
   arm_refused,    // the robot does not answer
+  arm_needless,   // it is armed and drives
   stopped,        // value: StopReason
   overrun,        // value: periods that were skipped
   checksum_rule,  // value: ChecksumRule

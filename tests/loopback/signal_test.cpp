@@ -1,5 +1,6 @@
 // The daemon is told to end, or to stop.
 #include <csignal>
+#include <optional>
 
 #include "tests/loopback/bench/bench.hpp"
 #include "tests/loopback/bench/line_tap.hpp"
@@ -70,4 +71,47 @@ TEST_CASE("With run.arm by_signal nothing moves before SIGUSR1") {
   daemon->signal(SIGUSR1);
   CHECK(daemon->wait(10s) == 0);
   CHECK(tap.drive_orders().last_moving);
+}
+
+TEST_CASE("SIGUSR1 in mid-drive changes nothing: the robot drives on to the end") {
+  Bench bench;
+  const auto robot = bench.start_robot("perfect");
+  const auto daemon = bench.start_daemon(bench.configure({.route = "[[0.3, 0]]"}));
+  REQUIRE(daemon->says("route: driving", 10s));
+  std::this_thread::sleep_for(800ms);
+  daemon->signal(SIGUSR1);
+  CHECK(daemon->says("armed already: the robot drives on", 2s));
+  CHECK(daemon->wait(15s) == 0);
+  const Table log = bench.drive_log();
+  std::optional<std::size_t> last_moving;
+  int pauses = 0;
+  for (std::size_t row = 0; row < log.rows(); ++row) {
+    if (log.number(row, "cmd_left") == 0.0) continue;
+    pauses += last_moving && row - *last_moving > 1 ? 1 : 0;
+    last_moving = row;
+  }
+  CHECK(last_moving);
+  CHECK(pauses == 0);
+}
+
+TEST_CASE("SIGTERM right behind SIGUSR1 is obeyed: no order to drive goes out any more") {
+  const auto between = GENERATE(0ms, 18ms, 40ms);
+  Bench bench;
+  const auto robot = bench.start_robot("perfect");
+  LineTap tap(bench.device(), bench.folder() / "tapped");
+  const bool drives = GENERATE(false, true);
+  const std::string arm = drives ? "at_start" : "by_signal";
+  const auto daemon =
+      bench.start_daemon(bench.configure({.device = "tapped", .run = "arm: " + arm, .route = long_way}));
+  REQUIRE(daemon->says(drives ? "route: driving" : "the robot answers", 10s));
+  std::this_thread::sleep_for(800ms);
+  daemon->signal(SIGUSR1);
+  std::this_thread::sleep_for(between);
+  const auto at = LineTap::Clock::now();
+  daemon->signal(SIGTERM);
+  CHECK(daemon->wait(5s) == 1);
+  const auto moving = tap.drive_orders().last_moving;
+  CAPTURE(drives, between.count());
+  if (moving) CHECK(*moving - at < 40ms);
+  CHECK(moving.has_value() >= drives);
 }
