@@ -1,11 +1,15 @@
 #include "model/gap/gap_analysis.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "model/effect_library.hpp"
+#include "model/gap/adequacy/check_verdict.hpp"
 #include "model/gap/found_model.hpp"
 #include "model/gap/gap_size.hpp"
 #include "model/gap/gap_standing.hpp"
 #include "model/gap/gap_verdict.hpp"
+#include "model/gap/linear_changes/linear_verdict.hpp"
 #include "model/gap/noted_references.hpp"
 #include "model/gap/search_start.hpp"
 
@@ -42,6 +46,8 @@ class Analysis {
   std::vector<std::size_t> runs_off_by_more_than_noise() const;
   void hold_out_others();
   void doubt_the_noise();
+  void compare_linear_part();
+  void check_adequacy();
   void note_runs();
 
   const GapOptions& options_;
@@ -311,11 +317,47 @@ NoiseAtReversals Analysis::noise_left_at_reversals() const {
   return train.times < test.times ? train : test;
 }
 
+// The search fits a linear part of its own: what the given one lacks would go unsaid.
+void Analysis::compare_linear_part() {
+  constexpr double same_period = 0.02;
+  if (!options_.model) return;
+  const RobotModel& given = *options_.model;
+  const double period_s = gathered_.train.runs.front().period_s;
+  if (std::abs(given.core.period_s - period_s) > same_period * period_s) return;
+  const TrialModel& accepted = result_.search.final.model;
+  RobotModel whole = whole_model_of(accepted, origin_);
+  whole.core = given.core;
+  // A linear effect that was found, as a delay, stands beside the fitted linear part; beside the given one it
+  // has another size.
+  std::erase_if(whole.effects, [&](const AddedEffect& effect) {
+    const auto same = [&](const AddedEffect& known) { return known.setting.name == effect.setting.name; };
+    return find_effect(effect.setting.name)->linear && std::ranges::none_of(given.effects, same);
+  });
+  const NoiseModel noise = train_problem_->noise_left_by(accepted);
+  GapProblem train = *train_problem_;
+  GapProblem heldout = *test_problem_;
+  train.set_noise(noise);
+  heldout.set_noise(noise);
+  add_linear_changes(result_, linear_changes(whole, accepted, train, heldout), given);
+  if (result_.linear_changes.empty()) return;
+  result_.train.after = gap_size(result_.after, gathered_.train.logs);
+  if (!result_.tail_held_out) result_.test.after = gap_size(result_.after, gathered_.test.logs);
+}
+
+void Analysis::check_adequacy() {
+  const TrialModel& accepted = result_.search.final.model;
+  GapProblem heldout = *test_problem_;
+  heldout.set_noise(train_problem_->noise_left_by(accepted));
+  result_.check = predictive_check(heldout, accepted);
+  obey_check(result_);
+}
+
 void Analysis::note_runs() {
   result_.train_runs = gathered_.train.runs.size();
   result_.test_runs = gathered_.test.runs.size();
   origin_ = {options_.model ? &*options_.model : nullptr, {}};
   for (const auto& log : gathered_.train.logs) origin_.logs.push_back(log.name);
+  result_.trained = origin_.logs;
   result_.held_out.clear();
   for (const auto& run : gathered_.test.runs) result_.held_out.push_back(run.name);
 }
@@ -332,6 +374,8 @@ tl::expected<GapAnalysis, GapRefusal> Analysis::run(std::span<const DriveLog> tr
   conclude();
   hold_out_others();
   doubt_the_noise();
+  compare_linear_part();
+  check_adequacy();
   return result_;
 }
 

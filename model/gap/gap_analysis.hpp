@@ -10,10 +10,12 @@
 #include <tl/expected.hpp>
 
 #include "model/drive_log.hpp"
+#include "model/gap/adequacy/predictive_check.hpp"
 #include "model/gap/finding.hpp"
 #include "model/gap/gap_figures.hpp"
 #include "model/gap/gap_search.hpp"
 #include "model/gap/gathered_runs.hpp"
+#include "model/gap/linear_changes/linear_changes.hpp"
 #include "model/gap/regimes.hpp"
 #include "model/gap/testability.hpp"
 #include "model/robot_model.hpp"
@@ -39,8 +41,11 @@ struct GapAnalysis {
   GapSearch search;   // the path, for the report
   std::size_t train_runs = 0;
   std::size_t test_runs = 0;
-  std::vector<std::string> held_out;  // names of those
-  bool tail_held_out = false;         // a single run: its last third stands in for a run of its own
+  std::vector<std::string> trained;          // names of runs
+  std::vector<std::string> held_out;         // names of those
+  std::vector<LinearChange> linear_changes;  // of the model that was given
+  PredictiveCheck check;                     // of the accepted model, on the held-out runs
+  bool tail_held_out = false;                // a single run: its last third stands in for a run of its own
 };
 
 struct GapOptions {

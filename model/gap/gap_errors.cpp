@@ -30,9 +30,8 @@ bool any_hangs_on(bool EffectInfo::*what, const TrialModel& model) {
   return std::ranges::any_of(model.effects, [&](const TrialEffect& effect) { return effect.info->*what; });
 }
 
-Known known_of(const TrialModel& model, const GapRun& run) {
-  return {!run.passed.empty() && any_hangs_on(&EffectInfo::by_pose, model),
-          run.has_counts && any_hangs_on(&EffectInfo::by_wheel_angle, model)};
+Known known_of(const MeasuredSimulation& model, const GapRun& run) {
+  return {!run.passed.empty() && model.by_pose, run.has_counts && model.by_wheel_angle};
 }
 
 Path simulate(ModelSimulation& simulation, const GapRun& run, const Known& known, Part part) {
@@ -158,7 +157,7 @@ std::vector<double> turned_by(const std::vector<OdometryStep>& steps) {
 
 // A gyro too large by its scale says so much more of the whole turn: of the model's, since counts are
 // rounded, and what is rounded in two places at once would look like a scale.
-void gyro_errors(const GapRun& run, const Path& path, const TrialModel& model, RunErrors& errors) {
+void gyro_errors(const GapRun& run, const Path& path, const MeasuredSimulation& model, RunErrors& errors) {
   const auto own_rad = turned_by(path.odometry);
   const auto body_rad = turned_by(path.body);
   const Series& series = run[Channel::turn];
@@ -166,8 +165,8 @@ void gyro_errors(const GapRun& run, const Path& path, const TrialModel& model, R
   all.reserve(series.at.size());
   for (std::size_t i = 0; i < series.at.size(); ++i) {
     const GridTime& when = series.at[i];
-    const double turned = at(body_rad, earlier(run, when, model.reference_lag_s()));
-    all.push_back(series.value[i] - (turned - at(own_rad, when)) - model.gyro_scale() * turned);
+    const double turned = at(body_rad, earlier(run, when, model.reference_lag_s));
+    all.push_back(series.value[i] - (turned - at(own_rad, when)) - model.gyro_scale * turned);
   }
   GyroErrors found = without_drift(run, std::move(all));
   errors.series[static_cast<std::size_t>(Channel::turn)] = std::move(found.errors_rad);
@@ -216,9 +215,18 @@ void measure_motion(GapRun& run) {
   }
 }
 
+MeasuredSimulation measured_simulation(const TrialModel& model) {
+  return {model.simulation(), any_hangs_on(&EffectInfo::by_pose, model),
+          any_hangs_on(&EffectInfo::by_wheel_angle, model), model.reference_lag_s(), model.gyro_scale()};
+}
+
 RunErrors free_run_errors(const TrialModel& model, const GapRun& run, Part part) {
-  ModelSimulation simulation = model.simulation();
-  if (!any_hangs_on(&EffectInfo::by_pose, model)) simulation.leave_out_place();
+  return free_run_errors(measured_simulation(model), run, part);
+}
+
+RunErrors free_run_errors(MeasuredSimulation model, const GapRun& run, Part part) {
+  ModelSimulation& simulation = model.simulation;
+  if (!model.by_pose) simulation.leave_out_place();
   const Path path = simulate(simulation, run, known_of(model, run), part);
   RunErrors errors;
   for (const Channel channel : {Channel::left, Channel::right}) {
@@ -229,14 +237,14 @@ RunErrors free_run_errors(const TrialModel& model, const GapRun& run, Part part)
   if (part == Part::wheels) return errors;
   if (run.sparse) {
     for (std::size_t i = 1; i < run.references.size(); ++i) {
-      errors.stretches.push_back(stretch_error(run, simulation, path, model.reference_lag_s(),
+      errors.stretches.push_back(stretch_error(run, simulation, path, model.reference_lag_s,
                                                run.references[i - 1], run.references[i]));
     }
   }
   if (run.by_gyro) {
     gyro_errors(run, path, model, errors);
   } else if (!run.sparse && !run[Channel::turn].empty()) {
-    motion_errors(run, simulation, path, model.reference_lag_s(), errors);
+    motion_errors(run, simulation, path, model.reference_lag_s, errors);
   }
   return errors;
 }

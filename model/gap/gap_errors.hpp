@@ -32,7 +32,18 @@ void measure_motion(GapRun& run);
 // the floor makes of the wheels' travel. A parameter of one leaves the other as it is.
 enum class Part { all, wheels, motion };
 
-// Free run of the model over the run's commands. Channels of the other part stay empty.
+// A simulation, and how measurements relate to it.
+struct MeasuredSimulation {
+  ModelSimulation simulation;
+  bool by_pose = false;         // some effect acts by place or heading
+  bool by_wheel_angle = false;  // some effect acts by the angle of a wheel
+  double reference_lag_s = 0.0;
+  double gyro_scale = 0.0;  // relative, by how much the gyro says too much
+};
+MeasuredSimulation measured_simulation(const TrialModel& model);
+
+// Free run over the run's commands. Channels of the other part stay empty.
+RunErrors free_run_errors(MeasuredSimulation model, const GapRun& run, Part part = Part::all);
 RunErrors free_run_errors(const TrialModel& model, const GapRun& run, Part part = Part::all);
 
 // Travel that was measured for each metre that the model predicts, of each wheel (without counts: of the

@@ -134,7 +134,7 @@ void GapProblem::fill_columns(const TrialModel& model, const std::vector<double>
                           model.parameter(moved.parameter) + step_for(model, moved.parameter));
   }
   const Part touched = part_of_parameter(model, at_once.front().parameter);
-  const std::vector<double> there = residuals_of(run, changed, touched);
+  const std::vector<double> there = whitened(run, free_run_errors(changed, runs_[run], touched));
   const std::size_t begin = run_range_[run].first;
   const auto fill = [&](std::size_t first, std::size_t count, const std::optional<Channel>& channel) {
     if (!is_of(touched, channel)) return;

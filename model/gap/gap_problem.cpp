@@ -156,10 +156,9 @@ bool GapProblem::is_of(Part part, const std::optional<Channel>& channel) {
   return of_wheels == (part == Part::wheels);
 }
 
-std::vector<double> GapProblem::residuals_of(std::size_t run, const TrialModel& model, Part part) const {
+std::vector<double> GapProblem::whitened(std::size_t run, const RunErrors& errors) const {
   const auto [begin, end] = run_range_[run];
   std::vector<double> residuals(end - begin, 0.0);
-  const RunErrors errors = free_run_errors(model, runs_[run], part);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const auto& series = errors.series[blocks_[b].channel];
     if (blocks_[b].run != run || series.empty()) continue;
@@ -178,9 +177,18 @@ std::vector<double> GapProblem::residuals_of(std::size_t run, const TrialModel& 
 std::vector<double> GapProblem::residuals(const TrialModel& model, Part part) const {
   std::vector<double> all(size_, 0.0);
   for_each_(runs_.size(), [&](std::size_t run) {
-    std::ranges::copy(residuals_of(run, model, part),
+    std::ranges::copy(whitened(run, free_run_errors(model, runs_[run], part)),
                       all.begin() + static_cast<std::ptrdiff_t>(run_range_[run].first));
   });
+  return all;
+}
+
+std::vector<double> GapProblem::residuals(std::span<const RunErrors> errors) const {
+  std::vector<double> all(size_, 0.0);
+  for (std::size_t run = 0; run < runs_.size(); ++run) {
+    std::ranges::copy(whitened(run, errors[run]),
+                      all.begin() + static_cast<std::ptrdiff_t>(run_range_[run].first));
+  }
   return all;
 }
 

@@ -65,6 +65,8 @@ class GapProblem {
   // Innovations of all channels of all runs, one after the other; zero for those that do not belong to the
   // part.
   std::vector<double> residuals(const TrialModel& model, Part part = Part::all) const;
+  // The same of errors that are there already, one set for each run.
+  std::vector<double> residuals(std::span<const RunErrors> errors) const;
   // What one residual belongs to.
   struct Place {
     std::size_t run;
@@ -117,7 +119,7 @@ class GapProblem {
   };
   using MovedAtOnce = std::vector<Moved>;
 
-  std::vector<double> residuals_of(std::size_t run, const TrialModel& model, Part part) const;
+  std::vector<double> whitened(std::size_t run, const RunErrors& errors) const;
   void fill_columns(const TrialModel& model, const std::vector<double>& residuals, const MovedAtOnce& at_once,
                     std::size_t run, Eigen::MatrixXd& columns) const;
   bool shows_only_in(const Eigen::MatrixXd& columns, std::size_t column, Channel channel) const;

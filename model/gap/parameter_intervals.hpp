@@ -13,4 +13,8 @@ namespace wheelwright::gap {
 // residuals would give, and within the bounds of the parameter.
 std::vector<ParameterInterval> parameter_intervals(const GapProblem& problem, const GapFit& fit);
 
+// The same as deviations from the estimate, for residuals whose derivatives by the parameters are `columns`.
+std::vector<ParameterInterval> deviation_intervals(const GapProblem& problem, const Eigen::MatrixXd& columns,
+                                                   const std::vector<double>& residuals);
+
 }  // namespace wheelwright::gap

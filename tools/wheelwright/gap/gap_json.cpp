@@ -98,6 +98,42 @@ ordered_json rounds_to_json(const std::vector<gap::Round>& rounds) {
   return list;
 }
 
+ordered_json check_to_json(const gap::PredictiveCheck& check) {
+  ordered_json json = {{"passed", check.passed}, {"p_value", check.p_value}};
+  ordered_json all = ordered_json::array();
+  for (const auto& statistic : check.statistics) {
+    ordered_json detail = ordered_json::object();
+    for (const auto& [key, value] : statistic.detail) detail[key] = value;
+    all.push_back({{"statistic", statistic.name},
+                   {"p_value", statistic.p_value},
+                   {"visible", statistic.visible},
+                   {"detail", detail}});
+  }
+  if (!all.empty()) {
+    json["statistic"] = all.front()["statistic"];
+    json["detail"] = all.front()["detail"];
+  }
+  json["statistics"] = all;
+  return json;
+}
+
+// The held-out runs decide which effects are accepted, so that they are not untouched.
+ordered_json data_to_json(const gap::GapAnalysis& analysis) {
+  return {{"train", analysis.trained}, {"test", analysis.held_out}, {"untouched", false}};
+}
+
+ordered_json linear_changes_to_json(const std::vector<gap::LinearChange>& changes) {
+  ordered_json list = ordered_json::array();
+  for (const auto& change : changes) {
+    list.push_back({{"what", change.what},
+                    {"wheel", change.wheel},
+                    {"value", change.value},
+                    {"unit", change.unit},
+                    {"ci95", {change.interval.lower, change.interval.upper}}});
+  }
+  return list;
+}
+
 ordered_json experiment_to_json(const gap::NextExperiment& next, const std::string& file) {
   return {{"route_or_commands", file},  {"separates", next.separates},
           {"seconds", next.seconds},    {"manoeuvre", next.manoeuvre},
@@ -133,6 +169,9 @@ std::string gap_to_json(const gap::GapAnalysis& analysis, const std::optional<ga
   for (const auto& fault : analysis.data_faults) {
     json["data_faults"].push_back({{"log", fault.log}, {"row", fault.row}, {"what", fault.what}});
   }
+  json["linear_changes"] = linear_changes_to_json(analysis.linear_changes);
+  json["data"] = data_to_json(analysis);
+  if (!analysis.check.statistics.empty()) json["check"] = check_to_json(analysis.check);
   json["next_experiment"] = nullptr;
   if (next) json["next_experiment"] = experiment_to_json(*next, next_file);
   json["search"] = {{"rounds", rounds_to_json(analysis.search.rounds)},

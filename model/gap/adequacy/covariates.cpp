@@ -1,0 +1,94 @@
+#include "model/gap/adequacy/covariates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "model/gap/gap_errors.hpp"
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+// `value(run, track, period)` at each reading.
+template <typename Value>
+Covariate covariate(const GapProblem& problem, std::span<const ResidualTrack* const> tracks,
+                    std::string_view name, std::string_view unit, Value value) {
+  Covariate result{name, unit, {}};
+  for (const ResidualTrack* track : tracks) {
+    const GapRun& run = problem.runs()[track->run];
+    auto& values = result.value.emplace_back();
+    values.reserve(track->period.size());
+    for (const std::size_t period : track->period) values.push_back(value(run, *track, period));
+  }
+  return result;
+}
+
+WheelPair command_at(const GapRun& run, std::size_t period) {
+  if (run.commands_m_s.empty()) return {unknown, unknown};
+  return run.commands_m_s[std::min(period, run.commands_m_s.size() - 1)];
+}
+
+// Poses of one run at each grid point by the reference of a second ago and the model's motion since; empty
+// without dense references.
+std::vector<Pose> predicted_poses(const TrialModel& model, const GapRun& run) {
+  constexpr double reference_age_s = 1.0;
+  if (run.passed.empty()) return {};
+  const auto states = model_states(model, run);
+  const auto age = static_cast<std::size_t>(std::lround(reference_age_s / run.period_s));
+  std::vector<Pose> poses;
+  poses.reserve(states.size());
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const std::size_t from = k > age ? k - age : 0;
+    const Pose& known = run.passed[std::min(from, run.passed.size() - 1)];
+    poses.push_back(placed_at(known, relative_to(states[from].pose, states[k].pose)));
+  }
+  return poses;
+}
+
+}  // namespace
+
+std::vector<Covariate> covariates_for(const GapProblem& problem, const TrialModel& model,
+                                      std::span<const ResidualTrack* const> tracks) {
+  std::vector<Covariate> all;
+  const bool of_wheels = !tracks.empty() && tracks.front()->of_wheel();
+  if (of_wheels) {
+    all.push_back(covariate(problem, tracks, "the wheel's command", "m/s",
+                            [](const GapRun& run, const ResidualTrack& track, std::size_t period) {
+                              const WheelPair command = command_at(run, period);
+                              return track.channel == Channel::left ? command.left : command.right;
+                            }));
+  } else {
+    all.push_back(covariate(problem, tracks, "the forward command", "m/s",
+                            [](const GapRun& run, const ResidualTrack&, std::size_t period) {
+                              const WheelPair command = command_at(run, period);
+                              return 0.5 * (command.left + command.right);
+                            }));
+  }
+  all.push_back(covariate(problem, tracks, "the turning command", "rad/s",
+                          [](const GapRun& run, const ResidualTrack&, std::size_t period) {
+                            const WheelPair command = command_at(run, period);
+                            return (command.right - command.left) / run.wheel_base_m;
+                          }));
+  std::vector<std::vector<Pose>> poses;
+  for (const GapRun& run : problem.runs()) poses.push_back(predicted_poses(model, run));
+  const auto by_pose = [&](std::string_view name, std::string_view unit, auto value) {
+    all.push_back(covariate(problem, tracks, name, unit,
+                            [&](const GapRun&, const ResidualTrack& track, std::size_t period) {
+                              const auto& of_run = poses[track.run];
+                              if (of_run.empty()) return unknown;
+                              return value(of_run[std::min(period, of_run.size() - 1)]);
+                            }));
+  };
+  by_pose("the heading", "rad", [](const Pose& pose) { return wrap_angle(pose.theta_rad); });
+  by_pose("the place along x", "m", [](const Pose& pose) { return pose.x_m; });
+  by_pose("the place along y", "m", [](const Pose& pose) { return pose.y_m; });
+  all.push_back(covariate(problem, tracks, "the time since the start", "s",
+                          [](const GapRun& run, const ResidualTrack&, std::size_t period) {
+                            return run.period_s * static_cast<double>(period);
+                          }));
+  return all;
+}
+
+}  // namespace wheelwright::gap

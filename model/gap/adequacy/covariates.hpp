@@ -1,0 +1,19 @@
+// What a residual may depend on, at each reading.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "model/gap/adequacy/dependence.hpp"
+#include "model/gap/gap_problem.hpp"
+
+namespace wheelwright::gap {
+
+// Of a wheel: its command; of the body: the forward command; of both: the turning command, the time since the
+// start, and heading and place where dense references give them. These are the reference of a second ago and
+// the model's motion since: the noise of a reading must not be in its own covariate, where it would look like
+// a dependence.
+std::vector<Covariate> covariates_for(const GapProblem& problem, const TrialModel& model,
+                                      std::span<const ResidualTrack* const> tracks);
+
+}  // namespace wheelwright::gap

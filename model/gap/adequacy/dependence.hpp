@@ -1,0 +1,36 @@
+// A residual that depends on something: on the command, the heading, the place, the time.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "model/gap/adequacy/residual_track.hpp"
+
+namespace wheelwright::gap {
+
+// The value of one quantity at each reading of each track; not-a-number where it is not known.
+struct Covariate {
+  std::string_view name;  // as in "heading"
+  std::string_view unit;
+  std::vector<std::vector<double>> value;
+};
+
+struct Dependence {
+  double p_value = 1.0;
+  double size = 0.0;  // root mean square of what it comes to in a free run of 10 s, m or rad
+  double from = 0.0;  // the range of the covariate where the residual lies furthest from its mean
+  double to = 0.0;
+  double share_of_time = 0.0;  // of that range
+  double share = 0.0;          // of the mean square of the free-run error after 10 s
+};
+
+// Innovations are sorted into up to eight bins of equal count over the covariate. Where the model is
+// adequate, the sum over bins of count times squared mean, about the overall mean, is chi-squared with one
+// degree less than there are bins. It is divided by the largest variance ratio of sums over 2, 4 and 8 s, so
+// that noise which is not quite as modelled shows no dependence. None where there are fewer than three bins.
+std::optional<Dependence> dependence(std::span<const ResidualTrack* const> tracks,
+                                     const Covariate& covariate);
+
+}  // namespace wheelwright::gap

@@ -1,0 +1,156 @@
+#include "model/gap/adequacy/periodic_residual.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "model/gap/adequacy/tail_probability.hpp"
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr double min_cycles = 4.0;            // in the longest run
+constexpr double steps_per_resolution = 2.0;  // of frequency
+constexpr double shortest_period_s = 0.2;
+constexpr double shortest_period_m = 0.012;
+constexpr double shortest_readings = 3.0;
+
+struct Frequencies {
+  double first = 0.0;  // 1/s or 1/m
+  double step = 0.0;
+  std::size_t count = 0;
+  double at(std::size_t index) const { return first + step * static_cast<double>(index); }
+};
+
+Frequencies frequencies_for(std::span<const std::vector<double>> at, double shortest) {
+  double longest = 0.0;
+  for (const auto& positions : at) {
+    if (positions.empty()) continue;
+    const auto [from, to] = std::ranges::minmax(positions);
+    longest = std::max(longest, to - from);
+  }
+  if (longest < 2.0 * min_cycles * shortest) return {};
+  const double first = min_cycles / longest;
+  const double step = 1.0 / (steps_per_resolution * longest);
+  return {first, step, static_cast<std::size_t>((1.0 / shortest - first) / step)};
+}
+
+// Adds |sum of value times wave|^2 / sum of value^2 to the power at each frequency; the wave at one frequency
+// follows from that at the one before.
+void add_power(std::span<const double> values, std::span<const double> at, const Frequencies& frequencies,
+               std::vector<double>& power) {
+  std::vector<std::complex<double>> sums(frequencies.count);
+  double squares = 0.0;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (values[k] == 0.0) continue;
+    squares += values[k] * values[k];
+    const double angle = 2.0 * std::numbers::pi * at[k];
+    std::complex<double> wave = std::polar(values[k], angle * frequencies.first);
+    const std::complex<double> next = std::polar(1.0, angle * frequencies.step);
+    for (auto& sum : sums) {
+      sum += wave;
+      wave *= next;
+    }
+  }
+  if (squares <= 0.0) return;
+  for (std::size_t i = 0; i < power.size(); ++i) power[i] += std::norm(sums[i]) / squares;
+}
+
+// Over the frequencies around one, those of the peak itself left out.
+double median_around(const std::vector<double>& power, std::size_t place) {
+  constexpr std::size_t width = 60;
+  constexpr std::size_t peak = 4;
+  const std::size_t begin = place > width ? place - width : 0;
+  std::vector<double> around;
+  for (std::size_t i = begin; i < std::min(power.size(), place + width); ++i) {
+    if (i + peak < place || i > place + peak) around.push_back(power[i]);
+  }
+  if (around.empty()) return 0.0;
+  const auto middle = around.begin() + std::ssize(around) / 2;
+  std::ranges::nth_element(around, middle);
+  return *middle;
+}
+
+// Of the free-run error at one frequency, its line from first to last value taken out, under a Hann window.
+double amplitude(const ResidualTrack& track, std::span<const double> at, double frequency) {
+  const std::size_t count = track.error.size();
+  if (count < 2 || at.back() <= at.front()) return 0.0;
+  std::complex<double> sum;
+  double weights = 0.0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double share = static_cast<double>(k) / static_cast<double>(count - 1);
+    const double line = track.error.front() + share * (track.error.back() - track.error.front());
+    const double weight = 1.0 - std::cos(2.0 * std::numbers::pi * share);
+    sum += weight * (track.error[k] - line) * std::polar(1.0, 2.0 * std::numbers::pi * frequency * at[k]);
+    weights += weight;
+  }
+  return 2.0 * std::abs(sum) / weights;
+}
+
+// Mean square of the free-run error about its line over each four periods.
+double mean_square_within(const ResidualTrack& track, std::span<const double> at, double period) {
+  constexpr double periods = 4.0;
+  double squares = 0.0;
+  double count = 0.0;
+  for (std::size_t from = 0; from < track.error.size();) {
+    std::size_t to = from;
+    while (to + 1 < track.error.size() && std::abs(at[to + 1] - at[from]) < periods * period) ++to;
+    double mean = 0.0;
+    for (std::size_t i = from; i <= to; ++i) mean += track.error[i] / static_cast<double>(to - from + 1);
+    for (std::size_t i = from; i <= to; ++i) squares += (track.error[i] - mean) * (track.error[i] - mean);
+    count += static_cast<double>(to - from + 1);
+    from = to + 1;
+  }
+  return count > 0.0 ? squares / count : 0.0;
+}
+
+double shortest_period(std::span<const ResidualTrack* const> tracks, PeriodicResidual::Over over) {
+  if (over == PeriodicResidual::Over::travel) return shortest_period_m;
+  double shortest_s = shortest_period_s;
+  for (const ResidualTrack* track : tracks) {
+    const double readings = static_cast<double>(std::max<std::size_t>(track->time_s.size(), 2) - 1);
+    shortest_s =
+        std::max(shortest_s, shortest_readings * (track->time_s.back() - track->time_s.front()) / readings);
+  }
+  return shortest_s;
+}
+
+}  // namespace
+
+std::optional<PeriodicResidual> periodic_residual(std::span<const ResidualTrack* const> tracks,
+                                                  std::span<const std::vector<double>> at,
+                                                  PeriodicResidual::Over over) {
+  if (tracks.empty()) return std::nullopt;
+  const Frequencies frequencies = frequencies_for(at, shortest_period(tracks, over));
+  if (frequencies.count == 0) return std::nullopt;
+  std::vector<double> power(frequencies.count, 0.0);
+  for (std::size_t t = 0; t < tracks.size(); ++t) add_power(tracks[t]->innovation, at[t], frequencies, power);
+
+  const double degrees = 2.0 * static_cast<double>(tracks.size());
+  const double median = 0.5 * degrees * std::pow(1.0 - 2.0 / (9.0 * degrees), 3);
+  std::size_t peak = 0;
+  double highest = 0.0;
+  for (std::size_t i = 0; i < power.size(); ++i) {
+    const double around = median_around(power, i);
+    if (around <= 0.0 || power[i] / around <= highest) continue;
+    highest = power[i] / around;
+    peak = i;
+  }
+  PeriodicResidual found;
+  found.over = over;
+  found.period = 1.0 / frequencies.at(peak);
+  const double independent = static_cast<double>(frequencies.count) / steps_per_resolution;
+  found.p_value = smallest_of(chi_squared_tail(2.0 * median * highest, degrees), independent);
+  double mean_square = 0.0;
+  for (std::size_t t = 0; t < tracks.size(); ++t) {
+    const double of_track = amplitude(*tracks[t], at[t], frequencies.at(peak));
+    found.amplitude += of_track * of_track / static_cast<double>(tracks.size());
+    mean_square += mean_square_within(*tracks[t], at[t], found.period) / static_cast<double>(tracks.size());
+  }
+  if (mean_square > 0.0) found.share = std::min(1.0, 0.5 * found.amplitude / mean_square);
+  found.amplitude = std::sqrt(found.amplitude);
+  return found;
+}
+
+}  // namespace wheelwright::gap

@@ -1,0 +1,45 @@
+// Whether a model is enough: one check on runs that it was not fitted to.
+//
+// Where the accepted model and its noise are right, the innovations of a run are independent and standard
+// normal. Each statistic below looks for one way in which they are not, and comes with the probability of as
+// large a value by chance. The check fails if the smallest of all these, corrected for their number (Sidak),
+// lies below `level`. A statistic counts only if what it shows would be seen by a person in the free run:
+// `visible_m`, `visible_rad`.
+//   periodic residual, over time and over a wheel's travel      periodic_residual.hpp
+//   dependence on command, turn rate, heading, place and time   dependence.hpp
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/gap/gap_problem.hpp"
+#include "model/gap/trial_model.hpp"
+
+namespace wheelwright::gap {
+
+constexpr double check_level = 0.01;
+constexpr double visible_m = 0.003;  // of a free-run error: what does not come to it is no gap
+constexpr double visible_rad = 0.010;
+
+struct CheckStatistic {
+  std::string name;      // "periodic residual, heading"
+  double p_value = 1.0;  // of this statistic by itself
+  double size = 0.0;     // m or rad
+  bool visible = false;
+  std::string sentence;       // "the heading error swings every 1.43 s by 35 mrad"
+  std::string regime;         // where: "heading from 1.2 to 2.0 rad"
+  double share_of_gap = 0.0;  // of the free-run error
+  double share_of_time = 1.0;
+  std::vector<std::pair<std::string, double>> detail;  // key with unit, value
+};
+
+struct PredictiveCheck {
+  bool passed = true;
+  double p_value = 1.0;                    // of the smallest of the statistics that count
+  std::vector<CheckStatistic> statistics;  // the most surprising first, those that count before the others
+};
+
+// `problem` holds the untouched runs, under the noise of the training.
+PredictiveCheck predictive_check(const GapProblem& problem, const TrialModel& model);
+
+}  // namespace wheelwright::gap

@@ -1,0 +1,215 @@
+#include "model/gap/linear_changes/linear_changes.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+#include "model/effect_library.hpp"
+#include "model/gap/parameter_intervals.hpp"
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr double confirming_nats = 5.99;  // ln(4 / 0.01): one of four claims at 1 %
+constexpr double smallest_gain_change = 0.01;
+constexpr double smallest_delay_s = 0.005;
+constexpr double smallest_delay_periods = 0.25;
+constexpr double smallest_lag_s = 0.015;
+constexpr Eigen::Index parameter_count = 4;
+constexpr double prior_information =
+    1.0;  // a change by 1 or 1 s is one standard deviation: no run is that vague
+
+using Parameters = Eigen::Matrix<double, parameter_count, 1>;  // left gain, right gain, delay, lag
+constexpr std::array<double, parameter_count> steps{1e-3, 1e-3, 2e-3, 2e-3};
+
+CommandCorrection correction_of(const Parameters& p) {
+  return {{p(0), p(1)}, p(2), p(3)};
+}
+
+bool any_acts(const RobotModel& model, bool EffectInfo::*how) {
+  return std::ranges::any_of(model.effects, [&](const AddedEffect& effect) {
+    const EffectInfo* info = find_effect(effect.setting.name);
+    return info != nullptr && info->*how;
+  });
+}
+
+// Residuals of one problem as a function of the correction.
+class CorrectedRuns {
+ public:
+  CorrectedRuns(const RobotModel& model, const TrialModel& measured, const GapProblem& problem)
+      : problem_(problem),
+        lag_s_(lag_of(model.core)),
+        simulation_{ModelSimulation(model.core, effect_settings(model)),
+                    any_acts(model, &EffectInfo::by_pose), any_acts(model, &EffectInfo::by_wheel_angle),
+                    measured.reference_lag_s(), measured.gyro_scale()} {}
+
+  std::vector<double> residuals(const Parameters& p) const {
+    std::vector<RunErrors> errors;
+    for (const GapRun& run : problem_.runs()) {
+      GapRun driven = run;
+      driven.commands_m_s = corrected(run.commands_m_s, correction_of(p), run.period_s, lag_s_);
+      errors.push_back(free_run_errors(simulation_, driven));
+    }
+    return problem_.residuals(errors);
+  }
+
+  Eigen::MatrixXd derivatives(const Parameters& p, const std::vector<double>& residuals) const {
+    Eigen::MatrixXd columns(static_cast<Eigen::Index>(residuals.size()), parameter_count);
+    for (Eigen::Index i = 0; i < parameter_count; ++i) {
+      Parameters moved = p;
+      moved(i) += steps.at(static_cast<std::size_t>(i));
+      const auto there = this->residuals(moved);
+      for (std::size_t r = 0; r < residuals.size(); ++r) {
+        columns(static_cast<Eigen::Index>(r), i) =
+            (there[r] - residuals[r]) / steps.at(static_cast<std::size_t>(i));
+      }
+    }
+    return columns;
+  }
+
+  double least_lag_s() const { return -0.9 * lag_s_; }
+
+ private:
+  const GapProblem& problem_;
+  double lag_s_;
+  MeasuredSimulation simulation_;
+};
+
+Parameters no_change() {
+  return {1.0, 1.0, 0.0, 0.0};
+}
+
+// No slope leads over a delay of many periods: the best one on a grid.
+Parameters best_delay(const CorrectedRuns& runs, double period_s) {
+  Parameters best = no_change();
+  double least = squares_of(runs.residuals(best));
+  for (double delay_s = -0.15; delay_s <= 0.6; delay_s += 2.0 * period_s) {
+    Parameters p = no_change();
+    p(2) = delay_s;
+    const double squares = squares_of(runs.residuals(p));
+    if (squares >= least) continue;
+    least = squares;
+    best = p;
+  }
+  return best;
+}
+
+// Levenberg-Marquardt.
+Parameters fitted(const CorrectedRuns& runs, Parameters p) {
+  constexpr int most_steps = 12;
+  constexpr int attempts = 5;
+  auto residuals = runs.residuals(p);
+  double squares = squares_of(residuals);
+  double damping = 1e-3;
+  for (int step = 0; step < most_steps; ++step) {
+    const Eigen::MatrixXd columns = runs.derivatives(p, residuals);
+    const Eigen::Map<const Eigen::VectorXd> left(residuals.data(), columns.rows());
+    const Eigen::MatrixXd information = columns.transpose() * columns;
+    const Eigen::VectorXd slope = columns.transpose() * left;
+    const double before = squares;
+    for (int attempt = 0; attempt < attempts; ++attempt, damping *= 8.0) {
+      Eigen::MatrixXd damped = information;
+      damped.diagonal() +=
+          damping * information.diagonal() + Eigen::VectorXd::Constant(parameter_count, prior_information);
+      Parameters moved = p - Parameters(damped.ldlt().solve(slope));
+      moved(3) = std::max(moved(3), runs.least_lag_s());
+      auto there = runs.residuals(moved);
+      const double squares_there = squares_of(there);
+      if (squares_there >= squares) continue;
+      p = moved;
+      residuals = std::move(there);
+      squares = squares_there;
+      damping = std::max(1e-7, 0.1 * damping);
+      break;
+    }
+    if (before - squares < 0.2 + 1e-5 * before) break;
+  }
+  return p;
+}
+
+// By how much correlation over seconds has sums of squares exceed those of white innovations: the variance
+// ratio of sums over 2 s, of all channels.
+double variance_ratio(const GapProblem& problem, const std::vector<double>& residuals) {
+  constexpr double block_s = 2.0;
+  double squares = 0.0;
+  double all = 0.0;
+  double sum = 0.0;
+  std::size_t block = 0;
+  const auto& places = problem.places();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double time_s = problem.runs()[places[i].run].period_s * static_cast<double>(places[i].period);
+    const auto at = static_cast<std::size_t>(time_s / block_s);
+    const bool same =
+        i > 0 && places[i].run == places[i - 1].run && places[i].channel == places[i - 1].channel;
+    if (!same || at != block) {
+      squares += sum * sum;
+      sum = 0.0;
+    }
+    block = at;
+    sum += residuals[i];
+    all += residuals[i] * residuals[i];
+  }
+  return all > 0.0 ? std::max(1.0, (squares + sum * sum) / all) : 1.0;
+}
+
+bool leaves_out(const ParameterInterval& interval, double none) {
+  return interval.lower > none || interval.upper < none;
+}
+
+}  // namespace
+
+LinearChanges linear_changes(const RobotModel& model, const TrialModel& measured, const GapProblem& train,
+                             const GapProblem& heldout) {
+  const double period_s = model.core.period_s;
+  const CorrectedRuns runs(model, measured, train);
+  const Parameters p = fitted(runs, best_delay(runs, period_s));
+  LinearChanges result;
+  result.correction = correction_of(p);
+
+  const CorrectedRuns unseen(model, measured, heldout);
+  const auto after = unseen.residuals(p);
+  result.heldout_gain_nats =
+      0.5 * (squares_of(unseen.residuals(no_change())) - squares_of(after)) / variance_ratio(heldout, after);
+  if (result.heldout_gain_nats < confirming_nats) return result;
+
+  const auto residuals = runs.residuals(p);
+  const auto deviations = deviation_intervals(train, runs.derivatives(p, residuals), residuals);
+  const auto add = [&](std::string_view what, std::string_view wheel, Eigen::Index i, double none,
+                       double smallest, std::string_view unit) {
+    const ParameterInterval& deviation = deviations[static_cast<std::size_t>(i)];
+    const ParameterInterval interval{p(i) + deviation.lower, p(i) + deviation.upper};
+    if (std::abs(p(i) - none) < smallest || !leaves_out(interval, none)) return;
+    result.changes.push_back({what, wheel, p(i), unit, interval});
+  };
+  add("delay", "both", 2, 0.0, std::max(smallest_delay_s, smallest_delay_periods * period_s), "s");
+  add("gain", "left", 0, 1.0, smallest_gain_change, "1");
+  add("gain", "right", 1, 1.0, smallest_gain_change, "1");
+  add("lag", "both", 3, 0.0, smallest_lag_s, "s");
+  return result;
+}
+
+std::string in_words(const std::vector<LinearChange>& changes) {
+  std::ostringstream words;
+  for (const LinearChange& change : changes) {
+    words << (words.view().empty() ? "" : "; ");
+    const bool is_gain = change.what == "gain";
+    const double scale = is_gain ? 1.0 : 1000.0;
+    if (is_gain) {
+      words << "the gain of the " << change.wheel << " wheel is " << std::setprecision(4);
+    } else {
+      words << "the " << change.what << " is " << (change.value > 0.0 ? "longer" : "shorter") << " by "
+            << std::setprecision(3);
+    }
+    const double sign = is_gain || change.value > 0.0 ? 1.0 : -1.0;
+    const double one = sign * scale * change.interval.lower;
+    const double other = sign * scale * change.interval.upper;
+    words << sign * scale * change.value << (is_gain ? " times that of the model (" : " ms (")
+          << std::min(one, other) << " to " << std::max(one, other) << ")";
+  }
+  return words.str();
+}
+
+}  // namespace wheelwright::gap

@@ -1,0 +1,66 @@
+// The predictive check on whole analyses: a gap that anybody sees in a plot is not called noise.
+#include <cmath>
+#include <numbers>
+
+#include "model/gap/gap_analysis.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gap_plant/gap_case.hpp"
+
+using namespace wheelwright;
+using namespace wheelwright::gap;
+
+namespace {
+
+std::vector<DriveLog> clean_runs(std::uint64_t seed) {
+  test::GapCaseSpec spec;
+  spec.name = "clean";
+  spec.seed = seed;
+  spec.runs = 4;
+  spec.seconds = 50.0;
+  return test::make_gap_case(spec).runs;
+}
+
+GapAnalysis analysed(const std::vector<DriveLog>& runs) {
+  const std::span<const DriveLog> all(runs);
+  auto analysis =
+      analyse_gap(all.first(2), all.subspan(2), {}, for_each_in_turn, [](const std::string&, double) {});
+  REQUIRE(analysis);
+  return std::move(*analysis);
+}
+
+// The heading that is measured swings while the robot drives.
+void add_swing(std::vector<DriveLog>& runs, double amplitude_rad, double period_s) {
+  for (DriveLog& run : runs) {
+    for (DriveSample& sample : run.samples) {
+      const bool drives = std::abs(sample.command_m_s.left) + std::abs(sample.command_m_s.right) > 0.01;
+      if (!sample.reference_theta_rad || !drives) continue;
+      *sample.reference_theta_rad += amplitude_rad * std::sin(2.0 * std::numbers::pi * sample.t_s / period_s);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("A robot of which nothing is missing passes the predictive check") {
+  const auto analysis = analysed(clean_runs(41));
+  INFO(analysis.summary);
+  CHECK(analysis.verdict == Verdict::nothing_missing);
+  CHECK(analysis.check.passed);
+  CHECK_FALSE(analysis.check.statistics.empty());
+}
+
+TEST_CASE("A heading that swings while driving is unnamed, and the sentence gives period and size") {
+  const double amplitude_rad = GENERATE(0.020, 0.035);
+  auto runs = clean_runs(42);
+  add_swing(runs, amplitude_rad, 1.43);
+  const auto analysis = analysed(runs);
+  INFO(analysis.summary);
+  CHECK(analysis.verdict == Verdict::unnamed);
+  CHECK_FALSE(analysis.check.passed);
+  const CheckStatistic& first = analysis.check.statistics.front();
+  CHECK(first.name == "periodic residual, heading");
+  REQUIRE(first.detail.front().first == "period_s");
+  CHECK_THAT(first.detail.front().second, WithinRel(1.43, 0.02));
+  CHECK_THAT(first.size, WithinRel(amplitude_rad, 0.4));
+  CHECK_THAT(analysis.summary, ContainsSubstring("the error of the heading swings every 1.4"));
+}

@@ -1,0 +1,135 @@
+// Statistics of the predictive check on series whose law is known.
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <random>
+
+#include "model/gap/adequacy/dependence.hpp"
+#include "model/gap/adequacy/periodic_residual.hpp"
+#include "model/gap/adequacy/tail_probability.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace wheelwright::gap;
+
+namespace {
+
+constexpr double period_s = 0.02;
+constexpr std::size_t readings = 2000;
+
+// A random walk of 1 mm per reading with what is added to it; its innovations are its steps over 1 mm.
+// `colour` correlates neighbouring innovations.
+ResidualTrack track_of(unsigned seed, const std::function<double(double time_s)>& added_m,
+                       double colour = 0.0) {
+  std::mt19937 engine(seed);
+  std::normal_distribution<double> normal;
+  ResidualTrack track;
+  double walk_m = 0.0;
+  double step = 0.0;
+  for (std::size_t i = 0; i < readings; ++i) {
+    const double time_s = period_s * static_cast<double>(i);
+    step = colour * step + std::sqrt(1.0 - colour * colour) * normal(engine);
+    if (i > 0) walk_m += 1e-3 * step;
+    const double error_m = walk_m + added_m(time_s);
+    track.period.push_back(i);
+    track.time_s.push_back(time_s);
+    track.innovation.push_back(i == 0 ? 0.0 : 1e3 * (error_m - track.error.back()));
+    track.error.push_back(error_m);
+    track.discontinuity.push_back(i == 0 ? 1 : 0);
+  }
+  return track;
+}
+
+double none(double) {
+  return 0.0;
+}
+
+struct TwoRuns {
+  explicit TwoRuns(unsigned seed, const std::function<double(double)>& added_m = none, double colour = 0.0)
+      : tracks{track_of(2 * seed, added_m, colour), track_of(2 * seed + 1, added_m, colour)} {}
+
+  std::optional<PeriodicResidual> periodic() const {
+    const std::vector<const ResidualTrack*> all{&tracks[0], &tracks[1]};
+    const std::vector<std::vector<double>> at{tracks[0].time_s, tracks[1].time_s};
+    return periodic_residual(all, at, PeriodicResidual::Over::time);
+  }
+  std::optional<Dependence> on(const std::function<double(double time_s)>& quantity) const {
+    const std::vector<const ResidualTrack*> all{&tracks[0], &tracks[1]};
+    Covariate covariate{"the heading", "rad", {}};
+    for (const ResidualTrack& track : tracks) {
+      auto& values = covariate.value.emplace_back();
+      for (const double time_s : track.time_s) values.push_back(quantity(time_s));
+    }
+    return dependence(all, covariate);
+  }
+
+  std::array<ResidualTrack, 2> tracks;
+};
+
+double slow_turn(double time_s) {
+  return std::remainder(0.9 * time_s, 2.0 * std::numbers::pi);
+}
+
+// How many of so many p-values lie below a level.
+template <typename PValue>
+int below(double level, int count, PValue p_value) {
+  int found = 0;
+  for (int seed = 0; seed < count; ++seed) found += p_value(static_cast<unsigned>(seed)) < level ? 1 : 0;
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("The tail of chi squared agrees with printed tables") {
+  CHECK_THAT(chi_squared_tail(3.841, 1.0), WithinRel(0.05, 0.05));
+  CHECK_THAT(chi_squared_tail(18.475, 7.0), WithinRel(0.01, 0.02));
+  CHECK_THAT(chi_squared_tail(29.588, 10.0), WithinRel(0.001, 0.05));
+  CHECK_THAT(smallest_of(1e-10, 50.0), WithinRel(5e-9, 0.01));
+  CHECK_THAT(smallest_of(0.01, 2.0), WithinRel(0.0199, 0.01));
+}
+
+TEST_CASE("A swing within a random walk is found with its period and its size") {
+  const auto found =
+      TwoRuns(1, [](double t) { return 0.006 * std::sin(2.0 * std::numbers::pi * t / 1.43); }).periodic();
+  REQUIRE(found);
+  CHECK(found->p_value < 1e-4);
+  CHECK_THAT(found->period, WithinRel(1.43, 0.02));
+  CHECK_THAT(found->amplitude, WithinRel(0.006, 0.3));
+}
+
+TEST_CASE("White innovations seldom show a period: p-values are uniform within what 200 series tell") {
+  const auto p_value = [](unsigned seed) { return TwoRuns(seed + 100).periodic()->p_value; };
+  const int at_ten_percent = below(0.1, 200, p_value);
+  CHECK(at_ten_percent >= 6);
+  CHECK(at_ten_percent <= 36);
+}
+
+TEST_CASE("Noise of another colour than modelled has no period") {
+  const auto p_value = [](unsigned seed) { return TwoRuns(seed + 500, none, 0.9).periodic()->p_value; };
+  CHECK(below(0.001, 100, p_value) <= 1);
+}
+
+TEST_CASE("A drift that depends on the heading is found, with the headings where it is largest") {
+  double sum_m = 0.0;
+  const auto with_drift = [&](double t) {
+    if (t == 0.0) sum_m = 0.0;
+    if (slow_turn(t) > 2.0) sum_m += 1e-3;
+    return sum_m;
+  };
+  const auto found = TwoRuns(3, with_drift).on(slow_turn);
+  REQUIRE(found);
+  CHECK(found->p_value < 1e-4);
+  CHECK(found->size > 0.01);
+  CHECK(found->to > 2.0);
+}
+
+TEST_CASE("White innovations depend on nothing, nor do those that correlation makes wander") {
+  const auto white = [](unsigned seed) { return TwoRuns(seed + 1000).on(slow_turn)->p_value; };
+  const auto coloured = [](unsigned seed) { return TwoRuns(seed + 2000, none, 0.95).on(slow_turn)->p_value; };
+  CHECK(below(0.1, 200, white) <= 36);
+  CHECK(below(0.01, 200, coloured) <= 7);
+}
+
+TEST_CASE("Where a quantity hardly varies there is nothing to depend on") {
+  CHECK_FALSE(TwoRuns(4).on([](double) { return 1.0; }));
+}

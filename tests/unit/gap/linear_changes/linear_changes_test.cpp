@@ -1,0 +1,116 @@
+// A given model whose linear part is wrong.
+#include <algorithm>
+
+#include "model/gap/gap_analysis.hpp"
+#include "model/gap/linear_changes/command_correction.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gap_plant/gap_case.hpp"
+
+using namespace wheelwright;
+using namespace wheelwright::gap;
+
+namespace {
+
+std::vector<DriveLog> clean_runs(std::uint64_t seed) {
+  test::GapCaseSpec spec;
+  spec.name = "clean";
+  spec.seed = seed;
+  spec.runs = 4;
+  spec.seconds = 50.0;
+  return test::make_gap_case(spec).runs;
+}
+
+GapAnalysis analysed(const std::vector<DriveLog>& runs, const GapOptions& options) {
+  const std::span<const DriveLog> all(runs);
+  auto analysis =
+      analyse_gap(all.first(2), all.subspan(2), options, for_each_in_turn, [](const std::string&, double) {});
+  REQUIRE(analysis);
+  return std::move(*analysis);
+}
+
+// The linear model of the same robot, before its runs are changed.
+RobotModel model_of(const std::vector<DriveLog>& runs) {
+  return analysed(runs, {}).after;
+}
+
+// The robot obeys each command so many rows later than the log of before says.
+std::vector<DriveLog> later(std::vector<DriveLog> runs, std::size_t rows) {
+  for (DriveLog& run : runs) {
+    const auto sent = run.samples;
+    for (std::size_t i = 0; i < run.samples.size(); ++i) {
+      run.samples[i].command_m_s = sent[std::min(i + rows, sent.size() - 1)].command_m_s;
+    }
+  }
+  return runs;
+}
+
+std::vector<DriveLog> left_wheel_stronger(std::vector<DriveLog> runs, double gain) {
+  for (DriveLog& run : runs) {
+    for (DriveSample& sample : run.samples) sample.command_m_s.left /= gain;
+  }
+  return runs;
+}
+
+const LinearChange* change_of(const GapAnalysis& analysis, std::string_view what, std::string_view wheel) {
+  const auto found = std::ranges::find_if(analysis.linear_changes, [&](const LinearChange& change) {
+    return change.what == what && change.wheel == wheel;
+  });
+  return found == analysis.linear_changes.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+TEST_CASE("Corrected commands have the gain, the delay and the lag that were asked for") {
+  constexpr double period_s = 0.02;
+  std::vector<WheelPair> step(400);
+  std::fill(step.begin() + 50, step.end(), WheelPair{0.2, 0.1});
+  const auto late = corrected(step, {{1.1, 1.0}, 0.05, 0.0}, period_s, 0.1);
+  CHECK_THAT(late.back().left, WithinRel(0.22, 1e-9));
+  CHECK_THAT(late.back().right, WithinRel(0.1, 1e-9));
+  CHECK(late[51].left == 0.0);
+  CHECK_THAT(late[52].left, WithinRel(0.11, 1e-9));  // half a period remains of the delay
+  const auto lagging = corrected(step, {{1.0, 1.0}, 0.0, 0.1}, period_s, 0.1);
+  double missing_s = 0.0;  // area between the two answers: what the mean delay grew by
+  for (std::size_t k = 0; k < step.size(); ++k)
+    missing_s += period_s * (step[k].left - lagging[k].left) / 0.2;
+  CHECK_THAT(missing_s, WithinAbs(0.1, 0.015));
+  const auto sooner = corrected(step, {{1.0, 1.0}, -0.04, 0.0}, period_s, 0.1);
+  CHECK_THAT(sooner[48].left, WithinRel(0.2, 1e-9));
+}
+
+TEST_CASE("A model of the robot itself has no linear change") {
+  const auto runs = clean_runs(51);
+  const auto analysis = analysed(runs, {model_of(runs), {}});
+  INFO(analysis.summary);
+  CHECK(analysis.verdict == Verdict::nothing_missing);
+  CHECK(analysis.linear_changes.empty());
+}
+
+TEST_CASE("A given model that is too quick is told by how much, and the delay is named") {
+  const std::size_t rows = GENERATE(std::size_t{2}, std::size_t{3}, std::size_t{8});
+  const auto runs = clean_runs(52);
+  const auto analysis = analysed(later(runs, rows), {model_of(runs), {}});
+  const double true_s = static_cast<double>(rows) * runs.front().period_s;
+  INFO(analysis.summary);
+  CHECK(analysis.verdict == Verdict::named);
+  REQUIRE_FALSE(analysis.found.empty());
+  CHECK(analysis.found.front().setting.name == "transport_delay");
+  const LinearChange* delay = change_of(analysis, "delay", "both");
+  REQUIRE(delay != nullptr);
+  CHECK_THAT(delay->value, WithinAbs(true_s, 0.2 * runs.front().period_s));
+  CHECK(analysis.test.after.distance_rms_m < 0.3 * analysis.test.before.distance_rms_m.value());
+}
+
+TEST_CASE("A gain that a given model has wrong is told for its wheel, and is never nothing") {
+  const auto runs = clean_runs(53);
+  const auto analysis = analysed(left_wheel_stronger(runs, 1.03), {model_of(runs), {}});
+  INFO(analysis.summary);
+  CHECK(analysis.verdict == Verdict::unnamed);
+  const LinearChange* gain = change_of(analysis, "gain", "left");
+  REQUIRE(gain != nullptr);
+  CHECK_THAT(gain->value, WithinAbs(1.03, 0.004));
+  CHECK(gain->interval.lower > 1.02);
+  CHECK(gain->interval.upper < 1.04);
+  CHECK(change_of(analysis, "gain", "right") == nullptr);
+  CHECK_THAT(analysis.summary, ContainsSubstring("the gain of the left wheel is 1.03"));
+}
