@@ -22,8 +22,9 @@ struct Rival {
 struct Finding {
   EffectSetting setting;
   std::vector<ParameterInterval> intervals;
-  double heldout_gain_nats = 0.0;  // deflated for correlation
-  double inflation = 1.0;          // by which
+  double heldout_gain_nats = 0.0;        // deflated for correlation
+  std::optional<double> test_gain_nats;  // the same on untouched runs
+  double inflation = 1.0;                // by which
   double p_value = 1.0;
   double posterior = 0.0;
   double rival_share = 0.0;   // of what it explains, what the best rival would explain in its place

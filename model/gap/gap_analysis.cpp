@@ -5,6 +5,7 @@
 
 #include "model/effect_library.hpp"
 #include "model/gap/adequacy/check_verdict.hpp"
+#include "model/gap/confirmation.hpp"
 #include "model/gap/found_model.hpp"
 #include "model/gap/gap_size.hpp"
 #include "model/gap/gap_standing.hpp"
@@ -47,7 +48,8 @@ class Analysis {
   void hold_out_others();
   void doubt_the_noise();
   void compare_linear_part();
-  void check_adequacy();
+  void check_on_test_runs();
+  void show_untouched_figures();
   void note_runs();
 
   const GapOptions& options_;
@@ -344,12 +346,34 @@ void Analysis::compare_linear_part() {
   if (!result_.tail_held_out) result_.test.after = gap_size(result_.after, gathered_.test.logs);
 }
 
-void Analysis::check_adequacy() {
-  const TrialModel& accepted = result_.search.final.model;
-  GapProblem heldout = *test_problem_;
-  heldout.set_noise(train_problem_->noise_left_by(accepted));
-  result_.check = predictive_check(heldout, accepted);
+// What was accepted meets the runs that nothing was chosen by; where there are none, those that were held
+// out.
+void Analysis::check_on_test_runs() {
+  RunSet& untouched = gathered_.untouched;
+  result_.untouched = !untouched.runs.empty();
+  RunSet& test = result_.untouched ? untouched : gathered_.test;
+  for (std::size_t r = 0; r < test.logs.size(); ++r) {
+    note_references(test.logs[r], test.runs[r], result_.search.final.model);
+  }
+  const Confirmation confirmation = confirm(*train_problem_, result_.search, test, for_each_);
+  result_.check = confirmation.check;
+  const auto& effects = result_.search.final.model.effects;
+  for (std::size_t i = 0; i < effects.size() && result_.untouched; ++i) {
+    const auto found = std::ranges::find_if(
+        result_.found, [&](const Finding& one) { return one.setting.name == effects[i].info->name; });
+    if (found != result_.found.end()) found->test_gain_nats = confirmation.effect_nats[i];
+  }
   obey_check(result_);
+}
+
+// Figures of the held-out runs have served in the choice of effects.
+void Analysis::show_untouched_figures() {
+  if (!result_.untouched) return;
+  const RunSet& untouched = gathered_.untouched;
+  result_.tested.clear();
+  for (const GapRun& run : untouched.runs) result_.tested.push_back(run.name);
+  result_.test = figures(result_.before, result_.after, untouched.logs);
+  result_.test.floor = slow_floor(untouched.logs);
 }
 
 void Analysis::note_runs() {
@@ -360,6 +384,7 @@ void Analysis::note_runs() {
   result_.trained = origin_.logs;
   result_.held_out.clear();
   for (const auto& run : gathered_.test.runs) result_.held_out.push_back(run.name);
+  result_.tested = result_.held_out;
 }
 
 tl::expected<GapAnalysis, GapRefusal> Analysis::run(std::span<const DriveLog> train,
@@ -373,9 +398,10 @@ tl::expected<GapAnalysis, GapRefusal> Analysis::run(std::span<const DriveLog> tr
   search();
   conclude();
   hold_out_others();
-  doubt_the_noise();
   compare_linear_part();
-  check_adequacy();
+  check_on_test_runs();
+  doubt_the_noise();
+  show_untouched_figures();
   return result_;
 }
 

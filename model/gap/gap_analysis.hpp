@@ -42,7 +42,9 @@ struct GapAnalysis {
   std::size_t train_runs = 0;
   std::size_t test_runs = 0;
   std::vector<std::string> trained;          // names of runs
-  std::vector<std::string> held_out;         // names of those
+  std::vector<std::string> held_out;         // names of those by which effects were accepted
+  std::vector<std::string> tested;           // names of those of `test` and `check`: held out, or untouched
+  bool untouched = false;                    // whether these took no part in any choice
   std::vector<LinearChange> linear_changes;  // of the model that was given
   PredictiveCheck check;                     // of the accepted model, on the held-out runs
   bool tail_held_out = false;                // a single run: its last third stands in for a run of its own

@@ -9,6 +9,7 @@ namespace wheelwright::gap {
 namespace {
 
 constexpr double least_run_s = 5.0;
+constexpr std::size_t least_to_hold_out_of = 3;  // training runs, where test runs are to stay untouched
 
 std::optional<GapRefusal> mismatch(std::span<const DriveLog> logs) {
   const DriveLog& first = logs.front();
@@ -120,7 +121,14 @@ std::optional<GapRefusal> gather_runs(std::span<const DriveLog> train, std::span
   add_gated(std::span(gated).first(train.size()), gathered.train, gathered);
   gathered.to_learn_from = gathered.train.logs;
   add_gated(std::span(gated).subspan(train.size()), gathered.test, gathered);
-  return test.empty() ? hold_out(gathered) : std::nullopt;
+  const std::size_t given = gathered.train.runs.size();
+  if (!test.empty() && given < least_to_hold_out_of) return std::nullopt;
+  if (!test.empty()) {
+    std::swap(gathered.test, gathered.untouched);
+  } else if (given > least_to_hold_out_of) {
+    gathered.train.move_to(gathered.untouched, given - 1);
+  }
+  return hold_out(gathered);
 }
 
 }  // namespace wheelwright::gap

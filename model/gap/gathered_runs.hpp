@@ -30,7 +30,8 @@ struct RunSet {
 
 struct GatheredRuns {
   RunSet train;
-  RunSet test;
+  RunSet test;       // held out: what is accepted has to explain these, too
+  RunSet untouched;  // for the accepted model alone; empty where there are too few runs to keep one apart
   std::vector<DriveLog> to_learn_from;  // all that were given for it, those held out of them among them
   bool tail_held_out = false;           // a single run: its last third stands in for a run of its own
   std::vector<DataFault> faults;
@@ -38,8 +39,10 @@ struct GatheredRuns {
   double watched_s = 0.0;  // all runs together
 };
 
-// `test` may be empty: then the last third of the runs is held out whole, or the last third of a single run.
-// Refuses logs of different periods, wheel bases or sensors, and such as are too short.
+// Three training runs or more, and all of `test` stays untouched: the last third of the training runs is held
+// out. Four or more without `test`: the last one stays untouched. With fewer, `test` itself is held out, or
+// without it the last third of the runs, or the last third of a single run. Refuses logs of different
+// periods, wheel bases or sensors, and such as are too short.
 std::optional<GapRefusal> gather_runs(std::span<const DriveLog> train, std::span<const DriveLog> test,
                                       GatheredRuns& gathered);
 

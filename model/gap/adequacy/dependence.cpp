@@ -178,6 +178,7 @@ std::optional<Dependence> dependence(std::span<const ResidualTrack* const> track
     const double deviation = bin.sum / bin.count - mean;
     const double of_bin = bin.count * deviation * deviation;
     between += of_bin;
+    if (bin.duration_s > 0.0) found.rates.emplace_back(0.5 * (bin.from + bin.to), bin.error / bin.duration_s);
     if (of_bin <= largest) continue;
     largest = of_bin;
     found.from = bin.from;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "model/gap/adequacy/residual_track.hpp"
@@ -23,7 +24,9 @@ struct Dependence {
   double from = 0.0;  // the range of the covariate where the residual lies furthest from its mean
   double to = 0.0;
   double share_of_time = 0.0;  // of that range
-  double share = 0.0;          // of the mean square of the free-run error after 10 s
+  std::vector<std::pair<double, double>>
+      rates;           // middle of each bin, mean rate of the error there, m/s or rad/s
+  double share = 0.0;  // of the mean square of the free-run error after 10 s
 };
 
 // Innovations are sorted into up to eight bins of equal count over the covariate. Where the model is

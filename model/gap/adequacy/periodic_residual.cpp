@@ -1,6 +1,7 @@
 #include "model/gap/adequacy/periodic_residual.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -105,6 +106,34 @@ double mean_square_within(const ResidualTrack& track, std::span<const double> at
   return count > 0.0 ? squares / count : 0.0;
 }
 
+// The error about its mean over each period, folded onto one period.
+std::vector<std::pair<double, double>> folded(const ResidualTrack& track, std::span<const double> at,
+                                              double period) {
+  constexpr std::size_t bins = 24;
+  std::array<double, bins> sums{};
+  std::array<double, bins> counts{};
+  for (std::size_t from = 0; from < track.error.size();) {
+    std::size_t to = from;
+    while (to + 1 < track.error.size() && std::abs(at[to + 1] - at[from]) < period) ++to;
+    double mean = 0.0;
+    for (std::size_t i = from; i <= to; ++i) mean += track.error[i] / static_cast<double>(to - from + 1);
+    for (std::size_t i = from; i <= to; ++i) {
+      const double turns = at[i] / period;
+      const auto bin = static_cast<std::size_t>((turns - std::floor(turns)) * static_cast<double>(bins));
+      sums.at(std::min(bin, bins - 1)) += track.error[i] - mean;
+      counts.at(std::min(bin, bins - 1)) += 1.0;
+    }
+    from = to + 1;
+  }
+  std::vector<std::pair<double, double>> curve;
+  for (std::size_t bin = 0; bin < bins; ++bin) {
+    if (counts.at(bin) == 0.0) continue;
+    const double position = (static_cast<double>(bin) + 0.5) / static_cast<double>(bins);
+    curve.emplace_back(position * period, sums.at(bin) / counts.at(bin));
+  }
+  return curve;
+}
+
 double shortest_period(std::span<const ResidualTrack* const> tracks, PeriodicResidual::Over over) {
   if (over == PeriodicResidual::Over::travel) return shortest_period_m;
   double shortest_s = shortest_period_s;
@@ -140,11 +169,16 @@ std::optional<PeriodicResidual> periodic_residual(std::span<const ResidualTrack*
   PeriodicResidual found;
   found.over = over;
   found.period = 1.0 / frequencies.at(peak);
-  const double independent = static_cast<double>(frequencies.count) / steps_per_resolution;
+  // Neighbouring frequencies overlap, and the median of a neighbourhood scatters: by simulation of white
+  // series the peak is that of 1.6 independent ones for each.
+  const double independent = 1.6 * static_cast<double>(frequencies.count);
   found.p_value = smallest_of(chi_squared_tail(2.0 * median * highest, degrees), independent);
   double mean_square = 0.0;
+  double largest = -1.0;
   for (std::size_t t = 0; t < tracks.size(); ++t) {
     const double of_track = amplitude(*tracks[t], at[t], frequencies.at(peak));
+    if (of_track > largest) found.folded = folded(*tracks[t], at[t], found.period);
+    largest = std::max(largest, of_track);
     found.amplitude += of_track * of_track / static_cast<double>(tracks.size());
     mean_square += mean_square_within(*tracks[t], at[t], found.period) / static_cast<double>(tracks.size());
   }

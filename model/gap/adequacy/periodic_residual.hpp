@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "model/gap/adequacy/residual_track.hpp"
@@ -14,7 +15,9 @@ struct PeriodicResidual {
   double period = 0.0;     // s or m
   double amplitude = 0.0;  // of the free-run error, m or rad; root mean square over the tracks
   double share = 0.0;      // of the error's mean square within four periods
-  double p_value = 1.0;    // of a peak as high anywhere among the frequencies
+  std::vector<std::pair<double, double>>
+      folded;            // position within a period, mean error there; of the largest track
+  double p_value = 1.0;  // of a peak as high anywhere among the frequencies
 };
 
 // The highest peak of the periodogram of the innovations, summed over tracks with a phase of its own in each.

@@ -37,8 +37,16 @@ std::string size_in_words(double size, bool angle) {
   return in_words(1000.0 * size, 2) + (angle ? " mrad" : " mm");
 }
 
-bool is_visible(double size, bool angle) {
-  return size >= (angle ? visible_rad : visible_m);
+bool is_visible(double size, Channel channel) {
+  if (channel == Channel::turn) return size >= visible_heading_rad;
+  const bool of_wheel = channel == Channel::left || channel == Channel::right;
+  return size >= (of_wheel ? visible_travel_m : visible_position_m);
+}
+
+// In milli-units.
+std::vector<std::pair<double, double>> in_milli(std::vector<std::pair<double, double>> points) {
+  for (auto& [x, y] : points) y *= 1000.0;
+  return points;
 }
 
 std::vector<std::vector<double>> times_of(const Tracks& tracks) {
@@ -62,12 +70,15 @@ void add(std::vector<CheckStatistic>& all, const ChannelWords& of,
       std::string("periodic residual") + (over_time ? "" : " over travel") + ", " + std::string(of.name);
   statistic.p_value = found->p_value;
   statistic.size = found->amplitude;
-  statistic.visible = is_visible(found->amplitude, of.angle);
+  statistic.visible = is_visible(found->amplitude, of.channel);
   const std::string every =
       over_time ? in_words(found->period) + " s" : in_words(1000.0 * found->period) + " mm of travel";
   statistic.sentence = "the error of the " + std::string(of.name) + " swings every " + every + " by " +
                        size_in_words(found->amplitude, of.angle);
   statistic.regime = "a swing every " + every;
+  statistic.curve = {over_time ? "time within a period [s]" : "travel within a period [m]",
+                     "error of the " + std::string(of.name) + (of.angle ? " [mrad]" : " [mm]"),
+                     in_milli(found->folded)};
   statistic.share_of_gap = found->share;
   statistic.detail = {{over_time ? "period_s" : "period_m", found->period},
                       {of.angle ? "amplitude_rad" : "amplitude_m", found->amplitude}};
@@ -83,13 +94,16 @@ void add(std::vector<CheckStatistic>& all, const ChannelWords& of, const Covaria
   statistic.name = "dependence on " + quantity + ", " + std::string(of.name);
   statistic.p_value = found->p_value;
   statistic.size = found->size;
-  statistic.visible = is_visible(found->size, of.angle);
+  statistic.visible = is_visible(found->size, of.channel);
   statistic.regime = quantity + " from " + in_words(found->from, 2) + " to " + in_words(found->to, 2) + " " +
                      std::string(covariate.unit);
   statistic.sentence = "the error of the " + std::string(of.name) + " depends on " +
                        std::string(covariate.name) + " (" + size_in_words(found->size, of.angle) +
                        " in 10 s, most with " + statistic.regime + ")";
   statistic.share_of_time = found->share_of_time;
+  statistic.curve = {quantity + " [" + std::string(covariate.unit) + "]",
+                     "drift of the " + std::string(of.name) + (of.angle ? " [mrad/s]" : " [mm/s]"),
+                     in_milli(found->rates)};
   statistic.share_of_gap = found->share;
   statistic.detail = {
       {"from", found->from}, {"to", found->to}, {of.angle ? "size_rad" : "size_m", found->size}};

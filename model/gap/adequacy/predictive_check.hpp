@@ -4,7 +4,7 @@
 // normal. Each statistic below looks for one way in which they are not, and comes with the probability of as
 // large a value by chance. The check fails if the smallest of all these, corrected for their number (Sidak),
 // lies below `level`. A statistic counts only if what it shows would be seen by a person in the free run:
-// `visible_m`, `visible_rad`.
+// `visible_...`.
 //   periodic residual, over time and over a wheel's travel      periodic_residual.hpp
 //   dependence on command, turn rate, heading, place and time   dependence.hpp
 #pragma once
@@ -18,8 +18,17 @@
 namespace wheelwright::gap {
 
 constexpr double check_level = 0.01;
-constexpr double visible_m = 0.003;  // of a free-run error: what does not come to it is no gap
-constexpr double visible_rad = 0.010;
+// Of a free-run error, what a person sees in a plot; less is no gap. The same as for the figures of the gap.
+constexpr double visible_travel_m = 0.003;  // of a wheel
+constexpr double visible_position_m = 0.006;
+constexpr double visible_heading_rad = 0.010;
+
+// The curve that shows it to a person.
+struct StatisticCurve {
+  std::string x_axis;  // with unit: "heading [rad]"
+  std::string y_axis;
+  std::vector<std::pair<double, double>> points;
+};
 
 struct CheckStatistic {
   std::string name;      // "periodic residual, heading"
@@ -30,6 +39,7 @@ struct CheckStatistic {
   std::string regime;         // where: "heading from 1.2 to 2.0 rad"
   double share_of_gap = 0.0;  // of the free-run error
   double share_of_time = 1.0;
+  StatisticCurve curve;
   std::vector<std::pair<std::string, double>> detail;  // key with unit, value
 };
 

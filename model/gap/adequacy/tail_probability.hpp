@@ -8,7 +8,7 @@
 namespace wheelwright::gap {
 
 // P(X >= value) for X chi-squared with so many degrees of freedom, by the cube root's approximation to the
-// normal distribution (Wilson and Hilferty, PNAS 17 (1931) 684-688); good to a few per cent of itself down to
+// normal distribution (Wilson and Hilferty, PNAS 17 (1931) 684-688); good to a tenth of itself down to
 // 1e-6.
 inline double chi_squared_tail(double value, double degrees) {
   const double spread = 2.0 / (9.0 * degrees);

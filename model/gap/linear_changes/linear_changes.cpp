@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "model/effect_library.hpp"
+#include "model/gap/adequacy/variance_ratio.hpp"
 #include "model/gap/parameter_intervals.hpp"
 
 namespace wheelwright::gap {
@@ -128,31 +129,6 @@ Parameters fitted(const CorrectedRuns& runs, Parameters p) {
     if (before - squares < 0.2 + 1e-5 * before) break;
   }
   return p;
-}
-
-// By how much correlation over seconds has sums of squares exceed those of white innovations: the variance
-// ratio of sums over 2 s, of all channels.
-double variance_ratio(const GapProblem& problem, const std::vector<double>& residuals) {
-  constexpr double block_s = 2.0;
-  double squares = 0.0;
-  double all = 0.0;
-  double sum = 0.0;
-  std::size_t block = 0;
-  const auto& places = problem.places();
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const double time_s = problem.runs()[places[i].run].period_s * static_cast<double>(places[i].period);
-    const auto at = static_cast<std::size_t>(time_s / block_s);
-    const bool same =
-        i > 0 && places[i].run == places[i - 1].run && places[i].channel == places[i - 1].channel;
-    if (!same || at != block) {
-      squares += sum * sum;
-      sum = 0.0;
-    }
-    block = at;
-    sum += residuals[i];
-    all += residuals[i] * residuals[i];
-  }
-  return all > 0.0 ? std::max(1.0, (squares + sum * sum) / all) : 1.0;
 }
 
 bool leaves_out(const ParameterInterval& interval, double none) {

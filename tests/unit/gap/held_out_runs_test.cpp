@@ -30,7 +30,10 @@ GapAnalysis analysed(const std::vector<DriveLog>& train, const std::vector<Drive
 }  // namespace
 
 TEST_CASE("What no held-out run could show is confirmed on one of the others in which it shows") {
-  const auto analysis = analysed(runs_with("surface_patch", 3), runs_with("clean", 1));
+  auto train = runs_with("surface_patch", 3);
+  const auto clean = runs_with("clean", 2);
+  train.push_back(clean[0]);
+  const auto analysis = analysed(train, {clean[1]});
   INFO(analysis.summary);
   REQUIRE_FALSE(analysis.found.empty());
   CHECK(analysis.found.front().setting.name == "surface_patch");
@@ -38,6 +41,33 @@ TEST_CASE("What no held-out run could show is confirmed on one of the others in 
   CHECK_THAT(analysis.held_out.front(), ContainsSubstring("surface_patch_"));
   CHECK_THAT(analysis.summary, ContainsSubstring("was held out in their place"));
   CHECK(analysis.train_runs == 3);
+  CHECK(analysis.untouched);
+}
+
+TEST_CASE("Test runs beside three training runs take no part in the choice, and the figures are theirs") {
+  const auto train = runs_with("saturation", 3);
+  auto last = runs_with("saturation", 4);
+  last.erase(last.begin(), last.begin() + 3);
+  last.front().name = "last";
+  const auto analysis = analysed(train, last);
+  INFO(analysis.summary);
+  CHECK(analysis.untouched);
+  CHECK(analysis.tested == std::vector<std::string>{"last"});
+  CHECK(analysis.held_out == std::vector<std::string>{train.back().name});
+  CHECK(analysis.trained == std::vector<std::string>{train[0].name, train[1].name});
+  REQUIRE_FALSE(analysis.found.empty());
+  CHECK(analysis.found.front().setting.name == "saturation");
+  CHECK(analysis.found.front().test_gain_nats.value() > 10.0);
+  CHECK(analysis.test.after.distance_rms_m.value() < 0.5 * analysis.test.before.distance_rms_m.value());
+}
+
+TEST_CASE("The last of four runs is kept untouched") {
+  const auto analysis = analysed(runs_with("clean", 4), {});
+  CHECK(analysis.untouched);
+  CHECK(analysis.tested.size() == 1);
+  CHECK(analysis.train_runs == 2);
+  CHECK(analysis.test_runs == 1);
+  CHECK(analysis.check.passed);
 }
 
 TEST_CASE("Where nothing shows the runs that were given are the ones that were held out") {

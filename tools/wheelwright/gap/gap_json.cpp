@@ -28,6 +28,7 @@ ordered_json finding_to_json(const gap::Finding& found) {
   json["evidence"] = {{"heldout_gain_nats", found.heldout_gain_nats},
                       {"p_value", found.p_value},
                       {"posterior", found.posterior}};
+  if (found.test_gain_nats) json["evidence"]["log_e_test"] = *found.test_gain_nats;
   json["rivals"] = rivals;
   return json;
 }
@@ -117,9 +118,11 @@ ordered_json check_to_json(const gap::PredictiveCheck& check) {
   return json;
 }
 
-// The held-out runs decide which effects are accepted, so that they are not untouched.
 ordered_json data_to_json(const gap::GapAnalysis& analysis) {
-  return {{"train", analysis.trained}, {"test", analysis.held_out}, {"untouched", false}};
+  return {{"train", analysis.trained},
+          {"selected_by", analysis.held_out},
+          {"test", analysis.tested},
+          {"untouched", analysis.untouched}};
 }
 
 ordered_json linear_changes_to_json(const std::vector<gap::LinearChange>& changes) {

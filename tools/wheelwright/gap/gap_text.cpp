@@ -6,6 +6,7 @@
 
 #include "config/load/text_format.hpp"
 #include "model/effect_library.hpp"
+#include "tools/wheelwright/gap/check_section.hpp"
 #include "tools/wheelwright/report/number_text.hpp"
 
 namespace wheelwright::tools {
@@ -92,8 +93,9 @@ void print_gap(std::ostream& out, const gap::GapAnalysis& analysis) {
   if (analysis.train.before.empty() && analysis.test.before.empty()) return;
   out << "\nthe gap                                       before     after     floor\n";
   print_figures(out, "training", analysis.train);
-  print_figures(out, "held out", analysis.test);
+  print_figures(out, test_runs_text(analysis), analysis.test);
   if (const std::string late = late_references_text(analysis); !late.empty()) out << "  " << late << "\n";
+  if (const std::string check = check_text(analysis); !check.empty()) out << "  " << check << "\n";
   if (!analysis.not_testable.empty()) out << "\nthese runs cannot show:\n";
   for (const auto& effect : analysis.not_testable) out << "  " << effect.effect << ": " << effect.why << "\n";
 }

@@ -8,6 +8,7 @@
 #include "model/gap/noted_references.hpp"
 #include "model/gap/residual_table.hpp"
 #include "model/open_loop_runs.hpp"
+#include "tools/wheelwright/gap/check_section.hpp"
 #include "tools/wheelwright/gap/gap_text.hpp"
 #include "tools/wheelwright/gap/report_tables.hpp"
 #include "tools/wheelwright/gap/run_plots.hpp"
@@ -31,11 +32,11 @@ std::vector<gap::GatedLog> gated(std::span<const DriveLog> train, std::span<cons
   return result;
 }
 
-// The first few of the runs that the analysis held out.
+// The first few of the runs on which the accepted model is shown.
 std::vector<DriveLog> heldout_runs(const gap::GapAnalysis& analysis, std::span<const gap::GatedLog> all) {
   std::vector<DriveLog> runs;
   for (const auto& one : all) {
-    const bool held_out = std::ranges::find(analysis.held_out, one.log.name) != analysis.held_out.end();
+    const bool held_out = std::ranges::find(analysis.tested, one.log.name) != analysis.tested.end();
     if (held_out && runs.size() < most_drawn_runs) runs.push_back(one.log);
   }
   return runs;
@@ -49,7 +50,9 @@ std::string figures_section(const gap::GapAnalysis& analysis, const std::vector<
   const bool told = changed && std::ranges::any_of(runs, [&](const DriveLog& run) {
                       return is_told_on_the_way(analysis.after, run);
                     });
-  return html::element("h2", analysis.tail_held_out ? "The run, simulated" : "Held-out runs, simulated") +
+  return html::element("h2", analysis.tail_held_out ? "The run, simulated"
+                             : analysis.untouched   ? "Untouched runs, simulated"
+                                                    : "Held-out runs, simulated") +
          html::element("p",
                        std::string("From the commands of the whole run and the pose at its start. ") +
                            (told ? "With what was added, the model is told every 10 s where the robot is and "
@@ -66,6 +69,7 @@ std::string head(const gap::GapAnalysis& analysis) {
       "<p class=\"verdict\"><strong>" + verdict + "</strong>: " + html::escaped(analysis.summary) + "</p>\n";
   std::string line = std::to_string(analysis.train_runs) + " training runs, " +
                      std::to_string(analysis.test_runs) + " held out";
+  if (analysis.untouched) line += ", " + std::to_string(analysis.tested.size()) + " untouched";
   if (analysis.tail_held_out) line = "1 run, its last third held out";
   if (!analysis.after.robot.empty()) line += "; robot " + analysis.after.robot;
   if (!analysis.after.created.empty()) line += "; " + analysis.after.created;
@@ -80,6 +84,8 @@ std::string gap_report(const gap::GapAnalysis& analysis, std::span<const DriveLo
   const std::vector<gap::GatedLog> all = gated(train, test, analysis);
   std::string body = head(analysis);
   body += findings_section(analysis);
+  body += linear_changes_section(analysis);
+  body += check_section(analysis);
   body += where_section(analysis);
   if (fitted && analysis.verdict == gap::Verdict::unnamed) {
     body += residual_section(gap::residual_table(analysis.after, all));

@@ -5,6 +5,7 @@
 
 #include "model/effect_library.hpp"
 #include "model/gap/decoys.hpp"
+#include "tools/wheelwright/gap/check_section.hpp"
 #include "tools/wheelwright/gap/gap_text.hpp"
 #include "tools/wheelwright/report/html.hpp"
 #include "tools/wheelwright/report/number_text.hpp"
@@ -78,8 +79,8 @@ template <typename Pick>
 void add_channel(Rows& rows, const gap::GapAnalysis& analysis, const std::string& name, Pick pick) {
   for (const bool heldout : {false, true}) {
     const gap::GapFigures& figures = heldout ? analysis.test : analysis.train;
-    add_row(rows, name, heldout ? "held out" : "training", 1000.0, pick(figures.before), pick(figures.after),
-            pick(figures.floor));
+    add_row(rows, name, heldout ? test_runs_text(analysis) : "training", 1000.0, pick(figures.before),
+            pick(figures.after), pick(figures.floor));
   }
 }
 

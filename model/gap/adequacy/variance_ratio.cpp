@@ -1,0 +1,30 @@
+#include "model/gap/adequacy/variance_ratio.hpp"
+
+#include <algorithm>
+
+namespace wheelwright::gap {
+
+double variance_ratio(const GapProblem& problem, std::span<const double> innovations) {
+  constexpr double block_s = 2.0;
+  double squares = 0.0;
+  double all = 0.0;
+  double sum = 0.0;
+  std::size_t block = 0;
+  const auto& places = problem.places();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double time_s = problem.runs()[places[i].run].period_s * static_cast<double>(places[i].period);
+    const auto at = static_cast<std::size_t>(time_s / block_s);
+    const bool same =
+        i > 0 && places[i].run == places[i - 1].run && places[i].channel == places[i - 1].channel;
+    if (!same || at != block) {
+      squares += sum * sum;
+      sum = 0.0;
+    }
+    block = at;
+    sum += innovations[i];
+    all += innovations[i] * innovations[i];
+  }
+  return all > 0.0 ? std::max(1.0, (squares + sum * sum) / all) : 1.0;
+}
+
+}  // namespace wheelwright::gap
