@@ -45,6 +45,15 @@ void refuse_link_in_use(const std::filesystem::path& link) {
                            "; end that, remove the link, or choose another --link");
 }
 
+// A robot that was killed leaves a link to a terminal behind; any other link is somebody else's.
+void refuse_link_to_no_terminal(const std::filesystem::path& link) {
+  std::error_code error;
+  const std::string target = std::filesystem::read_symlink(link, error).string();
+  if (target.starts_with("/dev/pts/")) return;
+  throw std::runtime_error(link.string() + ": is a link to " + target +
+                           ", not to a terminal of a simulated robot; choose another --link");
+}
+
 }  // namespace
 
 PseudoTerminal::PseudoTerminal() : descriptor_(posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)) {
@@ -114,6 +123,7 @@ TerminalLink::TerminalLink(std::filesystem::path link, const std::string& target
   const auto kind = std::filesystem::symlink_status(link_, error).type();
   if (kind == std::filesystem::file_type::symlink) {
     refuse_link_in_use(link_);
+    refuse_link_to_no_terminal(link_);
     std::filesystem::remove(link_, error);
   } else if (kind != std::filesystem::file_type::not_found) {
     throw std::runtime_error(link_.string() + ": is in the way and no symbolic link; choose another --link");

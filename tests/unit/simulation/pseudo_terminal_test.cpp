@@ -127,15 +127,19 @@ TEST_CASE("A link to a terminal of the same process may be pointed elsewhere, on
   std::filesystem::remove(link);
 }
 
-TEST_CASE("A link points to the terminal, replaces an old link, and goes away with it") {
+TEST_CASE("A link points to the terminal, replaces one that a killed robot left, and goes away with it") {
   const auto link = wheelwright::test::temporary_folder() / "wheelwright_link_test";
   std::filesystem::remove(link);
-  std::filesystem::create_symlink("/nowhere", link);
+  std::filesystem::create_symlink("/dev/pts/4711", link);
   {
     const TerminalLink made(link, "/dev/null");
     CHECK(std::filesystem::read_symlink(link) == "/dev/null");
   }
   CHECK_FALSE(std::filesystem::is_symlink(link));
+  std::filesystem::create_symlink("/not/there/yet", link);
+  CHECK_THROWS_WITH(TerminalLink(link, "/dev/null"), ContainsSubstring("is a link to /not/there/yet"));
+  CHECK(std::filesystem::is_symlink(link));
+  std::filesystem::remove(link);
   std::ofstream(link) << "precious";
   CHECK_THROWS_WITH(TerminalLink(link, "/dev/null"), ContainsSubstring("is in the way"));
   std::filesystem::remove(link);
