@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "config/load/text_format.hpp"
-#include "tools/wheelwright/import/conversion/convert.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
+#include "tools/wheelwright/import/conversion/wheel_travel.hpp"
 
 namespace wheelwright::import {
 namespace {

@@ -8,7 +8,6 @@
 
 #include "model/drive_log.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
-#include "tools/wheelwright/import/conversion/time_repair.hpp"
 #include "tools/wheelwright/import/mapping/mapping.hpp"
 
 namespace wheelwright::import {
@@ -22,20 +21,5 @@ struct Conversion {
 // counts.
 tl::expected<Conversion, std::string> convert(const DriveColumns& columns, const Mapping& mapping,
                                               const std::string& name);
-
-// The runs of the rows: time made to rise (time_repair.hpp) within each run that the files tell apart.
-TimeRepair repair_runs(const DriveColumns& columns);
-
-// Distance of one count, or what one unit of the wheel channels is in metres (m/s for speeds), by what the
-// mapping says; nothing where it says too little.
-std::optional<double> wheel_scale(const WheelMapping& wheels);
-
-// Wheel channels of rows in the order of time: blanks of a log on change filled, a counter unwrapped.
-struct WheelTravel {
-  std::array<Column, 2> values;
-  std::vector<std::string> remarks;
-};
-WheelTravel wheel_travel(const DriveColumns& columns, std::span<const std::size_t> rows,
-                         const WheelMapping& wheels);
 
 }  // namespace wheelwright::import

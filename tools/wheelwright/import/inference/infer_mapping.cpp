@@ -1,13 +1,16 @@
 #include "tools/wheelwright/import/inference/infer_mapping.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
+#include "tools/wheelwright/import/inference/metadata_roles.hpp"
 #include "tools/wheelwright/import/inference/named_roles.hpp"
 #include "tools/wheelwright/import/inference/numbered_roles.hpp"
+#include "tools/wheelwright/import/inference/response_rows.hpp"
 #include "tools/wheelwright/import/inference/units_by_motion.hpp"
 
 namespace wheelwright::import {

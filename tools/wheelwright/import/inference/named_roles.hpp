@@ -14,9 +14,6 @@ namespace wheelwright::import {
 void map_by_names(std::span<const Recording> recordings, Mapping& mapping,
                   std::vector<std::string>& findings);
 
-// The wheel base, period, scales and name that metadata state ("# wheel_base_m: 0.235").
-void map_metadata(std::span<const Recording> recordings, Mapping& mapping);
-
 // Whether a column is held for most rows, as a command is, and changes at all.
 bool is_held(const std::vector<double>& values);
 

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
 
 #include "config/load/text_format.hpp"
-#include "tools/wheelwright/import/conversion/convert.hpp"
-#include "tools/wheelwright/import/conversion/stamps.hpp"
-#include "tools/wheelwright/import/conversion/time_repair.hpp"
+#include "tools/wheelwright/import/conversion/wheel_travel.hpp"
+#include "tools/wheelwright/import/inference/gain_units.hpp"
+#include "tools/wheelwright/import/inference/reference_units.hpp"
+#include "tools/wheelwright/import/inference/response_rows.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {
@@ -22,38 +21,9 @@ using config::plain_number;
 using std::numbers::pi;
 
 constexpr double fastest_m_s = 3.0;  // larger commands are in no metres per second
-constexpr double near_gain = 1.35;   // a unit is taken where the gain is within this factor of it
 constexpr double least_explained = 0.1;
 constexpr double sure_nats = 50.0;
-constexpr double burst_part = 0.2;      // of the median step: a shorter one is of a burst
 constexpr double sure_explained = 0.5;  // share of the variance from which a gain is believed
-
-// Between rows that have a value.
-double median_step_of(const std::vector<double>& t_s, const Column& values) {
-  std::vector<double> steps;
-  double last_s = std::numeric_limits<double>::quiet_NaN();
-  for (std::size_t i = 0; i < t_s.size(); ++i) {
-    if (!std::isfinite(values[i])) continue;
-    if (std::isfinite(last_s)) steps.push_back(t_s[i] - last_s);
-    last_s = t_s[i];
-  }
-  if (steps.empty()) return 0.0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
-}
-
-double largest(const Column& column) {
-  double result = 0.0;
-  for (const double value : column) {
-    if (std::isfinite(value)) result = std::max(result, std::abs(value));
-  }
-  return result;
-}
-
-bool is_near(double gain, double unit) {
-  return gain > 0.0 && std::abs(std::log(gain / unit)) < std::log(near_gain);
-}
 
 std::optional<Unit> unit_of_gain(std::span<const Unit> units, double gain, std::optional<double> radius_m) {
   for (const Unit& unit : units) {
@@ -70,56 +40,6 @@ double full_scale_of(double largest_duty) {
     if (largest_duty <= scale) return scale;
   }
   return largest_duty;
-}
-
-// Measured speed per row from travel or speeds; commands as they were in force before each row.
-void add_run(const DriveColumns& columns, const Column& times_s, const Mapping& mapping, const RunRows& rows,
-             std::array<ResponseRows, 2>& result) {
-  const WheelTravel travel = wheel_travel(columns, rows, *mapping.wheels);
-  const bool is_speed = mapping.wheels->kind == WheelKind::speed;
-  const bool is_pair = !travel.values[1].empty();
-  const bool as_body = mapping.command->kind == CommandKind::twist && !mapping.wheels->body_motion && is_pair;
-  std::array<double, 2> command{std::numeric_limits<double>::quiet_NaN(),
-                                std::numeric_limits<double>::quiet_NaN()};
-  std::array<double, 2> in_force{std::numeric_limits<double>::quiet_NaN(),
-                                 std::numeric_limits<double>::quiet_NaN()};
-  std::array<double, 2> last{std::numeric_limits<double>::quiet_NaN(),
-                             std::numeric_limits<double>::quiet_NaN()};
-  double last_s = std::numeric_limits<double>::quiet_NaN();
-  std::vector<double> t_s;
-  for (const std::size_t row : rows) t_s.push_back(times_s[row]);
-  if (!is_speed) {
-    if (const auto even = even_stamps(t_s, travel.values[0])) t_s = even->t_s;
-  }
-  const double shortest_s = burst_part * median_step_of(t_s, travel.values[0]);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::array<double, 2> value{travel.values[0][i],
-                                      is_pair ? travel.values[1][i] : travel.values[0][i]};
-    if (std::isfinite(value[0]) && std::isfinite(value[1])) {
-      const double duration_s = t_s[i] - last_s;
-      std::array<double, 2> speed{};
-      // Rows that were handled in one go say nothing of a speed.
-      const bool is_burst = !is_speed && duration_s < shortest_s;
-      for (std::size_t k = 0; k < 2; ++k)
-        speed[k] = is_speed   ? value[k]
-                   : is_burst ? std::numeric_limits<double>::quiet_NaN()
-                              : (value[k] - last[k]) / duration_s;
-      if (as_body) speed = {0.5 * (speed[0] + speed[1]), speed[1] - speed[0]};
-      for (std::size_t k = 0; k < 2; ++k) {
-        result[k].speed.push_back(speed[k]);
-        result[k].command.push_back(in_force[k]);
-      }
-      last = value;
-      last_s = t_s[i];
-      in_force = command;
-    }
-    for (std::size_t k = 0; k < 2; ++k) {
-      const Column& column = columns.command[columns.command[k].empty() ? 0 : k];
-      if (std::isfinite(column[rows[i]])) command[k] = column[rows[i]];
-    }
-    if (i == 0) in_force = command;
-  }
-  for (auto& side : result) side.run_ends.push_back(side.speed.size());
 }
 
 class UnitFinder {
@@ -145,7 +65,8 @@ class UnitFinder {
       }
       suggest_base();
     }
-    if (mapping_.reference && mapping_.wheels && mapping_.wheel_base_m) reference_units();
+    if (mapping_.reference && mapping_.wheels && mapping_.wheel_base_m)
+      set_reference_units(columns_, given_, mapping_, findings_);
   }
 
  private:
@@ -190,7 +111,7 @@ class UnitFinder {
       if (unit->name == command.unit) return;
       command.unit = unit->name;
       findings_.push_back("commands are in " + command.unit + ": the wheels reach " +
-                          plain_number(round_to(gain_m_s)) + " m/s for each unit" + evidence());
+                          plain_number(rounded_gain(gain_m_s)) + " m/s for each unit" + evidence());
       return;
     }
     if (command.kind != CommandKind::wheels || largest(columns_.command[0]) <= fastest_m_s) return;
@@ -205,7 +126,7 @@ class UnitFinder {
           full_scale_of(std::max(largest(columns_.command[0]), largest(columns_.command[1])));
     }
     if (given_.says("command.full_scale_m_s")) return;
-    const double full_m_s = round_to(gain_m_s * command.full_scale);
+    const double full_m_s = rounded_gain(gain_m_s * command.full_scale);
     if (full_m_s < 0.001 || full_m_s > 100.0) return;
     command.full_scale_m_s = full_m_s;
     findings_.push_back("commands are a duty of " + plain_number(command.full_scale) + ", which leads to " +
@@ -220,7 +141,7 @@ class UnitFinder {
       return;
     const auto unit = find_unit(speed_units(), command.unit);
     if (!unit || unit->of_wheel) return;
-    const double scale = round_to(unit->in_si / std::abs(gain_));
+    const double scale = rounded_gain(unit->in_si / std::abs(gain_));
     if (!(scale > 1e-9) || scale > 1.0) return;  // no wheel has such a count or radius
     found_scale_ = true;
     if (mapping_.wheels->kind == WheelKind::counts) {
@@ -232,7 +153,7 @@ class UnitFinder {
     } else {
       const auto angle = find_unit(mapping_.wheels->kind == WheelKind::angle ? angle_units() : speed_units(),
                                    mapping_.wheels->unit);
-      const double radius_m = round_to(scale / (angle ? angle->in_si : 1.0));
+      const double radius_m = rounded_gain(scale / (angle ? angle->in_si : 1.0));
       if (radius_m < 0.003 || mapping_.wheels->unit.empty()) return;
       mapping_.wheels->wheel_radius_m = radius_m;
       findings_.push_back("the wheel radius is " + plain_number(*mapping_.wheels->wheel_radius_m) +
@@ -290,7 +211,7 @@ class UnitFinder {
     const double command = unit->in_si * (unit->of_wheel ? *mapping_.wheels->wheel_radius_m : 1.0);
     const double gain = std::abs(gain_) * *scale / command;
     if (gain < 0.6 || gain > 1.6) {
-      doubts_.push_back("the wheels go " + plain_number(round_to(gain)) +
+      doubts_.push_back("the wheels go " + plain_number(rounded_gain(gain)) +
                         " times as far as commanded: check the units of commands and wheels, and the scale");
     }
     if (mapping_.command->kind != CommandKind::twist || mapping_.wheels->body_motion ||
@@ -302,15 +223,15 @@ class UnitFinder {
     if (!given_.says("command.angular_unit") && mapping_.command->angular_unit == "rad/s" &&
         is_near(turn, pi / 180.0)) {
       mapping_.command->angular_unit = "deg/s";
-      findings_.push_back("the angular command is in deg/s: the robot turns " + plain_number(round_to(turn)) +
-                          " times as far as in rad/s");
+      findings_.push_back("the angular command is in deg/s: the robot turns " +
+                          plain_number(rounded_gain(turn)) + " times as far as in rad/s");
       return;
     }
     doubts_.push_back(
         turn < 0.0
             ? std::string("the robot turns against its commands: its angular command is clockwise, or the "
                           "sides are swapped")
-            : "the robot turns " + plain_number(round_to(turn)) +
+            : "the robot turns " + plain_number(rounded_gain(turn)) +
                   " times as far as commanded: check the unit of the angular command and the wheel base");
   }
 
@@ -342,81 +263,6 @@ class UnitFinder {
                         fixed_number(std::abs(fits_[1].gain) * *scale, 3) + " m");
   }
 
-  // Heading and place against those of the counts, over windows of some rows.
-  void reference_units() {
-    const double scale = wheel_scale(*mapping_.wheels).value_or(0.0);
-    if (!(scale > 0.0) || columns_.wheel[1].empty() || mapping_.wheels->kind == WheelKind::speed) return;
-    double turn_products = 0.0;
-    double turn_squares = 0.0;
-    double way = 0.0;
-    double reference_way = 0.0;
-    const TimeRepair time = repair_runs(columns_);
-    for (const auto& rows : time.runs) {
-      const WheelTravel travel = wheel_travel(columns_, rows, *mapping_.wheels);
-      std::size_t before = rows.size();
-      for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (!is_placed(rows[i]) || !std::isfinite(travel.values[0][i]) || !std::isfinite(travel.values[1][i]))
-          continue;
-        if (before == rows.size()) before = i;
-        const double left = scale * (travel.values[0][i] - travel.values[0][before]);
-        const double right = scale * (travel.values[1][i] - travel.values[1][before]);
-        if (std::abs(left) + std::abs(right) < 0.1) continue;  // metres: enough to show beside noise
-        const double turn = (right - left) / *mapping_.wheel_base_m;
-        if (!columns_.theta_rad.empty() && std::abs(turn) < 2.0) {
-          const double seen = columns_.theta_rad[rows[i]] - columns_.theta_rad[rows[before]];
-          if (std::abs(seen) < 150.0) {
-            turn_products += turn * seen;
-            turn_squares += turn * turn;
-          }
-        }
-        if (!columns_.x.empty()) {
-          way += std::abs(0.5 * (left + right));
-          reference_way += std::hypot(columns_.x[rows[i]] - columns_.x[rows[before]],
-                                      columns_.y[rows[i]] - columns_.y[rows[before]]);
-        }
-        before = i;
-      }
-    }
-    if (turn_squares > 0.0) heading_unit(turn_products / turn_squares);
-    if (way > 0.0) place_unit(reference_way / way);
-  }
-
-  bool is_placed(std::size_t row) const {
-    const auto stands = [row](const Column& column) { return column.empty() || std::isfinite(column[row]); };
-    return stands(columns_.x) && stands(columns_.y) && stands(columns_.theta_rad);
-  }
-
-  void heading_unit(double slope) {
-    ReferenceMapping& reference = *mapping_.reference;
-    if (!reference.theta || given_.says("reference.angle_unit") || reference.angle_unit != "rad" ||
-        !is_near(slope, 180.0 / pi))
-      return;
-    reference.angle_unit = "deg";
-    findings_.push_back("headings are in degrees: they turn " + fixed_number(slope, 1) +
-                        " times as far as the counts in radians");
-  }
-
-  void place_unit(double ratio) {
-    ReferenceMapping& reference = *mapping_.reference;
-    if (given_.says("reference.unit") || reference.unit != "m") return;
-    for (const auto& [unit, per_metre] : {std::pair{"mm", 1000.0}, {"cm", 100.0}}) {
-      if (!is_near(ratio, per_metre)) continue;
-      reference.unit = unit;
-      findings_.push_back("places are in " + reference.unit + ": they go " + fixed_number(ratio, 0) +
-                          " times as far as the counts in metres");
-    }
-  }
-
-  // Five figures: the gain of a noisy response has no more.
-  static double round_to(double value) {
-    std::array<char, 32> text{};
-    const auto end =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 5).ptr;
-    double rounded = value;
-    std::from_chars(text.data(), end, rounded);
-    return rounded;
-  }
-
   const DriveColumns& columns_;
   const GivenMapping& given_;
   Mapping& mapping_;
@@ -429,13 +275,6 @@ class UnitFinder {
 };
 
 }  // namespace
-
-std::array<ResponseRows, 2> response_rows(const DriveColumns& columns, const Mapping& mapping) {
-  std::array<ResponseRows, 2> result;
-  const TimeRepair time = repair_runs(columns);
-  for (const auto& rows : time.runs) add_run(columns, time.t_s, mapping, rows, result);
-  return result;
-}
 
 void set_units(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
                std::vector<std::string>& findings, std::vector<std::string>& doubts) {

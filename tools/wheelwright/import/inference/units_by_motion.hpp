@@ -3,19 +3,13 @@
 // a speed.
 #pragma once
 
-#include <array>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
-#include "tools/wheelwright/import/inference/response_fit.hpp"
 #include "tools/wheelwright/import/mapping/mapping_file.hpp"
 
 namespace wheelwright::import {
-
-// Speed of both wheels and the command of each, of the mapped columns: in units of the channels per second.
-std::array<ResponseRows, 2> response_rows(const DriveColumns& columns, const Mapping& mapping);
 
 // Sets what is not given; adds a line with the evidence to `findings`, and to `doubts` where what is known
 // cannot be.

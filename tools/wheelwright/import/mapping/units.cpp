@@ -131,4 +131,9 @@ std::optional<Unit> find_unit(std::span<const Unit> units, std::string_view name
   return at == units.end() ? std::nullopt : std::optional(*at);
 }
 
+double in_si(std::span<const Unit> units, std::string_view name) {
+  const auto unit = find_unit(units, name);
+  return unit ? unit->in_si : 1.0;
+}
+
 }  // namespace wheelwright::import

@@ -22,6 +22,9 @@ std::span<const Unit> voltage_units();   // V mV
 // The unit of that name, spelled in any of the usual ways ("m_s", "mps", "meters", "degrees").
 std::optional<Unit> find_unit(std::span<const Unit> units, std::string_view name);
 
+// How much one unit of that name is in SI; 1 where it is none of them.
+double in_si(std::span<const Unit> units, std::string_view name);
+
 // The name that files use for a spelling: "mps" is "m/s". Empty where it is no unit.
 std::string_view unit_by_spelling(std::string_view spelling);
 

@@ -1,0 +1,233 @@
+#include "tools/wheelwright/import/conversion/run_maker.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "config/load/text_format.hpp"
+#include "tools/wheelwright/import/conversion/missing_keys.hpp"
+#include "tools/wheelwright/import/conversion/stamps.hpp"
+#include "tools/wheelwright/import/conversion/wheel_command.hpp"
+#include "tools/wheelwright/import/conversion/wheel_travel.hpp"
+#include "tools/wheelwright/import/mapping/units.hpp"
+
+namespace wheelwright::import {
+namespace {
+
+using config::fixed_number;
+
+// Of distances that were no counts: fine enough to add no noise to what an encoder shows.
+constexpr double fine_count_m = 1e-6;
+// One wheel has no base; the other stands still beside it.
+constexpr double one_wheel_base_m = 1.0;
+
+std::optional<double> value(const Column& column, std::size_t row) {
+  if (column.empty() || !std::isfinite(column[row])) return std::nullopt;
+  return column[row];
+}
+
+double median_step(const std::vector<double>& times_s) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < times_s.size(); ++i) steps.push_back(times_s[i] - times_s[i - 1]);
+  if (steps.empty()) return 0.0;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
+class RunMaker {
+ public:
+  RunMaker(const DriveColumns& columns, const Column& times_s, const Mapping& mapping,
+           const std::string& name)
+      : columns_(columns), times_s_(times_s), mapping_(mapping), name_(name) {}
+
+  DriveLog make(const RunRows& rows, std::vector<std::string>& remarks) {
+    DriveLog log;
+    log.name = name_;
+    log.wheel_base_m = mapping_.wheel_base_m.value_or(one_wheel_base_m);
+    log.first_line = rows.front() < columns_.places.size() ? columns_.places[rows.front()] : rows.front() + 1;
+    std::vector<double> t_s;
+    for (const std::size_t row : rows) t_s.push_back(times_s_[row] - times_s_[rows.front()]);
+    std::array<Column, 2> counts = wheel_counts(rows, t_s, log, remarks);
+    name_holes(rows, t_s, remarks);
+    make_samples(rows, t_s, counts, log, remarks);
+    log.period_s = mapping_.time.period_s ? *mapping_.time.period_s : period_of(log);
+    return log;
+  }
+
+ private:
+  // Counts per wheel; `t_s` becomes even where its stamps are not to be believed.
+  std::array<Column, 2> wheel_counts(const RunRows& rows, std::vector<double>& t_s, DriveLog& log,
+                                     std::vector<std::string>& remarks) const {
+    if (!mapping_.wheels) return {};
+    const WheelMapping& wheels = *mapping_.wheels;
+    WheelTravel travel = wheel_travel(columns_, rows, wheels);
+    remarks.insert(remarks.end(), travel.remarks.begin(), travel.remarks.end());
+    if (wheels.kind != WheelKind::speed) make_even(rows, travel, t_s, remarks);
+    const double scale = wheel_scale(wheels).value_or(1.0);
+    if (wheels.kind == WheelKind::counts) {
+      log.metres_per_tick = WheelPair{scale, wheels.metres_per_count_right.value_or(scale)};
+    } else {
+      to_fine_counts(travel.values, t_s, scale);
+      log.metres_per_tick = WheelPair{fine_count_m, fine_count_m};
+    }
+    for (std::size_t side = 0; side < 2; ++side) {
+      if (side == 0 ? !wheels.left_reversed : !wheels.right_reversed) continue;
+      for (double& count : travel.values[side]) count = -count;
+    }
+    return travel.values;
+  }
+
+  void name_holes(const RunRows& rows, const std::vector<double>& t_s,
+                  std::vector<std::string>& remarks) const {
+    constexpr std::size_t most_named = 5;
+    const double longest_s = std::max(0.3, 5.0 * median_step(t_s));
+    std::size_t count = 0;
+    for (std::size_t i = 1; i < t_s.size(); ++i) {
+      if (t_s[i] - t_s[i - 1] <= longest_s || ++count > most_named) continue;
+      remarks.push_back(columns_.place(rows[i]) + ": no rows for " + fixed_number(t_s[i] - t_s[i - 1], 3) +
+                        " s");
+    }
+    if (count > most_named) remarks.push_back("and " + std::to_string(count - most_named) + " more holes");
+  }
+
+  void make_even(const RunRows& rows, const WheelTravel& travel, std::vector<double>& t_s,
+                 std::vector<std::string>& remarks) const {
+    const auto even = even_stamps(t_s, travel.values[0]);
+    if (!even) return;
+    remarks.push_back(columns_.place(rows.front()) + ": " + even->text());
+    t_s = even->t_s;
+  }
+
+  // Angles, distances or speeds as counts of a micrometre.
+  void to_fine_counts(std::array<Column, 2>& values, const std::vector<double>& t_s, double scale) const {
+    const WheelMapping& wheels = *mapping_.wheels;
+    if (wheels.body_motion) to_wheels(values);
+    const double factor = (wheels.body_motion ? 1.0 : scale) / fine_count_m;
+    for (Column& side : values) {
+      if (wheels.kind == WheelKind::speed) integrate(side, t_s);
+      for (double& entry : side) entry = std::isfinite(entry) ? std::round(entry * factor) : entry;
+    }
+  }
+
+  void to_wheels(std::array<Column, 2>& values) const {
+    const double linear = in_si(speed_units(), mapping_.wheels->unit);
+    const double half_base_m = 0.5 * *mapping_.wheel_base_m;
+    for (std::size_t i = 0; i < values[0].size(); ++i) {
+      const double forward = linear * values[0][i];
+      const double turning = values[1].empty() ? 0.0 : half_base_m * values[1][i];
+      values[0][i] = forward - turning;
+      if (!values[1].empty()) values[1][i] = forward + turning;
+    }
+  }
+
+  // A speed is that of the time since the row before.
+  static void integrate(Column& values, const std::vector<double>& t_s) {
+    double sum = 0.0;
+    double last_s = t_s.front();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (!std::isfinite(values[i])) continue;
+      sum += values[i] * (t_s[i] - last_s);
+      last_s = t_s[i];
+      values[i] = sum;
+    }
+  }
+
+  void make_samples(const RunRows& rows, const std::vector<double>& t_s, const std::array<Column, 2>& counts,
+                    DriveLog& log, std::vector<std::string>& remarks) const {
+    const bool one_command = columns_.command[1].empty();
+    const bool is_twist = mapping_.command->kind == CommandKind::twist;
+    std::optional<double> first;
+    std::optional<double> second;
+    std::size_t before_commands = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const std::size_t row = rows[i];
+      if (const auto said = value(columns_.command[0], row)) first = said;
+      if (one_command) {
+        second = is_twist ? std::optional(0.0) : first;
+      } else if (const auto said = value(columns_.command[1], row)) {
+        second = said;
+      }
+      if (!first || !second) {
+        ++before_commands;
+        continue;
+      }
+      WheelPair command_m_s = wheel_command(mapping_, *first, *second);
+      if (is_one_wheel(mapping_)) command_m_s.right = 0.0;
+      log.samples.push_back(sample(row, t_s[i], command_m_s));
+      add_counts(counts, i, log.samples.back());
+    }
+    if (before_commands > 0) {
+      remarks.push_back(columns_.place(rows.front()) + ": " + std::to_string(before_commands) +
+                        " rows before the first command, left out");
+    }
+    trim_to_counts(log);
+    const double start_s = log.samples.empty() ? 0.0 : log.samples.front().t_s;
+    for (auto& entry : log.samples) entry.t_s -= start_s;
+  }
+
+  // A run of counts begins and ends with one; the last command before it is in force there.
+  static void trim_to_counts(DriveLog& log) {
+    const auto first =
+        std::ranges::find_if(log.samples, [](const DriveSample& entry) { return entry.ticks.has_value(); });
+    if (first == log.samples.end()) return;
+    log.samples.erase(log.samples.begin(), first);
+    while (!log.samples.back().ticks) log.samples.pop_back();
+  }
+
+  DriveSample sample(std::size_t row, double t_s, const WheelPair& command_m_s) const {
+    DriveSample result;
+    result.t_s = t_s;
+    result.command_m_s = command_m_s;
+    if (mapping_.reference) {
+      const double metres = in_si(distance_units(), mapping_.reference->unit);
+      if (const auto x = value(columns_.x, row)) result.reference_x_m = metres * *x;
+      if (const auto y = value(columns_.y, row)) result.reference_y_m = metres * *y;
+      result.reference_theta_rad = value(columns_.theta_rad, row);
+    }
+    if (const auto gyro = value(columns_.gyro, row)) {
+      result.gyro_z_rad_s = in_si(angular_units(), mapping_.gyro->unit) * *gyro;
+    }
+    if (const auto battery = value(columns_.battery, row)) {
+      result.battery_v = in_si(voltage_units(), mapping_.battery->unit) * *battery;
+    }
+    return result;
+  }
+
+  static void add_counts(const std::array<Column, 2>& counts, std::size_t at, DriveSample& sample) {
+    if (counts[0].empty() || !std::isfinite(counts[0][at])) return;
+    const double right = counts[1].empty() ? 0.0 : counts[1][at];
+    if (std::isfinite(right)) sample.ticks = WheelTicks{std::llround(counts[0][at]), std::llround(right)};
+  }
+
+  // Of the rows that measured something: rows that hold a command alone lie anywhere.
+  static double period_of(const DriveLog& log) {
+    std::vector<double> counted;
+    std::vector<double> placed;
+    std::vector<double> all;
+    for (const auto& sample : log.samples) {
+      all.push_back(sample.t_s);
+      if (sample.ticks) counted.push_back(sample.t_s);
+      if (sample.reference_x_m || sample.reference_theta_rad) placed.push_back(sample.t_s);
+    }
+    // To a tenth of a microsecond: stamps have no more.
+    return std::round(1e7 * median_step(counted.size() > 2  ? counted
+                                        : placed.size() > 2 ? placed
+                                                            : all)) /
+           1e7;
+  }
+
+  const DriveColumns& columns_;
+  const Column& times_s_;
+  const Mapping& mapping_;
+  const std::string& name_;
+};
+
+}  // namespace
+
+DriveLog make_run(const DriveColumns& columns, const Column& times_s, const Mapping& mapping,
+                  const std::string& name, const RunRows& rows, std::vector<std::string>& remarks) {
+  return RunMaker(columns, times_s, mapping, name).make(rows, remarks);
+}
+
+}  // namespace wheelwright::import

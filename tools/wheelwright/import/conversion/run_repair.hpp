@@ -1,0 +1,12 @@
+// The runs that the rows of mapped columns make.
+#pragma once
+
+#include "tools/wheelwright/import/conversion/drive_columns.hpp"
+#include "tools/wheelwright/import/conversion/time_repair.hpp"
+
+namespace wheelwright::import {
+
+// Time made to rise (time_repair.hpp) within each run that the files tell apart.
+TimeRepair repair_runs(const DriveColumns& columns);
+
+}  // namespace wheelwright::import

@@ -1,0 +1,36 @@
+#include "tools/wheelwright/import/inference/gain_units.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace wheelwright::import {
+namespace {
+
+constexpr double near_gain = 1.35;  // a unit is taken where the gain is within this factor of it
+
+}  // namespace
+
+bool is_near(double gain, double unit) {
+  return gain > 0.0 && std::abs(std::log(gain / unit)) < std::log(near_gain);
+}
+
+double rounded_gain(double value) {
+  std::array<char, 32> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 5).ptr;
+  double rounded = value;
+  std::from_chars(text.data(), end, rounded);
+  return rounded;
+}
+
+double largest(const Column& column) {
+  double result = 0.0;
+  for (const double value : column) {
+    if (std::isfinite(value)) result = std::max(result, std::abs(value));
+  }
+  return result;
+}
+
+}  // namespace wheelwright::import

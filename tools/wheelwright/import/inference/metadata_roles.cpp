@@ -1,0 +1,41 @@
+#include "tools/wheelwright/import/inference/metadata_roles.hpp"
+
+#include <charconv>
+#include <optional>
+#include <string>
+#include <system_error>
+
+namespace wheelwright::import {
+namespace {
+
+std::optional<double> number_between(const std::string& text, double minimum, double maximum) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !(value >= minimum) || value > maximum) {
+    return std::nullopt;
+  }
+  return value;
+}
+
+}  // namespace
+
+void map_metadata(std::span<const Recording> recordings, Mapping& mapping) {
+  for (const auto& recording : recordings) {
+    for (const auto& [key, text] : recording.metadata) {
+      if (key == "robot" && mapping.robot.empty()) mapping.robot = text;
+      if (key == "wheel_base_m" && !mapping.wheel_base_m)
+        mapping.wheel_base_m = number_between(text, 0.001, 10.0);
+      if (key == "period_s" && !mapping.time.period_s)
+        mapping.time.period_s = number_between(text, 0.0001, 10.0);
+      if (!mapping.wheels || !key.starts_with("metres_per_tick_")) continue;
+      const auto scale = number_between(text, 1e-9, 1.0);
+      if (key == "metres_per_tick_left" && !mapping.wheels->metres_per_count)
+        mapping.wheels->metres_per_count = scale;
+      if (key == "metres_per_tick_right" && scale != mapping.wheels->metres_per_count) {
+        mapping.wheels->metres_per_count_right = scale;
+      }
+    }
+  }
+}
+
+}  // namespace wheelwright::import

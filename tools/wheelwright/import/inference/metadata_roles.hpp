@@ -1,0 +1,14 @@
+// What the metadata of a file say of a mapping.
+#pragma once
+
+#include <span>
+
+#include "tools/wheelwright/import/mapping/mapping.hpp"
+#include "tools/wheelwright/import/recording.hpp"
+
+namespace wheelwright::import {
+
+// The wheel base, period, scales and name that metadata state ("# wheel_base_m: 0.235").
+void map_metadata(std::span<const Recording> recordings, Mapping& mapping);
+
+}  // namespace wheelwright::import

@@ -1,0 +1,49 @@
+// The channels whose names mean something.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tools/wheelwright/import/inference/column_names.hpp"
+#include "tools/wheelwright/import/mapping/mapping.hpp"
+#include "tools/wheelwright/import/recording.hpp"
+
+namespace wheelwright::import {
+
+struct Named {
+  const Stream* stream;
+  const Channel* channel;
+  NameMeaning meaning;
+
+  ChannelName name() const { return {stream->name, channel->name}; }
+};
+
+struct NamedPair {
+  Named first;
+  Named second;
+};
+
+class NamedChannels {
+ public:
+  explicit NamedChannels(std::span<const Recording> recordings);
+
+  const std::vector<Named>& list() const { return named_; }
+  std::vector<Named> all(Quantity quantity, NamedSide side) const;
+  // The first two of one stream; a line in `findings` where there are others.
+  static std::optional<NamedPair> pair(const std::vector<Named>& first, const std::vector<Named>& second,
+                                       std::vector<std::string>& findings);
+  std::optional<NamedPair> sides(Quantity quantity, std::vector<std::string>& findings) const;
+  // A wheel alone, by its side or without one.
+  std::optional<Named> single(Quantity quantity) const;
+  // Two columns that differ by 1 and 2 alone: "m1_counts" and "m2_counts"; a line in `findings`.
+  std::optional<NamedPair> numbered_pair(Quantity quantity, std::vector<std::string>& findings) const;
+  // Of the stream of another, without a side; nullptr where there is none.
+  const Named* beside(const Named& other, Quantity quantity) const;
+
+ private:
+  std::vector<Named> named_;
+};
+
+}  // namespace wheelwright::import

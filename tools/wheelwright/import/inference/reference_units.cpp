@@ -1,0 +1,103 @@
+#include "tools/wheelwright/import/inference/reference_units.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "config/load/text_format.hpp"
+#include "tools/wheelwright/import/conversion/run_repair.hpp"
+#include "tools/wheelwright/import/conversion/wheel_travel.hpp"
+#include "tools/wheelwright/import/inference/gain_units.hpp"
+
+namespace wheelwright::import {
+namespace {
+
+using config::fixed_number;
+using std::numbers::pi;
+
+class ReferenceUnits {
+ public:
+  ReferenceUnits(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
+                 std::vector<std::string>& findings)
+      : columns_(columns), given_(given), mapping_(mapping), findings_(findings) {}
+
+  // Heading and place against those of the counts, over windows of some rows.
+  void run() {
+    const double scale = wheel_scale(*mapping_.wheels).value_or(0.0);
+    if (!(scale > 0.0) || columns_.wheel[1].empty() || mapping_.wheels->kind == WheelKind::speed) return;
+    double turn_products = 0.0;
+    double turn_squares = 0.0;
+    double way = 0.0;
+    double reference_way = 0.0;
+    const TimeRepair time = repair_runs(columns_);
+    for (const auto& rows : time.runs) {
+      const WheelTravel travel = wheel_travel(columns_, rows, *mapping_.wheels);
+      std::size_t before = rows.size();
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (!is_placed(rows[i]) || !std::isfinite(travel.values[0][i]) || !std::isfinite(travel.values[1][i]))
+          continue;
+        if (before == rows.size()) before = i;
+        const double left = scale * (travel.values[0][i] - travel.values[0][before]);
+        const double right = scale * (travel.values[1][i] - travel.values[1][before]);
+        if (std::abs(left) + std::abs(right) < 0.1) continue;  // metres: enough to show beside noise
+        const double turn = (right - left) / *mapping_.wheel_base_m;
+        if (!columns_.theta_rad.empty() && std::abs(turn) < 2.0) {
+          const double seen = columns_.theta_rad[rows[i]] - columns_.theta_rad[rows[before]];
+          if (std::abs(seen) < 150.0) {
+            turn_products += turn * seen;
+            turn_squares += turn * turn;
+          }
+        }
+        if (!columns_.x.empty()) {
+          way += std::abs(0.5 * (left + right));
+          reference_way += std::hypot(columns_.x[rows[i]] - columns_.x[rows[before]],
+                                      columns_.y[rows[i]] - columns_.y[rows[before]]);
+        }
+        before = i;
+      }
+    }
+    if (turn_squares > 0.0) heading_unit(turn_products / turn_squares);
+    if (way > 0.0) place_unit(reference_way / way);
+  }
+
+ private:
+  bool is_placed(std::size_t row) const {
+    const auto stands = [row](const Column& column) { return column.empty() || std::isfinite(column[row]); };
+    return stands(columns_.x) && stands(columns_.y) && stands(columns_.theta_rad);
+  }
+
+  void heading_unit(double slope) {
+    ReferenceMapping& reference = *mapping_.reference;
+    if (!reference.theta || given_.says("reference.angle_unit") || reference.angle_unit != "rad" ||
+        !is_near(slope, 180.0 / pi))
+      return;
+    reference.angle_unit = "deg";
+    findings_.push_back("headings are in degrees: they turn " + fixed_number(slope, 1) +
+                        " times as far as the counts in radians");
+  }
+
+  void place_unit(double ratio) {
+    ReferenceMapping& reference = *mapping_.reference;
+    if (given_.says("reference.unit") || reference.unit != "m") return;
+    for (const auto& [unit, per_metre] : {std::pair{"mm", 1000.0}, {"cm", 100.0}}) {
+      if (!is_near(ratio, per_metre)) continue;
+      reference.unit = unit;
+      findings_.push_back("places are in " + reference.unit + ": they go " + fixed_number(ratio, 0) +
+                          " times as far as the counts in metres");
+    }
+  }
+
+  const DriveColumns& columns_;
+  const GivenMapping& given_;
+  Mapping& mapping_;
+  std::vector<std::string>& findings_;
+};
+
+}  // namespace
+
+void set_reference_units(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
+                         std::vector<std::string>& findings) {
+  ReferenceUnits(columns, given, mapping, findings).run();
+}
+
+}  // namespace wheelwright::import
