@@ -1,78 +1,15 @@
 // From the text of a foreign log to runs.
 #include <cmath>
-#include <fstream>
 
-#include "tests/support/catch.hpp"
-#include "tests/support/foreign_drive.hpp"
-#include "tests/support/temporary_folder.hpp"
-#include "tools/wheelwright/import/import_files.hpp"
+#include "tests/unit/import/import_text.hpp"
 
 using namespace wheelwright;
 using namespace wheelwright::import;
-using test::foreign_drive;
-using test::foreign_text;
-using test::ForeignDrive;
-using test::ForeignRow;
+using namespace wheelwright::test;
 
 namespace {
 
-std::string number(double value) {
-  return std::to_string(value);
-}
-
-std::filesystem::path file_of(const std::string& name, const std::string& text) {
-  const auto path = test::temporary_folder() / ("wheelwright_import_" + name);
-  std::ofstream(path, std::ios::binary) << text;
-  return path;
-}
-
-struct Outcome {
-  Understood understood;
-  tl::expected<Conversion, std::string> conversion;
-
-  bool found(const std::string& words) const {
-    for (const auto& finding : understood.inference.findings) {
-      if (finding.find(words) != std::string::npos) return true;
-    }
-    return false;
-  }
-};
-
-Outcome import_text(const std::string& text, const std::vector<std::string>& settings = {}) {
-  auto understood = understand({{file_of("log.txt", text)}, std::nullopt, GivenMapping("", settings)});
-  REQUIRE(understood);
-  auto conversion = to_runs(*understood);
-  return {std::move(*understood), std::move(conversion)};
-}
-
 const std::string base = "robot.wheel_base_m=0.3";
-
-// Commands and counts of the run are those of the drive.
-void check_same(const Outcome& outcome, const ForeignDrive& drive, double command_tolerance_m_s = 1e-3,
-                double scale_tolerance = 0.02) {
-  if (!outcome.conversion) FAIL(outcome.conversion.error());
-  REQUIRE(outcome.conversion->runs.size() == 1);
-  const DriveLog& log = outcome.conversion->runs.front();
-  REQUIRE(log.samples.size() == drive.rows.size());
-  REQUIRE(log.has_ticks());
-  CHECK_THAT(log.period_s, WithinRel(drive.period_s, 0.01));
-  const double left_m =
-      static_cast<double>(log.samples.back().ticks->left - log.samples.front().ticks->left) *
-      log.metres_per_tick->left;
-  const auto& last = drive.rows.back();
-  CHECK_THAT(left_m, WithinRel(static_cast<double>(last.counts_left) * ForeignDrive::metres_per_count,
-                               scale_tolerance));
-  double worst = 0.0;
-  for (std::size_t k = 0; k < log.samples.size(); ++k) {
-    worst = std::max(worst, std::abs(log.samples[k].command_m_s.left - drive.rows[k].command_left));
-    worst = std::max(worst, std::abs(log.samples[k].command_m_s.right - drive.rows[k].command_right));
-  }
-  CHECK(worst < command_tolerance_m_s);
-}
-
-std::string counts(const ForeignRow& row) {
-  return std::to_string(row.counts_left) + "," + std::to_string(row.counts_right);
-}
 
 }  // namespace
 

@@ -8,10 +8,12 @@
 #include <utility>
 
 #include "config/load/printable_text.hpp"
+#include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/counts.hpp"
 #include "tools/wheelwright/import/conversion/join_streams.hpp"
 #include "tools/wheelwright/import/conversion/stamps.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
+#include "tools/wheelwright/import/conversion/time_units.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {
@@ -130,6 +132,7 @@ class Gathering {
         return false;
       }
     }
+    for (const Stream* stream : streams) say_clock_wraps(*stream);
     shift_reference(streams, times);
     if (streams.size() == 1) {
       columns_.t_s = std::move(times.front());
@@ -141,6 +144,21 @@ class Gathering {
     make_wheels_even(streams, times);
     merge_streams(streams, times);
     return true;
+  }
+
+  void say_clock_wraps(const Stream& stream) {
+    const Channel* channel = time_channel(stream, mapping_.time);
+    if (channel == nullptr || mapping_.time.unit == TimeUnit::hms || mapping_.time.unit == TimeUnit::iso)
+      return;
+    Column values = channel->values;
+    const auto rows = unwrap_clock(values);
+    if (rows.empty()) return;
+    const std::size_t row = rows.front();
+    columns_.remarks.push_back(
+        (row < stream.places.size() ? "line " + std::to_string(stream.places[row])
+                                    : "row " + std::to_string(row + 1)) +
+        ": the counter of time starts again behind " + config::plain_number(channel->values[row - 1]) +
+        (rows.size() > 1 ? " (" + std::to_string(rows.size()) + " times)" : "") + "; taken to go on");
   }
 
   // Counts that were handled in bunches, before rows of other streams lie between them.

@@ -6,41 +6,15 @@
 #include <limits>
 #include <utility>
 
+#include "tools/wheelwright/import/conversion/time_units.hpp"
 #include "tools/wheelwright/import/inference/column_names.hpp"
+#include "tools/wheelwright/import/inference/name_words.hpp"
 
 namespace wheelwright::import {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double most_between_stamps_s = 1.0;
-constexpr double usual_period_s = 0.03;
-
-double median_step(const std::vector<double>& times) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    if (times[i] > times[i - 1]) steps.push_back(times[i] - times[i - 1]);
-  }
-  if (steps.empty()) return 0.0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
-}
-
-double seconds_in(TimeUnit unit) {
-  switch (unit) {
-    case TimeUnit::ms:
-      return 1e-3;
-    case TimeUnit::us:
-      return 1e-6;
-    case TimeUnit::ns:
-      return 1e-9;
-    case TimeUnit::s:
-    case TimeUnit::hms:
-    case TimeUnit::iso:
-      break;
-  }
-  return 1.0;
-}
 
 // Stamps of the sender, where a message has them and its clock is that of the recorder.
 const Channel* stamps_of(const Stream& stream) {
@@ -74,6 +48,7 @@ void unwrap_midnight(std::vector<double>& t_s) {
 }
 
 std::vector<double> in_seconds(std::vector<double> values, TimeUnit unit) {
+  if (unit != TimeUnit::hms && unit != TimeUnit::iso) unwrap_clock(values);
   for (double& t : values) t *= seconds_in(unit);
   if (unit == TimeUnit::hms) unwrap_midnight(values);
   return values;
@@ -85,12 +60,6 @@ const Channel* own_time(const Stream& stream) {
     if (meaning_of(stream, channel).quantity == Quantity::time) return &channel;
   }
   return nullptr;
-}
-
-TimeUnit unit_of(const Channel& channel, std::optional<double> period_s) {
-  if (channel.unit == "hms") return TimeUnit::hms;
-  if (channel.unit == "iso") return TimeUnit::iso;
-  return time_unit(channel.values, period_s);
 }
 
 }  // namespace
@@ -124,33 +93,29 @@ bool is_tum(const Stream& stream) {
   return rows > 1 && unit_quaternions * 10 > rows * 9;
 }
 
-TimeUnit time_unit(const std::vector<double>& times, std::optional<double> period_s) {
-  double size = 0.0;
-  bool whole = true;
-  for (const double t : times) {
-    if (!std::isfinite(t)) continue;
-    size = std::max(size, std::abs(t));
-    whole = whole && t == std::round(t);
+std::optional<TimeUnit> time_unit_stated_for(const Stream& stream, const Channel& channel) {
+  if (!channel.unit.empty()) return stated_time_unit(channel.unit);
+  const NameWords words(channel.name);
+  if (words.empty()) return std::nullopt;
+  if (const auto unit = stated_time_unit(meaning_of(stream, channel).unit)) return unit;
+  // "t" and "s" alone are names; "time_sec", "millis" hold a unit.
+  return words.last().size() > 2 ? stated_time_unit(words.last()) : std::nullopt;
+}
+
+TimeUnit time_unit_of(const Stream& stream, const Channel& channel, std::optional<double> period_s) {
+  if (channel.unit == "hms") return TimeUnit::hms;
+  if (channel.unit == "iso") return TimeUnit::iso;
+  const TimeUnit by_numbers = time_unit(channel.values, period_s);
+  const auto stated = time_unit_stated_for(stream, channel);
+  // A header may be wrong, and is where its unit gives no rate at which anybody logs.
+  return stated && is_plausible_unit(channel.values, *stated) ? *stated : by_numbers;
+}
+
+const Channel* time_channel(const Stream& stream, const TimeMapping& time) {
+  if (time.column) {
+    if (const Channel* channel = channel_of(stream, *time.column)) return channel;
   }
-  if (size > 1e8 && !(period_s && size < 1e11 && whole)) {
-    return size < 1e11 ? TimeUnit::s : size < 1e14 ? TimeUnit::ms : size < 1e17 ? TimeUnit::us : TimeUnit::ns;
-  }
-  const double step = median_step(times);
-  if (!(step > 0.0)) return TimeUnit::s;
-  constexpr std::array units{std::pair{TimeUnit::s, 1.0}, std::pair{TimeUnit::ms, 1e-3},
-                             std::pair{TimeUnit::us, 1e-6}, std::pair{TimeUnit::ns, 1e-9}};
-  TimeUnit best = TimeUnit::s;
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const auto& [unit, seconds] : units) {
-    double apart = std::abs(std::log(step * seconds / period_s.value_or(usual_period_s)));
-    // Parts of a unit are written of seconds.
-    if (!whole && unit == TimeUnit::s) apart -= 3.0;
-    if (apart < lowest) {
-      lowest = apart;
-      best = unit;
-    }
-  }
-  return best;
+  return stream.received_s.empty() ? own_time(stream) : nullptr;
 }
 
 std::vector<double> stream_times(const Stream& stream, const TimeMapping& time) {
@@ -164,7 +129,7 @@ std::vector<double> stream_times(const Stream& stream, const TimeMapping& time) 
     return stamps != nullptr && agree(stamps->values, stream.received_s) ? stamps->values : stream.received_s;
   }
   if (const Channel* channel = own_time(stream)) {
-    return in_seconds(channel->values, unit_of(*channel, time.period_s));
+    return in_seconds(channel->values, time_unit_of(stream, *channel, time.period_s));
   }
   if (!time.period_s) return {};
   std::vector<double> t_s(stream.rows);

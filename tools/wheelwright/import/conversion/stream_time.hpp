@@ -9,9 +9,14 @@
 
 namespace wheelwright::import {
 
-// The unit of a time column by its size and its steps: 1.7e12 is milliseconds since 1970, steps of 50 are
-// milliseconds. `period_s` is the period that the file states, where it does.
-TimeUnit time_unit(const std::vector<double>& times, std::optional<double> period_s);
+// The unit of a time column: as the file states it, where that gives a rate at which robots are logged, else
+// by its numbers (time_units.hpp).
+TimeUnit time_unit_of(const Stream& stream, const Channel& channel, std::optional<double> period_s);
+std::optional<TimeUnit> time_unit_stated_for(const Stream& stream, const Channel& channel);
+
+// The column that holds the time of a stream: the mapped one, else one that is named so; nullptr where the
+// time is that of recording, or there is none.
+const Channel* time_channel(const Stream& stream, const TimeMapping& time);
 
 // When each row of a stream was measured, in seconds: by the mapped column, else by stamps of its own that
 // agree with the time of recording, else by that time, else by a column of its own that is named as a time,

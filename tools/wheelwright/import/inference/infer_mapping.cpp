@@ -6,43 +6,15 @@
 
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
-#include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/inference/metadata_roles.hpp"
 #include "tools/wheelwright/import/inference/named_roles.hpp"
 #include "tools/wheelwright/import/inference/numbered_roles.hpp"
 #include "tools/wheelwright/import/inference/response_rows.hpp"
+#include "tools/wheelwright/import/inference/time_of_log.hpp"
 #include "tools/wheelwright/import/inference/units_by_motion.hpp"
 
 namespace wheelwright::import {
 namespace {
-
-const Channel* time_channel(std::span<const Recording> recordings, const Mapping& mapping) {
-  if (!mapping.time.column) return nullptr;
-  for (const auto& recording : recordings) {
-    for (const auto& stream : recording.streams) {
-      if (const Channel* channel = channel_of(stream, *mapping.time.column)) return channel;
-    }
-  }
-  return nullptr;
-}
-
-void set_time_unit(std::span<const Recording> recordings, const GivenMapping& given, Mapping& mapping,
-                   std::vector<std::string>& findings) {
-  const Channel* channel = time_channel(recordings, mapping);
-  if (channel == nullptr || given.says("time.unit")) return;
-  if (channel->unit == "hms") {
-    mapping.time.unit = TimeUnit::hms;
-  } else if (channel->unit == "iso") {
-    mapping.time.unit = TimeUnit::iso;
-  } else {
-    mapping.time.unit = time_unit(channel->values, mapping.time.period_s);
-    constexpr std::string_view names[] = {"seconds", "milliseconds", "microseconds", "nanoseconds"};
-    if (mapping.time.unit != TimeUnit::s) {
-      findings.push_back("time is in " + std::string(names[static_cast<std::size_t>(mapping.time.unit)]) +
-                         ", by the size of its steps");
-    }
-  }
-}
 
 // Signs and sides that cannot be as the file says. They are reported, and changed by whoever knows the robot.
 void add_doubts(const DriveColumns& columns, const Mapping& mapping, std::vector<std::string>& doubts) {
@@ -97,6 +69,7 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
   const bool unit_assumed = mapping.wheels && mapping.wheels->unit_assumed && !given.says("wheels.unit");
   mapping = to_mapping(overlaid(mapping, given), "mapping");
   if (mapping.wheels) mapping.wheels->unit_assumed = unit_assumed;
+  tell_hundredths(recordings, given, mapping, inference.findings, inference.doubts);
   if (mapping.command || mapping.wheels) {
     if (const auto columns = gather(recordings, mapping)) {
       set_units(*columns, given, mapping, inference.findings, inference.doubts);

@@ -362,9 +362,9 @@ void map_by_numbers(std::span<const Recording> recordings, const GivenMapping& g
   ByNumbers by_numbers(*stream, mapping, findings);
   if (!mapping.time.column && !given.says("time.period_s")) by_numbers.find_time();
   if (mapping.time.column && !given.says("time.unit") &&
-      channel_of(*stream, *mapping.time.column) != nullptr &&
-      channel_of(*stream, *mapping.time.column)->unit.empty()) {
-    mapping.time.unit = time_unit(channel_of(*stream, *mapping.time.column)->values, mapping.time.period_s);
+      channel_of(*stream, *mapping.time.column) != nullptr) {
+    mapping.time.unit =
+        time_unit_of(*stream, *channel_of(*stream, *mapping.time.column), mapping.time.period_s);
   }
   TimeMapping time = mapping.time;
   if (!time.column && !time.period_s) time.period_s = 1.0;  // any will do to compare assignments

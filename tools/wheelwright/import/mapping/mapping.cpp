@@ -10,7 +10,7 @@ namespace {
 
 using config::plain_number;
 
-constexpr std::array<std::string_view, 6> time_unit_names{"s", "ms", "us", "ns", "hms", "iso"};
+constexpr std::array<std::string_view, 8> time_unit_names{"s", "ms", "us", "ns", "hms", "iso", "cs", "day"};
 constexpr std::array<std::string_view, 3> command_kind_names{"wheels", "twist", "duty"};
 constexpr std::array<std::string_view, 4> wheel_kind_names{"counts", "angle", "distance", "speed"};
 

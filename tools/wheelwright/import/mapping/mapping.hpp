@@ -24,7 +24,7 @@ struct ChannelName {
 
 ChannelName channel_name(std::string_view text);
 
-enum class TimeUnit : std::uint8_t { s, ms, us, ns, hms, iso };
+enum class TimeUnit : std::uint8_t { s, ms, us, ns, hms, iso, cs, day };
 
 struct TimeMapping {
   std::optional<ChannelName> column;  // absent: the time of recording, or rows that are `period_s` apart

@@ -38,10 +38,12 @@ TimeMapping read_time(YamlReader& from) {
   time.column = channel(from, "column");
   time.unit = from.choice<TimeUnit>("unit",
                                     {{"s", TimeUnit::s},
+                                     {"cs", TimeUnit::cs},
                                      {"ms", TimeUnit::ms},
                                      {"us", TimeUnit::us},
                                      {"ns", TimeUnit::ns},
                                      {"hms", TimeUnit::hms},
+                                     {"day", TimeUnit::day},
                                      {"iso", TimeUnit::iso}},
                                     time.unit);
   time.period_s = number(from, "period_s", {0.0001, 10, "s"});

@@ -1,0 +1,96 @@
+#include "tools/wheelwright/import/inference/time_of_log.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "config/load/text_format.hpp"
+#include "tools/wheelwright/import/conversion/drive_columns.hpp"
+#include "tools/wheelwright/import/conversion/stream_time.hpp"
+#include "tools/wheelwright/import/conversion/time_units.hpp"
+#include "tools/wheelwright/import/conversion/wheel_travel.hpp"
+#include "tools/wheelwright/import/inference/gain_units.hpp"
+#include "tools/wheelwright/import/inference/response_rows.hpp"
+#include "tools/wheelwright/import/mapping/units.hpp"
+
+namespace wheelwright::import {
+namespace {
+
+using config::plain_number;
+
+struct TimeColumn {
+  const Stream* stream = nullptr;
+  const Channel* channel = nullptr;
+};
+
+std::optional<TimeColumn> mapped_time(std::span<const Recording> recordings, const Mapping& mapping) {
+  if (!mapping.time.column) return std::nullopt;
+  for (const auto& recording : recordings) {
+    for (const auto& stream : recording.streams) {
+      if (const Channel* channel = channel_of(stream, *mapping.time.column))
+        return TimeColumn{&stream, channel};
+    }
+  }
+  return std::nullopt;
+}
+
+// How much faster than commanded the wheels go, where commands are speeds of a known unit.
+std::optional<double> speed_ratio(std::span<const Recording> recordings, const GivenMapping& given,
+                                  const Mapping& mapping) {
+  if (!mapping.command || !mapping.wheels || mapping.wheels->kind == WheelKind::speed) return std::nullopt;
+  const CommandMapping& command = *mapping.command;
+  const auto scale = wheel_scale(*mapping.wheels);
+  const auto unit = find_unit(speed_units(), command.unit);
+  if (!scale || command.kind == CommandKind::duty || !unit || unit->of_wheel) return std::nullopt;
+  const auto columns = gather(recordings, mapping);
+  if (!columns) return std::nullopt;
+  constexpr double max_m_s = 3.0;
+  const bool is_stated = given.says("command.unit") || command.unit != "m/s";
+  if (!is_stated && largest(columns->command[0]) > max_m_s) return std::nullopt;
+  constexpr double least_explained = 0.5;
+  const auto rows = response_rows(*columns, mapping);
+  ResponseFit best;
+  for (const auto& side : rows) {
+    const ResponseFit fit = fit_response(side);
+    if (fit.explained > best.explained) best = fit;
+    if (command.kind == CommandKind::twist) break;
+  }
+  if (best.explained < least_explained) return std::nullopt;
+  return std::abs(best.gain) * *scale / unit->in_si;
+}
+
+}  // namespace
+
+void set_time_unit(std::span<const Recording> recordings, const GivenMapping& given, Mapping& mapping,
+                   std::vector<std::string>& findings) {
+  const auto time = mapped_time(recordings, mapping);
+  if (!time || given.says("time.unit")) return;
+  mapping.time.unit = time_unit_of(*time->stream, *time->channel, mapping.time.period_s);
+  const bool is_text = mapping.time.unit == TimeUnit::hms || mapping.time.unit == TimeUnit::iso;
+  const auto stated = time_unit_stated_for(*time->stream, *time->channel);
+  if (is_text || stated == mapping.time.unit || (mapping.time.unit == TimeUnit::s && !stated)) return;
+  findings.push_back("time is in " + std::string(in_words(mapping.time.unit)) + ", by the size of its steps" +
+                     (stated ? ", not in " + std::string(in_words(*stated)) + " as its name says" : ""));
+}
+
+void tell_hundredths(std::span<const Recording> recordings, const GivenMapping& given, Mapping& mapping,
+                     std::vector<std::string>& findings, std::vector<std::string>& doubts) {
+  const auto time = mapped_time(recordings, mapping);
+  if (!time || given.says("time.unit") || mapping.time.period_s || mapping.time.unit != TimeUnit::ms ||
+      time_unit_stated_for(*time->stream, *time->channel))
+    return;
+  const double step = step_of_ms_or_cs(time->channel->values);
+  if (!(step > 0.0)) return;
+  const double ratio = speed_ratio(recordings, given, mapping).value_or(0.0);
+  if (is_near(ratio, 1.0)) return;
+  if (is_near(ratio, 10.0)) {
+    mapping.time.unit = TimeUnit::cs;
+    findings.push_back("time is in hundredths of a second: in milliseconds the wheels would go " +
+                       plain_number(rounded_gain(ratio)) + " times as fast as commanded");
+    return;
+  }
+  doubts.push_back("time goes by " + plain_number(step) +
+                   ", which is taken for milliseconds and may be hundredths of a second; say which: --set "
+                   "time.unit=ms or time.unit=cs");
+}
+
+}  // namespace wheelwright::import

@@ -1,0 +1,22 @@
+// The unit of the time column of a log.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tools/wheelwright/import/mapping/mapping_file.hpp"
+#include "tools/wheelwright/import/recording.hpp"
+
+namespace wheelwright::import {
+
+// By what the file states, else by its numbers; adds a line to `findings` where those decide.
+void set_time_unit(std::span<const Recording> recordings, const GivenMapping& given, Mapping& mapping,
+                   std::vector<std::string>& findings);
+
+// Whole numbers of which the steps leave open whether they are milliseconds or hundredths of a second:
+// decided by the wheels, which go as fast as commanded in one of them; a doubt where those say nothing.
+void tell_hundredths(std::span<const Recording> recordings, const GivenMapping& given, Mapping& mapping,
+                     std::vector<std::string>& findings, std::vector<std::string>& doubts);
+
+}  // namespace wheelwright::import
