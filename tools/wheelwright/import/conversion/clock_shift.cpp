@@ -85,7 +85,7 @@ Speeds robot_speeds(std::span<const Recording> recordings, const Mapping& mappin
   std::vector<std::size_t> rows(columns->rows());
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = i;
   if (mapping.wheels) {
-    const WheelTravel travel = wheel_travel(*columns, rows, *mapping.wheels);
+    const WheelTravel travel = wheel_travel(*columns, rows, mapping);
     const bool is_speed = mapping.wheels->kind == WheelKind::speed;
     const auto middle = [&](std::size_t i) {
       const double left = travel.values[0][i];

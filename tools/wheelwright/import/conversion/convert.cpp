@@ -54,7 +54,7 @@ tl::expected<Conversion, std::string> convert(const DriveColumns& columns, const
     return tl::unexpected(name + ": " + missing);
   if (is_written_on_change(columns)) return convert(filled(columns), mapping, name);
   Conversion conversion;
-  TimeRepair time = repair_runs(columns);
+  TimeRepair time = repair_runs(columns, mapping);
   conversion.remarks = columns.remarks;
   conversion.remarks.insert(conversion.remarks.end(), time.remarks.begin(), time.remarks.end());
   for (const auto& rows : time.runs) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/wheelwright/import/conversion/counter_resets.hpp"
 #include "tools/wheelwright/import/conversion/counts.hpp"
 #include "tools/wheelwright/import/conversion/stamps.hpp"
 
@@ -102,6 +103,7 @@ std::optional<std::string> find_repair(const DriveLog& run) {
     const auto counts = counts_of(run, side);
     if (wrapped_bits(counts)) return "a counter that wraps";
     if (is_log_on_change(counts)) return "counts that stand only where they changed";
+    if (!counter_resets(counts).empty()) return "counts that start again from zero";
   }
   if (has_bunched_stamps(run, counts_of(run, &WheelTicks::left))) return "stamps in bunches";
   return std::nullopt;

@@ -61,7 +61,7 @@ class RunMaker {
                                      std::vector<std::string>& remarks) const {
     if (!mapping_.wheels) return {};
     const WheelMapping& wheels = *mapping_.wheels;
-    WheelTravel travel = wheel_travel(columns_, rows, wheels);
+    WheelTravel travel = wheel_travel(columns_, rows, mapping_);
     remarks.insert(remarks.end(), travel.remarks.begin(), travel.remarks.end());
     if (wheels.kind != WheelKind::speed) make_even(rows, travel, t_s, remarks);
     const double scale = wheel_scale(wheels).value_or(1.0);

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+
+#include "tools/wheelwright/import/conversion/counter_resets.hpp"
 
 namespace wheelwright::import {
 namespace {
@@ -32,9 +35,44 @@ bool is_at_rest(const DriveColumns& columns, std::size_t row) {
   });
 }
 
+std::vector<std::size_t> resets_of(const DriveColumns& columns, const RunRows& rows) {
+  std::vector<std::size_t> resets;
+  for (const Column& wheel : columns.wheel) {
+    if (wheel.empty()) continue;
+    Column travel;
+    for (const std::size_t row : rows) travel.push_back(wheel[row]);
+    const auto of_side = counter_resets(travel);
+    resets.insert(resets.end(), of_side.begin(), of_side.end());
+  }
+  std::ranges::sort(resets);
+  const auto [first, last] = std::ranges::unique(resets);
+  resets.erase(first, last);
+  return resets;
+}
+
+void split_at_resets(const DriveColumns& columns, TimeRepair& time) {
+  std::vector<RunRows> runs;
+  for (const auto& rows : time.runs) {
+    auto ends = resets_of(columns, rows);
+    for (const std::size_t reset : ends) {
+      time.remarks.push_back(columns.place(rows[reset]) +
+                             ": the counts start again from zero; a new run begins");
+    }
+    ends.push_back(rows.size());
+    std::size_t begin = 0;
+    for (const std::size_t end : ends) {
+      if (end > begin + 1)
+        runs.emplace_back(rows.begin() + static_cast<std::ptrdiff_t>(begin),
+                          rows.begin() + static_cast<std::ptrdiff_t>(end));
+      begin = end;
+    }
+  }
+  time.runs = std::move(runs);
+}
+
 }  // namespace
 
-TimeRepair repair_runs(const DriveColumns& columns) {
+TimeRepair repair_runs(const DriveColumns& columns, const Mapping& mapping) {
   TimeRepair all;
   std::vector<double> t_s = columns.t_s;
   if (const std::size_t spread = spread_coarse_stamps(t_s); spread > 0) {
@@ -60,6 +98,8 @@ TimeRepair repair_runs(const DriveColumns& columns) {
     all.remarks.insert(all.remarks.end(), part.remarks.begin(), part.remarks.end());
   }
   all.t_s = std::move(t_s);
+  if (mapping.wheels && mapping.wheels->kind != WheelKind::speed && !mapping.wheels->per_row)
+    split_at_resets(columns, all);
   return all;
 }
 

@@ -6,7 +6,8 @@
 
 namespace wheelwright::import {
 
-// Time made to rise (time_repair.hpp) within each run that the files tell apart.
-TimeRepair repair_runs(const DriveColumns& columns);
+// Time made to rise (time_repair.hpp) within each run that the files tell apart; a new run begins where a
+// counter of the wheels was set to zero.
+TimeRepair repair_runs(const DriveColumns& columns, const Mapping& mapping);
 
 }  // namespace wheelwright::import

@@ -1,5 +1,9 @@
 #include "tools/wheelwright/import/conversion/wheel_command.hpp"
 
+#include <cmath>
+#include <limits>
+
+#include "tools/wheelwright/import/conversion/wheel_travel.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {
@@ -21,10 +25,29 @@ WheelPair wheel_command(const Mapping& mapping, double first, double second) {
       break;
   }
   const auto unit = find_unit(speed_units(), command.unit);
-  const double radius_m =
-      unit && unit->of_wheel ? (mapping.wheels ? mapping.wheels->wheel_radius_m.value_or(1.0) : 1.0) : 1.0;
-  const double factor = (unit ? unit->in_si : 1.0) * radius_m;
+  const double factor = unit ? speed_in_m_s(*unit, mapping.wheels).value_or(unit->in_si) : 1.0;
   return {factor * first, factor * second};
+}
+
+std::array<Column, 2> wheel_commands(const DriveColumns& columns, std::span<const std::size_t> rows,
+                                     const Mapping& mapping) {
+  const bool is_twist = mapping.command->kind == CommandKind::twist;
+  if (columns.command[0].empty() || (is_twist && !mapping.wheel_base_m)) return {};
+  std::array<Column, 2> result;
+  double first = std::numeric_limits<double>::quiet_NaN();
+  double second = columns.command[1].empty() && is_twist ? 0.0 : first;
+  for (const std::size_t row : rows) {
+    if (std::isfinite(columns.command[0][row])) first = columns.command[0][row];
+    if (columns.command[1].empty()) {
+      if (!is_twist) second = first;
+    } else if (std::isfinite(columns.command[1][row])) {
+      second = columns.command[1][row];
+    }
+    const WheelPair wheels = wheel_command(mapping, first, second);
+    result[0].push_back(wheels.left);
+    result[1].push_back(wheels.right);
+  }
+  return result;
 }
 
 }  // namespace wheelwright::import

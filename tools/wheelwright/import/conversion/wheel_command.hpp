@@ -1,7 +1,11 @@
 // What a command asks of each wheel.
 #pragma once
 
+#include <array>
+#include <span>
+
 #include "model/drive_log.hpp"
+#include "tools/wheelwright/import/conversion/drive_columns.hpp"
 #include "tools/wheelwright/import/mapping/mapping.hpp"
 
 namespace wheelwright::import {
@@ -9,5 +13,10 @@ namespace wheelwright::import {
 // Left and right in m/s, of the two values of a command (left and right, or linear and angular). Of a duty
 // without a full scale the share of it.
 WheelPair wheel_command(const Mapping& mapping, double first, double second);
+
+// What is commanded to each wheel at each of the rows, until the next; not-a-number before the first command.
+// Empty where that takes a wheel base that is not known.
+std::array<Column, 2> wheel_commands(const DriveColumns& columns, std::span<const std::size_t> rows,
+                                     const Mapping& mapping);
 
 }  // namespace wheelwright::import

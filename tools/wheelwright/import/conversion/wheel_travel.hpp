@@ -9,6 +9,7 @@
 
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
 #include "tools/wheelwright/import/mapping/mapping.hpp"
+#include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {
 
@@ -16,12 +17,24 @@ namespace wheelwright::import {
 // mapping says; nothing where it says too little.
 std::optional<double> wheel_scale(const WheelMapping& wheels);
 
-// Wheel channels of rows in the order of time: blanks of a log on change filled, a counter unwrapped.
+// How far a wheel rolls for a count; nothing where the mapping does not say it.
+std::optional<double> count_in_metres(const WheelMapping& wheels);
+
+// A unit of speed in m/s at the wheel; nothing where it takes the radius of the wheels or the distance of a
+// count, and those are not known.
+std::optional<double> speed_in_m_s(const Unit& unit, const std::optional<WheelMapping>& wheels);
+
+// What is commanded to a wheel over the time since the row before, from its command at each of the rows.
+Column commanded_travel(const DriveColumns& columns, std::span<const std::size_t> rows,
+                        const Column& command);
+
+// Wheel channels of rows in the order of time: blanks of a log on change filled, a counter unwrapped, and a
+// direction given to counts that have none where the mapping says so.
 struct WheelTravel {
   std::array<Column, 2> values;
   std::vector<std::string> remarks;
 };
 WheelTravel wheel_travel(const DriveColumns& columns, std::span<const std::size_t> rows,
-                         const WheelMapping& wheels);
+                         const Mapping& mapping);
 
 }  // namespace wheelwright::import

@@ -6,6 +6,7 @@
 
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
+#include "tools/wheelwright/import/inference/counter_kind.hpp"
 #include "tools/wheelwright/import/inference/metadata_roles.hpp"
 #include "tools/wheelwright/import/inference/named_roles.hpp"
 #include "tools/wheelwright/import/inference/numbered_roles.hpp"
@@ -72,6 +73,7 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
   tell_hundredths(recordings, given, mapping, inference.findings, inference.doubts);
   if (mapping.command || mapping.wheels) {
     if (const auto columns = gather(recordings, mapping)) {
+      tell_counters(*columns, given, mapping, inference.findings, inference.doubts);
       set_units(*columns, given, mapping, inference.findings, inference.doubts);
       add_doubts(*columns, mapping, inference.doubts);
     }

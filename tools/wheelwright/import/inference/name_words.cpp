@@ -89,6 +89,10 @@ bool NameWords::has_any(std::initializer_list<string_view> words) const {
 }
 
 std::string NameWords::take_unit() {
+  // Also with the side within: "ticks_left_per_s".
+  if (has("per") && has_any({"s", "sec", "second"}) &&
+      has_any({"tick", "ticks", "count", "counts", "pulse", "pulses"}))
+    return "counts/s";
   for (const std::size_t count : {std::size_t{3}, std::size_t{2}, std::size_t{1}}) {
     if (words_.size() <= count && !(count == 1 && words_.size() == 1 && words_[0] == "rpm")) continue;
     std::string ending;
@@ -110,8 +114,8 @@ std::string NameWords::take_unit() {
     return std::string(unit);
   }
   // Anywhere, where it can be nothing else: "target_rpm_left".
-  for (const string_view word :
-       {"rpm", "rps", "dps", "mps", "mmps", "cmps", "radps", "degps", "kmh", "kph", "deg", "degrees"}) {
+  for (const string_view word : {"rpm", "rps", "dps", "mps", "mmps", "cmps", "radps", "degps", "kmh", "kph",
+                                 "deg", "degrees", "cps", "qpps"}) {
     if (has(word)) return std::string(unit_by_spelling(word));
   }
   return {};

@@ -29,9 +29,9 @@ class ReferenceUnits {
     double turn_squares = 0.0;
     double way = 0.0;
     double reference_way = 0.0;
-    const TimeRepair time = repair_runs(columns_);
+    const TimeRepair time = repair_runs(columns_, mapping_);
     for (const auto& rows : time.runs) {
-      const WheelTravel travel = wheel_travel(columns_, rows, *mapping_.wheels);
+      const WheelTravel travel = wheel_travel(columns_, rows, mapping_);
       std::size_t before = rows.size();
       for (std::size_t i = 0; i < rows.size(); ++i) {
         if (!is_placed(rows[i]) || !std::isfinite(travel.values[0][i]) || !std::isfinite(travel.values[1][i]))

@@ -31,7 +31,7 @@ double median_step_of(const std::vector<double>& t_s, const Column& values) {
 // Measured speed per row from travel or speeds; commands as they were in force before each row.
 void add_run(const DriveColumns& columns, const Column& times_s, const Mapping& mapping, const RunRows& rows,
              std::array<ResponseRows, 2>& result) {
-  const WheelTravel travel = wheel_travel(columns, rows, *mapping.wheels);
+  const WheelTravel travel = wheel_travel(columns, rows, mapping);
   const bool is_speed = mapping.wheels->kind == WheelKind::speed;
   const bool is_pair = !travel.values[1].empty();
   const bool as_body = mapping.command->kind == CommandKind::twist && !mapping.wheels->body_motion && is_pair;
@@ -82,7 +82,7 @@ void add_run(const DriveColumns& columns, const Column& times_s, const Mapping& 
 
 std::array<ResponseRows, 2> response_rows(const DriveColumns& columns, const Mapping& mapping) {
   std::array<ResponseRows, 2> result;
-  const TimeRepair time = repair_runs(columns);
+  const TimeRepair time = repair_runs(columns, mapping);
   for (const auto& rows : time.runs) add_run(columns, time.t_s, mapping, rows, result);
   return result;
 }

@@ -40,7 +40,8 @@ std::optional<double> speed_ratio(std::span<const Recording> recordings, const G
   const CommandMapping& command = *mapping.command;
   const auto scale = wheel_scale(*mapping.wheels);
   const auto unit = find_unit(speed_units(), command.unit);
-  if (!scale || command.kind == CommandKind::duty || !unit || unit->of_wheel) return std::nullopt;
+  if (!scale || command.kind == CommandKind::duty || !unit || unit->of_wheel || unit->of_count)
+    return std::nullopt;
   const auto columns = gather(recordings, mapping);
   if (!columns) return std::nullopt;
   constexpr double max_m_s = 3.0;

@@ -25,11 +25,10 @@ constexpr double least_explained = 0.1;
 constexpr double sure_nats = 50.0;
 constexpr double sure_explained = 0.5;  // share of the variance from which a gain is believed
 
-std::optional<Unit> unit_of_gain(std::span<const Unit> units, double gain, std::optional<double> radius_m) {
-  for (const Unit& unit : units) {
-    if (unit.of_wheel && !radius_m) continue;
-    if (unit.name == "km/h") continue;
-    if (is_near(gain, unit.in_si * (unit.of_wheel ? *radius_m : 1.0))) return unit;
+std::optional<Unit> unit_of_gain(double gain, const std::optional<WheelMapping>& wheels) {
+  for (const Unit& unit : speed_units()) {
+    const auto m_s = speed_in_m_s(unit, wheels);
+    if (m_s && unit.name != "km/h" && is_near(gain, *m_s)) return unit;
   }
   return std::nullopt;
 }
@@ -99,7 +98,7 @@ class UnitFinder {
 
   double command_in_si() const {
     const auto unit = find_unit(speed_units(), mapping_.command->unit);
-    return unit && !unit->of_wheel ? unit->in_si : 1.0;
+    return unit && !unit->of_wheel && !unit->of_count ? unit->in_si : 1.0;
   }
 
   void command_unit(double gain_m_s) {
@@ -107,7 +106,7 @@ class UnitFinder {
     if (largest(columns_.command[0]) * command_in_si() <= fastest_m_s && gain_m_s > command_in_si() / 3.0 &&
         gain_m_s < command_in_si() * 3.0)
       return;
-    if (const auto unit = unit_of_gain(speed_units(), gain_m_s, mapping_.wheels->wheel_radius_m)) {
+    if (const auto unit = unit_of_gain(gain_m_s, mapping_.wheels)) {
       if (unit->name == command.unit) return;
       command.unit = unit->name;
       findings_.push_back("commands are in " + command.unit + ": the wheels reach " +
@@ -140,7 +139,7 @@ class UnitFinder {
         (largest(columns_.command[0]) > fastest_m_s && command_in_si() == 1.0))
       return;
     const auto unit = find_unit(speed_units(), command.unit);
-    if (!unit || unit->of_wheel) return;
+    if (!unit || unit->of_wheel || unit->of_count) return;
     const double scale = rounded_gain(unit->in_si / std::abs(gain_));
     if (!(scale > 1e-9) || scale > 1.0) return;  // no wheel has such a count or radius
     found_scale_ = true;
@@ -153,6 +152,14 @@ class UnitFinder {
     } else {
       const auto angle = find_unit(mapping_.wheels->kind == WheelKind::angle ? angle_units() : speed_units(),
                                    mapping_.wheels->unit);
+      if (angle && angle->of_count) {
+        mapping_.wheels->metres_per_count = scale;
+        findings_.push_back("a count is " + plain_number(scale) +
+                            " m, so that a wheel reaches the speed that it is asked for; --set "
+                            "wheels.metres_per_count if you know it" +
+                            evidence());
+        return;
+      }
       const double radius_m = rounded_gain(scale / (angle ? angle->in_si : 1.0));
       if (radius_m < 0.003 || mapping_.wheels->unit.empty()) return;
       mapping_.wheels->wheel_radius_m = radius_m;
@@ -170,8 +177,8 @@ class UnitFinder {
     const double gain = std::abs(gain_) / command_in_si();
     if (gain > 1.0 / 3.0 && gain < 3.0) return;
     for (const Unit& unit : speed_units()) {
-      if (unit.of_wheel && !wheels.wheel_radius_m) continue;
-      if (!is_near(gain, 1.0 / (unit.in_si * (unit.of_wheel ? *wheels.wheel_radius_m : 1.0)))) continue;
+      const auto m_s = speed_in_m_s(unit, mapping_.wheels);
+      if (!m_s || !is_near(gain, 1.0 / *m_s)) continue;
       wheels.unit = unit.name;
       findings_.push_back("wheel speeds are in " + wheels.unit + evidence());
       return;
@@ -207,9 +214,9 @@ class UnitFinder {
     const auto scale = wheel_scale(*mapping_.wheels);
     if (!scale || mapping_.command->kind == CommandKind::duty || found_scale_) return;
     const auto unit = find_unit(speed_units(), mapping_.command->unit);
-    if (!unit || (unit->of_wheel && !mapping_.wheels->wheel_radius_m)) return;
-    const double command = unit->in_si * (unit->of_wheel ? *mapping_.wheels->wheel_radius_m : 1.0);
-    const double gain = std::abs(gain_) * *scale / command;
+    const auto command = unit ? speed_in_m_s(*unit, mapping_.wheels) : std::nullopt;
+    if (!command) return;
+    const double gain = std::abs(gain_) * *scale / *command;
     if (gain < 0.6 || gain > 1.6) {
       doubts_.push_back("the wheels go " + plain_number(rounded_gain(gain)) +
                         " times as far as commanded: check the units of commands and wheels, and the scale");
@@ -237,20 +244,7 @@ class UnitFinder {
 
   void doubt_weak_evidence() {
     if (explained_ >= 0.7 || !is_sure()) return;
-    bool falls = false;
-    for (const Column& wheel : columns_.wheel) {
-      for (std::size_t i = 1; i < wheel.size(); ++i) falls = falls || wheel[i] < wheel[i - 1];
-    }
-    bool back = false;
-    for (const Column& command : columns_.command) {
-      for (const double value : command) back = back || value < 0.0;
-    }
-    const bool is_count = mapping_.wheels->kind == WheelKind::counts;
-    doubts_.push_back(
-        "the command explains only " + fixed_number(100.0 * explained_, 0) + " % of the speed" +
-        (is_count && back && !falls
-             ? ": the counts never fall, though commands are negative; they have lost their sign"
-             : ""));
+    doubts_.push_back("the command explains only " + fixed_number(100.0 * explained_, 0) + " % of the speed");
   }
 
   // What turning suggests; the wheel base itself is given.

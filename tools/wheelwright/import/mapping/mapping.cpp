@@ -61,6 +61,8 @@ void add_wheels(Entries& entries, const WheelMapping& wheels) {
   if (wheels.bits) entries.add("wheels.bits", std::to_string(*wheels.bits));
   if (wheels.kind != WheelKind::counts) entries.add("wheels.unit", wheels.unit);
   if (wheels.per_row) entries.add("wheels.per_row", "true");
+  if (wheels.by_command_sign) entries.add("wheels.direction", "command");
+  if (wheels.unwrap_by_command) entries.add("wheels.unwrap", "command");
   entries.add("wheels.metres_per_count", wheels.metres_per_count);
   entries.add("wheels.metres_per_count_right", wheels.metres_per_count_right);
   entries.add("wheels.counts_per_turn", wheels.counts_per_turn);

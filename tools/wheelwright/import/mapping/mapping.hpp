@@ -58,9 +58,11 @@ struct WheelMapping {
   std::optional<double> wheel_radius_m{};
   bool left_reversed = false;
   bool right_reversed = false;
-  bool per_row = false;       // the channels hold the travel since the row before
-  bool unit_assumed = false;  // the file does not say the unit; the motion may tell another
-  bool body_motion = false;   // the channels are forward and turning speed of the body, not left and right
+  bool per_row = false;            // the channels hold the travel since the row before
+  bool by_command_sign = false;    // the channels hold no direction: it is that of the command
+  bool unwrap_by_command = false;  // a counter that may go more than half around goes as commanded
+  bool unit_assumed = false;       // the file does not say the unit; the motion may tell another
+  bool body_motion = false;  // the channels are forward and turning speed of the body, not left and right
 };
 
 enum class ReferenceClock : std::uint8_t { same, shifted };

@@ -102,6 +102,8 @@ std::optional<WheelMapping> read_wheels(YamlReader& from) {
   if (from.has("bits")) wheels.bits = static_cast<int>(from.integer("bits", {8, 32}));
   wheels.unit = read_wheel_unit(from, wheels.kind);
   wheels.per_row = from.boolean("per_row", false);
+  wheels.by_command_sign = from.choice<bool>("direction", {{"counted", false}, {"command", true}}, false);
+  wheels.unwrap_by_command = from.choice<bool>("unwrap", {{"nearest", false}, {"command", true}}, false);
   wheels.metres_per_count = number(from, "metres_per_count", {1e-9, 1, "m"});
   wheels.metres_per_count_right = number(from, "metres_per_count_right", {1e-9, 1, "m"});
   wheels.counts_per_turn = number(from, "counts_per_turn", {1, 1e8});
@@ -198,6 +200,8 @@ constexpr std::string_view known_keys[] = {"time.column",
                                            "wheels.bits",
                                            "wheels.unit",
                                            "wheels.per_row",
+                                           "wheels.direction",
+                                           "wheels.unwrap",
                                            "wheels.metres_per_count",
                                            "wheels.metres_per_count_right",
                                            "wheels.counts_per_turn",

@@ -20,7 +20,8 @@ constexpr std::array speed_table{Unit{"m/s", 1.0},
                                  Unit{"rad/s", 1.0, true},
                                  Unit{"deg/s", pi / 180.0, true},
                                  Unit{"rpm", pi / 30.0, true},
-                                 Unit{"turn/s", 2.0 * pi, true}};
+                                 Unit{"turn/s", 2.0 * pi, true},
+                                 Unit{"counts/s", 1.0, false, true}};
 constexpr std::array angular_table{Unit{"rad/s", 1.0}, Unit{"deg/s", pi / 180.0}, Unit{"rpm", pi / 30.0},
                                    Unit{"mrad/s", 1e-3}};
 constexpr std::array distance_table{Unit{"m", 1.0}, Unit{"mm", 1e-3}, Unit{"cm", 1e-2}, Unit{"km", 1e3}};
@@ -29,7 +30,20 @@ constexpr std::array angle_table{Unit{"rad", 1.0}, Unit{"deg", pi / 180.0}, Unit
 constexpr std::array voltage_table{Unit{"V", 1.0}, Unit{"mV", 1e-3}};
 
 // Lower case, without blanks; how a unit is written beside its standard form.
-constexpr std::array<Spelling, 62> spellings{{{"m/s", "m/s"},
+constexpr std::array<Spelling, 75> spellings{{{"m/s", "m/s"},
+                                              {"counts/s", "counts/s"},
+                                              {"count/s", "counts/s"},
+                                              {"counts_per_s", "counts/s"},
+                                              {"counts_per_sec", "counts/s"},
+                                              {"counts_s", "counts/s"},
+                                              {"cps", "counts/s"},
+                                              {"ticks/s", "counts/s"},
+                                              {"tick/s", "counts/s"},
+                                              {"ticks_per_s", "counts/s"},
+                                              {"ticks_per_sec", "counts/s"},
+                                              {"ticks_s", "counts/s"},
+                                              {"pulses/s", "counts/s"},
+                                              {"qpps", "counts/s"},
                                               {"mps", "m/s"},
                                               {"m_s", "m/s"},
                                               {"m_per_s", "m/s"},

@@ -11,9 +11,10 @@ struct Unit {
   std::string_view name;
   double in_si;           // how many m, m/s, rad, rad/s, s or V one of it is
   bool of_wheel = false;  // an angle of the wheel: times the wheel radius it is a distance
+  bool of_count = false;  // counts of the encoder: times the distance of one it is a distance
 };
 
-std::span<const Unit> speed_units();     // m/s mm/s cm/s km/h, of a wheel rad/s deg/s rpm turn/s
+std::span<const Unit> speed_units();     // m/s mm/s cm/s km/h, of a wheel rad/s deg/s rpm turn/s, counts/s
 std::span<const Unit> angular_units();   // rad/s deg/s
 std::span<const Unit> distance_units();  // m mm cm km
 std::span<const Unit> angle_units();     // rad deg turn
