@@ -50,6 +50,12 @@ class Gathering {
       add(mapping_.command->first, columns_.command[0], Joining::held);
       if (mapping_.command->second) add(*mapping_.command->second, columns_.command[1], Joining::held);
     }
+    if (mapping_.command) {
+      for (std::size_t side = 0; side < 2; ++side) {
+        if (const auto& bit = mapping_.command->direction[side])
+          add(*bit, columns_.direction[side], Joining::held);
+      }
+    }
     if (mapping_.wheels) {
       add(mapping_.wheels->left, columns_.wheel[0]);
       if (mapping_.wheels->right) add(*mapping_.wheels->right, columns_.wheel[1]);
@@ -63,6 +69,7 @@ class Gathering {
                             ": no columns were found that hold commands and what the wheels did; say which "
                             "they are: --set command.left=COLUMN and wheels.left=COLUMN");
     if (!merge()) return tl::unexpected(problem_);
+    apply_directions();
     return std::move(columns_);
   }
 
@@ -117,6 +124,19 @@ class Gathering {
       heading_.push_back(std::atan2(2.0 * (qw * qz + qx * qy), qw * qw + qx * qx - qy * qy - qz * qz));
     }
     sources_.push_back({w.stream, &heading_, &columns_.theta_rad, Joining::between});
+  }
+
+  void apply_directions() {
+    for (std::size_t side = 0; side < 2; ++side) {
+      const Column& bits = columns_.direction[side];
+      Column& command = columns_.command[side];
+      if (bits.empty() || command.empty()) continue;
+      double bit = mapping_.command->forward;
+      for (std::size_t row = 0; row < command.size(); ++row) {
+        if (std::isfinite(bits[row])) bit = bits[row];
+        if (bit != mapping_.command->forward) command[row] = -command[row];
+      }
+    }
   }
 
   bool merge() {

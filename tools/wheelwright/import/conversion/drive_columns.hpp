@@ -21,6 +21,7 @@ struct DriveColumns {
   Column t_s;                       // in seconds, on the clock of the file
   std::vector<std::size_t> places;  // line of each row in its file; empty where rows of streams were merged
   std::array<Column, 2> command;    // left and right, or linear and angular
+  std::array<Column, 2> direction;  // bits beside a duty, left and right
   std::array<Column, 2> wheel;      // left and right, or linear and angular
   Column x;
   Column y;

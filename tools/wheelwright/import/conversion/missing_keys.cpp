@@ -26,7 +26,7 @@ std::string what_is_missing(const Mapping& mapping) {
                  "wheels.metres_per_count=0.0005"
                : "the radius of the wheels is not known; give it: --set wheels.wheel_radius_m=0.035";
   }
-  if (mapping.command->kind == CommandKind::duty && !mapping.command->full_scale_m_s) {
+  if (mapping.command->is_duty() && !mapping.command->full_scale_m_s) {
     return "the speed that the largest duty leads to is not known; give it: --set command.full_scale_m_s=0.5";
   }
   return {};

@@ -35,6 +35,11 @@ double median_step(const std::vector<double>& times_s) {
   return *middle;
 }
 
+double gyro_in_rad_s(const ScalarMapping& gyro) {
+  if (gyro.unit != raw_unit) return in_si(angular_units(), gyro.unit);
+  return in_si(angular_units(), "deg/s") / gyro.lsb_per_deg_s.value_or(1.0);
+}
+
 class RunMaker {
  public:
   RunMaker(const DriveColumns& columns, const Column& times_s, const Mapping& mapping,
@@ -136,7 +141,7 @@ class RunMaker {
   void make_samples(const RunRows& rows, const std::vector<double>& t_s, const std::array<Column, 2>& counts,
                     DriveLog& log, std::vector<std::string>& remarks) const {
     const bool one_command = columns_.command[1].empty();
-    const bool is_twist = mapping_.command->kind == CommandKind::twist;
+    const bool is_of_body = mapping_.command->is_of_body();
     std::optional<double> first;
     std::optional<double> second;
     std::size_t before_commands = 0;
@@ -144,7 +149,7 @@ class RunMaker {
       const std::size_t row = rows[i];
       if (const auto said = value(columns_.command[0], row)) first = said;
       if (one_command) {
-        second = is_twist ? std::optional(0.0) : first;
+        second = is_of_body ? std::optional(0.0) : first;
       } else if (const auto said = value(columns_.command[1], row)) {
         second = said;
       }
@@ -186,7 +191,7 @@ class RunMaker {
       result.reference_theta_rad = value(columns_.theta_rad, row);
     }
     if (const auto gyro = value(columns_.gyro, row)) {
-      result.gyro_z_rad_s = in_si(angular_units(), mapping_.gyro->unit) * *gyro;
+      result.gyro_z_rad_s = gyro_in_rad_s(*mapping_.gyro) * *gyro;
     }
     if (const auto battery = value(columns_.battery, row)) {
       result.battery_v = in_si(voltage_units(), mapping_.battery->unit) * *battery;

@@ -11,6 +11,11 @@ namespace wheelwright::import {
 WheelPair wheel_command(const Mapping& mapping, double first, double second) {
   const CommandMapping& command = *mapping.command;
   switch (command.kind) {
+    case CommandKind::throttle: {
+      const double factor = command.full_scale_m_s.value_or(1.0) / command.full_scale;
+      const double steering = command.steering_gain * second;
+      return {factor * (first - steering), factor * (first + steering)};
+    }
     case CommandKind::duty: {
       const double factor = command.full_scale_m_s.value_or(1.0) / command.full_scale;
       return {factor * first, factor * second};
@@ -35,11 +40,11 @@ std::array<Column, 2> wheel_commands(const DriveColumns& columns, std::span<cons
   if (columns.command[0].empty() || (is_twist && !mapping.wheel_base_m)) return {};
   std::array<Column, 2> result;
   double first = std::numeric_limits<double>::quiet_NaN();
-  double second = columns.command[1].empty() && is_twist ? 0.0 : first;
+  double second = columns.command[1].empty() && mapping.command->is_of_body() ? 0.0 : first;
   for (const std::size_t row : rows) {
     if (std::isfinite(columns.command[0][row])) first = columns.command[0][row];
     if (columns.command[1].empty()) {
-      if (!is_twist) second = first;
+      if (!mapping.command->is_of_body()) second = first;
     } else if (std::isfinite(columns.command[1][row])) {
       second = columns.command[1][row];
     }

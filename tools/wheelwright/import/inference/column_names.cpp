@@ -62,6 +62,7 @@ Quantity of_wheel(const Name& name) {
   const bool is_speed =
       words.has_any({"vel", "velocity", "speed", "spd", "v", "rpm", "rps", "omega", "w", "rate"}) ||
       find_unit(speed_units(), name.unit);
+  if (words.has_any({"dir", "direction"})) return Quantity::direction;
   if (words.has_any({"pwm", "duty", "power", "throttle", "volt", "volts", "voltage", "effort", "dc"})) {
     return Quantity::duty;
   }
@@ -101,6 +102,9 @@ Quantity of_body(const Name& name) {
       (words.has("angular") && words.has("velocity") && last == "z")) {
     return name.is_command ? Quantity::angular_command : Quantity::gyro;
   }
+  if (words.has_any({"dir", "direction"})) return Quantity::direction;
+  if (words.has_any({"throttle", "thr"}) && !words.has("angle")) return Quantity::throttle;
+  if (words.has_any({"steering", "steer"}) && !words.has("angle")) return Quantity::steering;
   const bool is_angular =
       (words.has("angular") && last != "x" && last != "y") ||
       words.has_any({"w", "omega", "wz", "yawrate", "ang", "rot", "turnrate"}) ||

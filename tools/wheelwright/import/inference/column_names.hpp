@@ -20,6 +20,9 @@ enum class Quantity : std::uint8_t {
   distance,
   speed,
   // of the body
+  direction,  // a bit beside a duty
+  throttle,
+  steering,
   linear_command,
   angular_command,
   linear_speed,

@@ -6,7 +6,9 @@
 
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
+#include "tools/wheelwright/import/inference/command_forms.hpp"
 #include "tools/wheelwright/import/inference/counter_kind.hpp"
+#include "tools/wheelwright/import/inference/gyro_scale.hpp"
 #include "tools/wheelwright/import/inference/metadata_roles.hpp"
 #include "tools/wheelwright/import/inference/named_roles.hpp"
 #include "tools/wheelwright/import/inference/numbered_roles.hpp"
@@ -19,9 +21,7 @@ namespace {
 
 // Signs and sides that cannot be as the file says. They are reported, and changed by whoever knows the robot.
 void add_doubts(const DriveColumns& columns, const Mapping& mapping, std::vector<std::string>& doubts) {
-  if (!mapping.command || !mapping.wheels || !mapping.wheels->right ||
-      mapping.command->kind == CommandKind::twist)
-    return;
+  if (!mapping.command || !mapping.wheels || !mapping.wheels->right || mapping.command->is_of_body()) return;
   auto rows = response_rows(columns, mapping);
   const std::array<ResponseFit, 2> own{fit_response(rows[0]), fit_response(rows[1])};
   std::swap(rows[0].command, rows[1].command);
@@ -68,13 +68,18 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
   map_by_numbers(recordings, given, mapping, inference.findings);
   map_metadata(recordings, mapping);
   const bool unit_assumed = mapping.wheels && mapping.wheels->unit_assumed && !given.says("wheels.unit");
+  const bool gyro_is_stated = !mapping.gyro || mapping.gyro->unit_is_stated;
   mapping = to_mapping(overlaid(mapping, given), "mapping");
   if (mapping.wheels) mapping.wheels->unit_assumed = unit_assumed;
+  if (mapping.gyro) mapping.gyro->unit_is_stated = gyro_is_stated;
+  tell_forward_bit(recordings, given, mapping, inference.findings, inference.doubts);
   tell_hundredths(recordings, given, mapping, inference.findings, inference.doubts);
   if (mapping.command || mapping.wheels) {
     if (const auto columns = gather(recordings, mapping)) {
       tell_counters(*columns, given, mapping, inference.findings, inference.doubts);
+      tell_steering(*columns, given, mapping, inference.findings, inference.doubts);
       set_units(*columns, given, mapping, inference.findings, inference.doubts);
+      set_gyro_unit(*columns, given, mapping, inference.findings, inference.doubts);
       add_doubts(*columns, mapping, inference.doubts);
     }
   }

@@ -88,15 +88,18 @@ class ByNames {
     if (const auto found = named_.sides(Quantity::command, findings_))
       return take_command(CommandKind::wheels, found->first, found->second);
     if (const auto found = named_.sides(Quantity::duty, findings_))
-      return take_command(CommandKind::duty, found->first, found->second);
+      return take_duty(found->first, found->second);
     for (const auto& [quantity, kind] :
          {std::pair{Quantity::command, CommandKind::wheels}, {Quantity::duty, CommandKind::duty}}) {
       if (const auto two = named_.numbered_pair(quantity, findings_))
-        return take_command(kind, two->first, two->second);
+        return kind == CommandKind::duty ? take_duty(two->first, two->second)
+                                         : take_command(kind, two->first, two->second);
     }
+    if (take_throttle()) return;
     const auto linear = named_.all(Quantity::linear_command, NamedSide::none);
-    if (const auto found =
-            NamedChannels::pair(linear, named_.all(Quantity::angular_command, NamedSide::none), findings_)) {
+    auto angular = named_.all(Quantity::angular_command, NamedSide::none);
+    for (const auto& steering : named_.all(Quantity::steering, NamedSide::none)) angular.push_back(steering);
+    if (const auto found = NamedChannels::pair(linear, angular, findings_)) {
       return take_command(CommandKind::twist, found->first, found->second);
     }
     // Speeds of the body beside wheels that were measured, and held: they are what was asked for.
@@ -108,11 +111,47 @@ class ByNames {
                           " are held for most rows and are taken for commands");
       return take_command(CommandKind::twist, found->first, found->second);
     }
-    if (const auto found = named_.single(Quantity::duty))
-      return take_command(CommandKind::duty, *found, std::nullopt);
+    for (const Quantity quantity : {Quantity::throttle, Quantity::duty}) {
+      if (const auto found = named_.single(quantity))
+        return take_command(CommandKind::duty, *found, std::nullopt);
+    }
     if (const auto found = named_.single(Quantity::command))
       return take_command(CommandKind::wheels, *found, std::nullopt);
     if (!linear.empty()) take_command(CommandKind::wheels, linear.front(), std::nullopt);
+  }
+
+  // With the bits of direction beside it.
+  void take_duty(const Named& left, const Named& right) {
+    take_command(CommandKind::duty, left, right);
+    const bool has_sign = std::ranges::any_of(left.channel->values, [](double duty) { return duty < 0.0; });
+    auto bits = named_.sides(Quantity::direction, findings_);
+    if (!bits) bits = named_.numbered_pair(Quantity::direction, findings_);
+    if (!bits || has_sign || !is_bit(*bits->first.channel) || !is_bit(*bits->second.channel)) return;
+    mapping_.command->direction = {bits->first.name(), bits->second.name()};
+    findings_.push_back(bits->first.name().text() + " and " + bits->second.name().text() +
+                        " are taken for the direction of the duties, 1 for forward");
+  }
+
+  // Two values, one of them 1.
+  static bool is_bit(const Channel& channel) {
+    double other = 1.0;
+    for (const double value : channel.values) {
+      if (!std::isfinite(value) || value == 1.0) continue;
+      if (other != 1.0 && value != other) return false;
+      other = value;
+    }
+    return other != 1.0 && std::abs(other) <= 2.0;
+  }
+
+  // Throttle and steering of a remote control, mixed to the two wheels by the robot.
+  bool take_throttle() {
+    const auto throttle = named_.all(Quantity::throttle, NamedSide::none);
+    auto steering = named_.all(Quantity::steering, NamedSide::none);
+    for (const auto& turning : named_.all(Quantity::angular_command, NamedSide::none))
+      steering.push_back(turning);
+    const auto found = NamedChannels::pair(throttle, steering, findings_);
+    if (found) take_command(CommandKind::throttle, found->first, found->second);
+    return found.has_value();
   }
 
   void take_command(CommandKind kind, const Named& first, const std::optional<Named>& second) {
@@ -145,8 +184,9 @@ class ByNames {
     const auto found = named_.all(quantity, NamedSide::none);
     if (scalar || found.empty()) return;
     const std::string& unit = found.front().meaning.unit;
-    scalar =
-        ScalarMapping{found.front().name(), find_unit(units, unit) ? unit : std::string(units.front().name)};
+    const bool is_stated = find_unit(units, unit).has_value();
+    scalar = ScalarMapping{found.front().name(), is_stated ? unit : std::string(units.front().name)};
+    scalar->unit_is_stated = is_stated || !found.front().stream->type.empty();  // of messages: SI
   }
 
   // A column of the stream that holds the wheels, else the commands, else the reference.

@@ -34,7 +34,7 @@ void add_run(const DriveColumns& columns, const Column& times_s, const Mapping& 
   const WheelTravel travel = wheel_travel(columns, rows, mapping);
   const bool is_speed = mapping.wheels->kind == WheelKind::speed;
   const bool is_pair = !travel.values[1].empty();
-  const bool as_body = mapping.command->kind == CommandKind::twist && !mapping.wheels->body_motion && is_pair;
+  const bool as_body = mapping.command->is_of_body() && !mapping.wheels->body_motion && is_pair;
   std::array<double, 2> command{std::numeric_limits<double>::quiet_NaN(),
                                 std::numeric_limits<double>::quiet_NaN()};
   std::array<double, 2> in_force{std::numeric_limits<double>::quiet_NaN(),

@@ -40,8 +40,7 @@ std::optional<double> speed_ratio(std::span<const Recording> recordings, const G
   const CommandMapping& command = *mapping.command;
   const auto scale = wheel_scale(*mapping.wheels);
   const auto unit = find_unit(speed_units(), command.unit);
-  if (!scale || command.kind == CommandKind::duty || !unit || unit->of_wheel || unit->of_count)
-    return std::nullopt;
+  if (!scale || command.is_duty() || !unit || unit->of_wheel || unit->of_count) return std::nullopt;
   const auto columns = gather(recordings, mapping);
   if (!columns) return std::nullopt;
   constexpr double max_m_s = 3.0;
@@ -53,7 +52,7 @@ std::optional<double> speed_ratio(std::span<const Recording> recordings, const G
   for (const auto& side : rows) {
     const ResponseFit fit = fit_response(side);
     if (fit.explained > best.explained) best = fit;
-    if (command.kind == CommandKind::twist) break;
+    if (command.is_of_body()) break;
   }
   if (best.explained < least_explained) return std::nullopt;
   return std::abs(best.gain) * *scale / unit->in_si;

@@ -51,12 +51,10 @@ class UnitFinder {
     if (mapping_.command && mapping_.wheels) {
       const auto rows = response_rows(columns_, mapping_);
       for (std::size_t k = 0; k < 2; ++k) fits_[k] = fit_response(rows[k]);
-      gain_ = fits_[0].explained >= fits_[1].explained || mapping_.command->kind == CommandKind::twist
-                  ? fits_[0].gain
-                  : fits_[1].gain;
-      explained_ = mapping_.command->kind == CommandKind::twist
-                       ? fits_[0].explained
-                       : std::max(fits_[0].explained, fits_[1].explained);
+      gain_ = fits_[0].explained >= fits_[1].explained || mapping_.command->is_of_body() ? fits_[0].gain
+                                                                                         : fits_[1].gain;
+      explained_ = mapping_.command->is_of_body() ? fits_[0].explained
+                                                  : std::max(fits_[0].explained, fits_[1].explained);
       if (is_sure()) {
         by_gain();
         check_gain();
@@ -91,7 +89,7 @@ class UnitFinder {
     const auto scale = wheel_scale(*mapping_.wheels);
     if (!scale) return find_scale();
     const double gain_m_s = std::abs(gain_) * *scale;
-    if (mapping_.command->kind == CommandKind::duty) return find_full_scale(gain_m_s);
+    if (mapping_.command->is_duty()) return find_full_scale(gain_m_s);
     if (unit_is_said() || !(gain_m_s > 0.0)) return;
     command_unit(gain_m_s);
   }
@@ -135,9 +133,7 @@ class UnitFinder {
   // How far a count goes, where commands are speeds.
   void find_scale() {
     const CommandMapping& command = *mapping_.command;
-    if (command.kind == CommandKind::duty ||
-        (largest(columns_.command[0]) > fastest_m_s && command_in_si() == 1.0))
-      return;
+    if (command.is_duty() || (largest(columns_.command[0]) > fastest_m_s && command_in_si() == 1.0)) return;
     const auto unit = find_unit(speed_units(), command.unit);
     if (!unit || unit->of_wheel || unit->of_count) return;
     const double scale = rounded_gain(unit->in_si / std::abs(gain_));
@@ -173,7 +169,7 @@ class UnitFinder {
   // Of wheel speeds that the file gives no unit: the one in which wheels come near their commands, else none.
   void speed_unit() {
     WheelMapping& wheels = *mapping_.wheels;
-    if (!wheels.unit_assumed || mapping_.command->kind == CommandKind::duty) return;
+    if (!wheels.unit_assumed || mapping_.command->is_duty()) return;
     const double gain = std::abs(gain_) / command_in_si();
     if (gain > 1.0 / 3.0 && gain < 3.0) return;
     for (const Unit& unit : speed_units()) {
@@ -189,7 +185,7 @@ class UnitFinder {
   // Of wheel angles or distances that the file gives no unit, with the radius of the wheel.
   void travel_unit() {
     WheelMapping& wheels = *mapping_.wheels;
-    if (!wheels.unit_assumed || mapping_.command->kind == CommandKind::duty) return;
+    if (!wheels.unit_assumed || mapping_.command->is_duty()) return;
     const double metres = command_in_si() / std::abs(gain_);  // of one unit
     for (const Unit& unit : angle_units()) {
       if (!wheels.wheel_radius_m || !is_near(metres, unit.in_si * *wheels.wheel_radius_m)) continue;
@@ -212,7 +208,7 @@ class UnitFinder {
   // Units and scales that are known leave nothing to find, and may be wrong.
   void check_gain() {
     const auto scale = wheel_scale(*mapping_.wheels);
-    if (!scale || mapping_.command->kind == CommandKind::duty || found_scale_) return;
+    if (!scale || mapping_.command->is_duty() || found_scale_) return;
     const auto unit = find_unit(speed_units(), mapping_.command->unit);
     const auto command = unit ? speed_in_m_s(*unit, mapping_.wheels) : std::nullopt;
     if (!command) return;

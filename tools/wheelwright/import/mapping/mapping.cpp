@@ -11,7 +11,7 @@ namespace {
 using config::plain_number;
 
 constexpr std::array<std::string_view, 8> time_unit_names{"s", "ms", "us", "ns", "hms", "iso", "cs", "day"};
-constexpr std::array<std::string_view, 3> command_kind_names{"wheels", "twist", "duty"};
+constexpr std::array<std::string_view, 4> command_kind_names{"wheels", "twist", "duty", "throttle"};
 constexpr std::array<std::string_view, 4> wheel_kind_names{"counts", "angle", "distance", "speed"};
 
 template <typename Names, typename Value>
@@ -43,9 +43,20 @@ void add_time(Entries& entries, const TimeMapping& time) {
 void add_command(Entries& entries, const CommandMapping& command) {
   const bool is_twist = command.kind == CommandKind::twist;
   entries.add("command.kind", name_of(command_kind_names, command.kind));
-  entries.add(is_twist ? "command.linear" : "command.left", command.first.text());
-  entries.add(is_twist ? "command.angular" : "command.right", command.second);
-  if (command.kind == CommandKind::duty) {
+  const bool is_throttle = command.kind == CommandKind::throttle;
+  entries.add(is_twist      ? "command.linear"
+              : is_throttle ? "command.throttle"
+                            : "command.left",
+              command.first.text());
+  entries.add(is_twist      ? "command.angular"
+              : is_throttle ? "command.steering"
+                            : "command.right",
+              command.second);
+  entries.add("command.left_direction", command.direction[0]);
+  entries.add("command.right_direction", command.direction[1]);
+  if (command.direction[0]) entries.add("command.forward", command.forward);
+  if (is_throttle) entries.add("command.steering_gain", command.steering_gain);
+  if (command.is_duty()) {
     entries.add("command.full_scale", command.full_scale);
     entries.add("command.full_scale_m_s", command.full_scale_m_s);
     return;
@@ -92,6 +103,7 @@ void add_scalar(Entries& entries, const std::string& section, const std::optiona
   if (!scalar) return;
   entries.add(section + ".column", scalar->column.text());
   entries.add(section + ".unit", scalar->unit);
+  entries.add(section + ".lsb_per_deg_s", scalar->lsb_per_deg_s);
 }
 
 // A text that YAML would not take for something else.

@@ -2,6 +2,7 @@
 // what units. What is absent was neither given nor found.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -32,16 +33,22 @@ struct TimeMapping {
   std::optional<double> period_s;
 };
 
-enum class CommandKind : std::uint8_t { wheels, twist, duty };
+enum class CommandKind : std::uint8_t { wheels, twist, duty, throttle };
 
 struct CommandMapping {
   CommandKind kind = CommandKind::wheels;
-  ChannelName first{};                  // left, or linear
-  std::optional<ChannelName> second{};  // right, or angular; absent: one command for both wheels
+  ChannelName first{};                  // left, or linear, or throttle
+  std::optional<ChannelName> second{};  // right, or angular, or steering; absent: one for both wheels
   std::string unit = "m/s";             // of wheel and linear speeds; see speed_units() in units.hpp
   std::string angular_unit = "rad/s";
   double full_scale = 1.0;                 // duty: the number that stands for all of it
   std::optional<double> full_scale_m_s{};  // duty: the speed that all of it leads to
+  double steering_gain = 1.0;  // left = throttle - gain * steering, right = throttle + gain * steering
+  std::array<std::optional<ChannelName>, 2> direction{};  // bits beside a duty without a sign, left and right
+  double forward = 1.0;                                   // their value that is forward
+
+  bool is_of_body() const { return kind == CommandKind::twist || kind == CommandKind::throttle; }
+  bool is_duty() const { return kind == CommandKind::duty || kind == CommandKind::throttle; }
 };
 
 enum class WheelKind : std::uint8_t { counts, angle, distance, speed };
@@ -81,6 +88,8 @@ struct ReferenceMapping {
 struct ScalarMapping {
   ChannelName column;
   std::string unit;
+  std::optional<double> lsb_per_deg_s{};  // of a gyro in raw numbers, unit LSB
+  bool unit_is_stated = true;             // else the motion may tell another
 };
 
 struct Mapping {

@@ -53,14 +53,28 @@ TimeMapping read_time(YamlReader& from) {
 std::optional<CommandMapping> read_command(YamlReader& from) {
   CommandMapping command;
   const bool is_twist = from.has("linear") || from.has("angular");
-  command.kind = from.choice<CommandKind>(
-      "kind", {{"wheels", CommandKind::wheels}, {"twist", CommandKind::twist}, {"duty", CommandKind::duty}},
-      is_twist ? CommandKind::twist : CommandKind::wheels);
-  const auto first = channel(from, is_twist ? "linear" : "left");
-  command.second = channel(from, is_twist ? "angular" : "right");
-  if (is_twist != (command.kind == CommandKind::twist) && first) {
-    from.fail("kind", "a twist has the keys linear and angular, wheels and duty have left and right");
+  const bool is_throttle = from.has("throttle") || from.has("steering");
+  command.kind = from.choice<CommandKind>("kind",
+                                          {{"wheels", CommandKind::wheels},
+                                           {"twist", CommandKind::twist},
+                                           {"duty", CommandKind::duty},
+                                           {"throttle", CommandKind::throttle}},
+                                          is_twist      ? CommandKind::twist
+                                          : is_throttle ? CommandKind::throttle
+                                                        : CommandKind::wheels);
+  const auto first = channel(from, is_twist ? "linear" : is_throttle ? "throttle" : "left");
+  command.second = channel(from, is_twist ? "angular" : is_throttle ? "steering" : "right");
+  if ((is_twist != (command.kind == CommandKind::twist) ||
+       is_throttle != (command.kind == CommandKind::throttle)) &&
+      first) {
+    from.fail(
+        "kind",
+        "a twist has the keys linear and angular, a throttle has throttle and steering, wheels and duty "
+        "have left and right");
   }
+  command.direction = {channel(from, "left_direction"), channel(from, "right_direction")};
+  command.forward = from.number("forward", {-1e6, 1e6}, command.forward);
+  command.steering_gain = from.number("steering_gain", {-1000, 1000}, command.steering_gain);
   command.unit = unit(from, "unit", speed_units(), command.unit);
   command.angular_unit = unit(from, "angular_unit", angular_units(), command.angular_unit);
   command.full_scale = from.number("full_scale", {1e-6, 1e9}, command.full_scale);
@@ -143,6 +157,21 @@ std::optional<ScalarMapping> read_scalar(YamlReader& from, std::span<const Unit>
   return ScalarMapping{*column, name};
 }
 
+// Raw numbers have a scale of their own.
+std::optional<ScalarMapping> read_gyro(YamlReader& from) {
+  const auto scale = number(from, "lsb_per_deg_s", {0.01, 1e6});
+  if (from.has("unit") && from.text("unit") == raw_unit) {
+    const auto column = channel(from, "column");
+    return column ? std::optional(ScalarMapping{*column, std::string(raw_unit), scale}) : std::nullopt;
+  }
+  auto gyro = read_scalar(from, angular_units());
+  if (gyro && scale) {
+    gyro->unit = raw_unit;
+    gyro->lsb_per_deg_s = scale;
+  }
+  return gyro;
+}
+
 Mapping read_mapping(YamlReader file) {
   Mapping mapping;
   file.integer("wheelwright_mapping", {1, 1});
@@ -163,7 +192,7 @@ Mapping read_mapping(YamlReader file) {
     section->finish();
   }
   if (auto section = file.section("gyro")) {
-    mapping.gyro = read_scalar(*section, angular_units());
+    mapping.gyro = read_gyro(*section);
     section->finish();
   }
   if (auto section = file.section("battery")) {
@@ -188,6 +217,12 @@ constexpr std::string_view known_keys[] = {"time.column",
                                            "command.right",
                                            "command.linear",
                                            "command.angular",
+                                           "command.throttle",
+                                           "command.steering",
+                                           "command.steering_gain",
+                                           "command.left_direction",
+                                           "command.right_direction",
+                                           "command.forward",
                                            "command.unit",
                                            "command.angular_unit",
                                            "command.full_scale",
@@ -221,6 +256,7 @@ constexpr std::string_view known_keys[] = {"time.column",
                                            "reference.shift_s",
                                            "gyro.column",
                                            "gyro.unit",
+                                           "gyro.lsb_per_deg_s",
                                            "battery.column",
                                            "battery.unit",
                                            "robot.name",

@@ -7,6 +7,9 @@
 
 namespace wheelwright::import {
 
+// Of a gyro: the numbers of its registers.
+inline constexpr std::string_view raw_unit = "LSB";
+
 struct Unit {
   std::string_view name;
   double in_si;           // how many m, m/s, rad, rad/s, s or V one of it is
