@@ -73,3 +73,12 @@ TEST_CASE("JSON lines give their numbers under flattened names") {
   CHECK(values(recording.streams[0], "p.x[0]") == Values{1.0, 3.0});
   CHECK(has_remark(recording, "line 3: no object with numbers"));
 }
+
+TEST_CASE("Letters and numbers without anything between them are keys and their numbers") {
+  const import::Recording recording = read_text("L12R13\nL14R-15\nL16R17\nL18R19\n");
+  CHECK(values(stream(recording), "L") == Values{12.0, 14.0, 16.0, 18.0});
+  CHECK(values(stream(recording), "R") == Values{13.0, -15.0, 17.0, 19.0});
+  CHECK(values("T100L12E13\nT200L14E15\n", "E") == Values{13.0, 15.0});
+  CHECK(values("V1.5e-3W2\nV1.5e-2W3\n", "V") == Values{1.5e-3, 1.5e-2});
+  CHECK(values("M1S2 7\nM1S2 8\n", "M1S2") == Values{7.0, 8.0});
+}

@@ -138,3 +138,32 @@ TEST_CASE("TUM and EuRoC references are tables") {
   CHECK(unit(euroc, "timestamp") == "ns");
   CHECK(values(euroc.streams[0], "timestamp")[0] == 1403636580838555648.0);
 }
+
+namespace {
+
+// Rows of a serial monitor, with a stamp before each.
+std::string stamped(const std::vector<std::string>& rows) {
+  std::string text;
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    text += "12:00:" + std::to_string(10 + k) + ".250 -> " + rows[k] + "\n";
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("A comma behind a stamp is a decimal sign where the rows show it, and a doubt where they do not") {
+  const import::Recording zeros = read_text(stamped({"10,05", "10,50", "11,00", "11,25"}));
+  CHECK(values(zeros.streams[0], "2") == Values{10.05, 10.5, 11.0, 11.25});
+  const import::Recording carries = read_text(
+      stamped({"9,55", "9,75", "9,95", "10,15", "10,35", "10,85", "11,25", "11,95", "12,15", "12,55"}));
+  CHECK(values(carries.streams[0], "2").back() == 12.55);
+  CHECK(has_remark(carries, "taken for the decimal sign"));
+  const import::Recording mixed = read_text(stamped({"10", "10,5", "11", "11,5", "12", "12,5"}));
+  CHECK(values(mixed.streams[0], "2") == Values{10.0, 10.5, 11.0, 11.5, 12.0, 12.5});
+  const import::Recording open = read_text(stamped({"10,5", "11,6", "12,8", "13,9"}));
+  CHECK(values(open.streams[0], "3") == Values{5.0, 6.0, 8.0, 9.0});
+  CHECK(has_remark(open, "it could also be a decimal sign"));
+  const import::Recording counters =
+      read_text(stamped({"10,25", "11,26", "12,27", "12,28", "13,29", "14,31", "15,32", "16,30"}));
+  CHECK(values(counters.streams[0], "3").back() == 30.0);
+}

@@ -52,6 +52,20 @@ bool is_followed_by_number(std::string_view rest) {
   return !rest.empty() && (rest.front() == ' ' || rest.front() == '\t') && begins_number(trim(rest));
 }
 
+// "L12R-13", "A1B2C3": one letter and its whole number, again and again.
+bool are_letters_with_numbers(std::string_view text) {
+  std::size_t groups = 0;
+  std::size_t at = 0;
+  while (at < text.size() && is_letter(text[at]) && text[at] != '_') {
+    ++at;
+    if (at < text.size() && (text[at] == '-' || text[at] == '+')) ++at;
+    if (at == text.size() || !is_digit(text[at])) return false;
+    while (at < text.size() && is_digit(text[at])) ++at;
+    ++groups;
+  }
+  return groups > 1 && !is_assigned(text.substr(at)) && !is_followed_by_number(text.substr(at));
+}
+
 }  // namespace
 
 bool KeyedLine::parse(std::string_view line) {
@@ -102,7 +116,12 @@ bool KeyedLine::take_number(std::string_view& rest) {
     value = read_number(rest.substr(0, length), '.').value_or(nothing);
     end = begin + length;
   } else {
-    const auto result = std::from_chars(begin, end_of_rest, value);
+    // In "L12E13" the letter is the next key: an exponent without a point has a sign.
+    const auto digits = std::min(
+        rest.find_first_not_of("0123456789", static_cast<std::size_t>(begin - rest.data())), rest.size());
+    const bool is_key = digits + 1 < rest.size() && (rest[digits] == 'E' || rest[digits] == 'e') &&
+                        is_digit(rest[digits + 1]) && !words_.empty();
+    const auto result = std::from_chars(begin, is_key ? rest.data() + digits : end_of_rest, value);
     if (result.ec == std::errc::invalid_argument) return false;
     if (result.ec != std::errc() || !std::isfinite(value)) value = nothing;
     end = result.ptr;
@@ -127,6 +146,7 @@ std::size_t KeyedLine::word_length(std::string_view rest) const {
                                (rest[all] == '.' && all + 1 < rest.size() && is_letter(rest[all + 1])) ||
                                (rest[all] == '/' && all + 1 < rest.size() && is_letter(rest[all + 1]))))
     ++all;
+  if (letters == 1 && are_letters_with_numbers(rest)) return 1;
   const bool has_digits_only =
       all > letters && std::ranges::all_of(rest.substr(letters, all - letters), is_digit);
   if (!has_digits_only || is_assigned(rest.substr(all)) || is_followed_by_number(rest.substr(all)))
