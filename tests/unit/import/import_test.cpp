@@ -186,7 +186,9 @@ TEST_CASE("A file without commands says what is missing, with the option") {
                                  [&](const ForeignRow& row) { return number(row.t_s) + "," + counts(row); });
   const auto outcome = import_text(text, {base});
   REQUIRE_FALSE(outcome.conversion);
-  CHECK_THAT(outcome.conversion.error(), ContainsSubstring("no commands were found"));
+  CHECK_THAT(outcome.conversion.error(),
+             ContainsSubstring(
+                 "no commands were found; how far a wheel rolls for a count is not known; give --set"));
   CHECK_THAT(outcome.conversion.error(), ContainsSubstring("--set command.left="));
 }
 

@@ -63,3 +63,35 @@ TEST_CASE("A mapping that cannot be meant is refused with its place and what wou
                   config::ConfigError);
   CHECK_THROWS_AS(GivenMapping(file_with("robot: {wheel_base_m: 0.3}\n"), {}), config::ConfigError);
 }
+
+TEST_CASE("What contradicts itself names the option that said it, never a text that nobody wrote") {
+  const auto refused = [](const std::vector<std::string>& settings) {
+    try {
+      to_mapping(GivenMapping("", settings).entries(), "drive.csv");
+    } catch (const config::ConfigError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK_THAT(refused({"command.left=a", "command.linear=b"}),
+             Catch::Matchers::Equals(
+                 "--set command.left=a: command.left does not go with the other keys of its section; leave "
+                 "it out, or them"));
+  CHECK_THAT(refused({"wheels.kind=angle", "wheels.unit=m/s"}),
+             Catch::Matchers::StartsWith("--set wheels.unit=m/s: 'unit'"));
+  CHECK_THAT(refused({"wheels.unit=furlong"}),
+             Catch::Matchers::StartsWith("--set wheels.unit=furlong: 'unit' 'furlong'"));
+  const auto file = file_with("wheelwright_mapping: 1\nwheels: {left: a, unit: m/s}\n");
+  try {
+    to_mapping(GivenMapping(file, {"wheels.kind=angle"}).entries(), "drive.csv");
+    FAIL("was not refused");
+  } catch (const config::ConfigError& error) {
+    CHECK_THAT(error.what(), Catch::Matchers::StartsWith(file + ": wheels.unit: 'unit'"));
+  }
+  try {
+    to_mapping({{"wheels.left", "a"}, {"wheels.kind", "angle"}, {"wheels.unit", "m/s"}}, "drive.csv");
+    FAIL("was not refused");
+  } catch (const config::ConfigError& error) {
+    CHECK_THAT(error.what(), Catch::Matchers::StartsWith("drive.csv: wheels.unit 'm/s': 'unit'"));
+  }
+}

@@ -73,7 +73,7 @@ tl::expected<Understood, std::string> understand(const ImportRequest& request) {
   }
   name_tables(result.recordings);
   result.inference = infer_mapping(result.recordings, request.given);
-  result.mapping = to_mapping(result.inference.entries, "mapping");
+  result.mapping = to_mapping(result.inference.entries, result.name);
   if (request.reference && !result.mapping.reference) {
     return tl::unexpected(
         request.reference->string() +

@@ -11,6 +11,7 @@
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/counts.hpp"
 #include "tools/wheelwright/import/conversion/join_streams.hpp"
+#include "tools/wheelwright/import/conversion/missing_keys.hpp"
 #include "tools/wheelwright/import/conversion/stamps.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/conversion/time_units.hpp"
@@ -64,10 +65,7 @@ class Gathering {
     if (mapping_.gyro) add(mapping_.gyro->column, columns_.gyro);
     if (mapping_.battery) add(mapping_.battery->column, columns_.battery, Joining::held);
     if (!problem_.empty()) return tl::unexpected(problem_);
-    if (sources_.empty())
-      return tl::unexpected(name() +
-                            ": no columns were found that hold commands and what the wheels did; say which "
-                            "they are: --set command.left=COLUMN and wheels.left=COLUMN");
+    if (sources_.empty()) return tl::unexpected(name() + ": " + what_is_missing(mapping_));
     if (!merge()) return tl::unexpected(problem_);
     apply_directions();
     return std::move(columns_);

@@ -1,35 +1,71 @@
 #include "tools/wheelwright/import/conversion/missing_keys.hpp"
 
+#include <string_view>
+
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
+#include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {
+namespace {
+
+void add_wheel_keys(const WheelMapping& wheels, std::vector<MissingKey>& missing) {
+  if (wheels.kind == WheelKind::speed && wheels.unit.empty()) {
+    missing.push_back({"the unit of the wheel speeds", "wheels.unit=mm/s"});
+    return;
+  }
+  if (wheel_scale(wheels)) return;
+  const auto unit = find_unit(speed_units(), wheels.unit);
+  const bool is_count =
+      wheels.kind == WheelKind::counts || (wheels.kind == WheelKind::speed && unit && unit->of_count);
+  missing.push_back(is_count
+                        ? MissingKey{"how far a wheel rolls for a count", "wheels.metres_per_count=0.0005"}
+                        : MissingKey{"the radius of the wheels", "wheels.wheel_radius_m=0.035"});
+}
+
+}  // namespace
 
 bool is_one_wheel(const Mapping& mapping) {
   return mapping.wheels && !mapping.wheels->right && !mapping.wheels->body_motion && !mapping.reference;
 }
 
-std::string what_is_missing(const Mapping& mapping) {
-  if (!mapping.command)
-    return "no commands were found; say which columns hold them: --set command.left=COLUMN and "
-           "command.right=COLUMN";
+std::vector<MissingKey> missing_keys(const Mapping& mapping) {
+  std::vector<MissingKey> missing;
+  const bool one_wheel = is_one_wheel(mapping);
+  if (!mapping.command) {
+    missing.push_back(
+        {"commands", one_wheel ? "command.left=COLUMN" : "command.left=COLUMN command.right=COLUMN", true});
+  }
   if (!mapping.wheels && !mapping.reference)
-    return "neither wheels nor a reference were found; say which columns hold them: --set wheels.left=COLUMN "
-           "and wheels.right=COLUMN";
-  if (!mapping.wheel_base_m && !is_one_wheel(mapping))
-    return "the distance between the wheels is not known; give it: --set robot.wheel_base_m=0.235";
-  if (mapping.wheels && mapping.wheels->kind == WheelKind::speed && mapping.wheels->unit.empty()) {
-    return "the unit of the wheel speeds is not known; give it: --set wheels.unit=mm/s";
+    missing.push_back({"wheels", "wheels.left=COLUMN wheels.right=COLUMN", true});
+  if (!mapping.wheel_base_m && !one_wheel)
+    missing.push_back({"the distance between the wheels", "robot.wheel_base_m=0.235"});
+  if (mapping.wheels) add_wheel_keys(*mapping.wheels, missing);
+  if (mapping.command && mapping.command->is_duty() && !mapping.command->full_scale_m_s)
+    missing.push_back({"the speed that the largest duty leads to", "command.full_scale_m_s=0.5"});
+  return missing;
+}
+
+std::string what_is_missing(const Mapping& mapping) {
+  std::string not_found;
+  std::string not_known;
+  std::string example;
+  std::size_t unknown = 0;
+  for (const MissingKey& key : missing_keys(mapping)) {
+    if (key.is_column) {
+      not_found += (not_found.empty() ? "no " : " and no ") + key.what;
+    } else {
+      not_known += (unknown++ == 0 ? "" : ", and ") + key.what;
+    }
+    std::string settings = " " + key.example;
+    constexpr std::string_view set = " --set ";
+    for (std::size_t at = 0; (at = settings.find(' ', at)) != std::string::npos; at += set.size())
+      settings.replace(at, 1, set);
+    example += settings;
   }
-  if (mapping.wheels && !wheel_scale(*mapping.wheels)) {
-    return mapping.wheels->kind == WheelKind::counts
-               ? "how far a wheel rolls for a count is not known; give it: --set "
-                 "wheels.metres_per_count=0.0005"
-               : "the radius of the wheels is not known; give it: --set wheels.wheel_radius_m=0.035";
-  }
-  if (mapping.command->is_duty() && !mapping.command->full_scale_m_s) {
-    return "the speed that the largest duty leads to is not known; give it: --set command.full_scale_m_s=0.5";
-  }
-  return {};
+  std::string what = not_found.empty() ? "" : not_found + " were found";
+  if (!not_known.empty())
+    what += (what.empty() ? "" : "; ") + not_known + (unknown > 1 ? " are" : " is") + " not known";
+  return what.empty() ? what : what + "; give" + example;
 }
 
 }  // namespace wheelwright::import

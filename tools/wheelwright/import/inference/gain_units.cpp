@@ -33,4 +33,11 @@ double largest(const Column& column) {
   return result;
 }
 
+double full_scale_of(double largest_duty) {
+  for (const double scale : {1.0, 100.0, 255.0, 1000.0, 1023.0, 4095.0, 32767.0, 65535.0}) {
+    if (largest_duty <= scale) return scale;
+  }
+  return largest_duty;
+}
+
 }  // namespace wheelwright::import

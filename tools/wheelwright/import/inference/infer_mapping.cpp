@@ -13,6 +13,7 @@
 #include "tools/wheelwright/import/inference/named_roles.hpp"
 #include "tools/wheelwright/import/inference/numbered_roles.hpp"
 #include "tools/wheelwright/import/inference/response_rows.hpp"
+#include "tools/wheelwright/import/inference/step_response.hpp"
 #include "tools/wheelwright/import/inference/time_of_log.hpp"
 #include "tools/wheelwright/import/inference/units_by_motion.hpp"
 
@@ -51,7 +52,7 @@ std::vector<MappingEntry> overlaid(const Mapping& mapping, const GivenMapping& g
     if (at == entries.end()) {
       entries.push_back(entry);
     } else {
-      at->value = entry.value;
+      *at = entry;
     }
   }
   return entries;
@@ -61,7 +62,8 @@ std::vector<MappingEntry> overlaid(const Mapping& mapping, const GivenMapping& g
 
 Inference infer_mapping(std::span<const Recording> recordings, const GivenMapping& given) {
   Inference inference;
-  Mapping mapping = to_mapping(given.entries(), "mapping");
+  const std::string name = recordings.empty() ? std::string("the log") : recordings.front().name;
+  Mapping mapping = to_mapping(given.entries(), name);
   map_by_names(recordings, mapping, inference.findings);
   map_metadata(recordings, mapping);
   set_time_unit(recordings, given, mapping, inference.findings);
@@ -69,7 +71,7 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
   map_metadata(recordings, mapping);
   const bool unit_assumed = mapping.wheels && mapping.wheels->unit_assumed && !given.says("wheels.unit");
   const bool gyro_is_stated = !mapping.gyro || mapping.gyro->unit_is_stated;
-  mapping = to_mapping(overlaid(mapping, given), "mapping");
+  mapping = to_mapping(overlaid(mapping, given), name);
   if (mapping.wheels) mapping.wheels->unit_assumed = unit_assumed;
   if (mapping.gyro) mapping.gyro->unit_is_stated = gyro_is_stated;
   tell_forward_bit(recordings, given, mapping, inference.findings, inference.doubts);
@@ -79,6 +81,7 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
       tell_counters(*columns, given, mapping, inference.findings, inference.doubts);
       tell_steering(*columns, given, mapping, inference.findings, inference.doubts);
       set_units(*columns, given, mapping, inference.findings, inference.doubts);
+      set_step_scale(*columns, given, mapping, inference.findings);
       set_gyro_unit(*columns, given, mapping, inference.findings, inference.doubts);
       add_doubts(*columns, mapping, inference.doubts);
     }

@@ -13,6 +13,7 @@
 #include "tools/wheelwright/import/inference/named_roles.hpp"
 #include "tools/wheelwright/import/inference/pose_columns.hpp"
 #include "tools/wheelwright/import/inference/response_fit.hpp"
+#include "tools/wheelwright/import/inference/step_response.hpp"
 
 namespace wheelwright::import {
 namespace {
@@ -371,6 +372,8 @@ void map_by_numbers(std::span<const Recording> recordings, const GivenMapping& g
   const Column t_s = stream_times(*stream, time);
   if (t_s.empty() || (mapping.command && mapping.wheels)) return;
   by_numbers.find_motion(t_s);
+  if (mapping.time.column || mapping.time.period_s)
+    find_step(*stream, t_s, by_numbers.unused(), given, mapping, findings);
   if (!mapping.reference && mapping.command && mapping.wheels)
     find_pose_columns(*stream, by_numbers.unused(), mapping, findings);
 }

@@ -33,14 +33,6 @@ std::optional<Unit> unit_of_gain(double gain, const std::optional<WheelMapping>&
   return std::nullopt;
 }
 
-// The number that stands for all of a duty.
-double full_scale_of(double largest_duty) {
-  for (const double scale : {1.0, 100.0, 255.0, 1000.0, 1023.0, 4095.0, 32767.0, 65535.0}) {
-    if (largest_duty <= scale) return scale;
-  }
-  return largest_duty;
-}
-
 class UnitFinder {
  public:
   UnitFinder(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,

@@ -132,8 +132,8 @@ std::vector<MappingEntry> mapping_entries(const Mapping& mapping) {
   return entries.take();
 }
 
-std::string mapping_text(const std::vector<MappingEntry>& entries) {
-  std::string text = "wheelwright_mapping: 1\n";
+MappingText mapping_text(const std::vector<MappingEntry>& entries) {
+  MappingText result{"wheelwright_mapping: 1\n", {nullptr}};
   std::vector<std::string> sections;
   const auto section_of = [](const MappingEntry& entry) { return entry.key.substr(0, entry.key.find('.')); };
   for (const auto& entry : entries) {
@@ -141,14 +141,16 @@ std::string mapping_text(const std::vector<MappingEntry>& entries) {
       sections.push_back(section_of(entry));
   }
   for (const auto& section : sections) {
-    text += section + ":\n";
+    result.text += section + ":\n";
+    result.lines.push_back(nullptr);
     for (const auto& entry : entries) {
       if (section_of(entry) != section) continue;
-      text += "  " + entry.key.substr(std::min(section.size() + 1, entry.key.size())) + ": " +
-              yaml_value(entry.value) + "\n";
+      result.lines.push_back(&entry);
+      result.text += "  " + entry.key.substr(std::min(section.size() + 1, entry.key.size())) + ": " +
+                     yaml_value(entry.value) + "\n";
     }
   }
-  return text;
+  return result;
 }
 
 }  // namespace wheelwright::import

@@ -107,12 +107,19 @@ struct Mapping {
 struct MappingEntry {
   std::string key;
   std::string value;
+  std::string
+      source{};  // where a person said it: "--set time.unit=ms", the mapping file; empty where it was found
 };
 
 // A mapping as keys and values, in the order of a mapping file.
 std::vector<MappingEntry> mapping_entries(const Mapping& mapping);
 
-// Keys and values as the text of a mapping file (YAML, `wheelwright_mapping: 1`).
-std::string mapping_text(const std::vector<MappingEntry>& entries);
+// Keys and values as the text of a mapping file (YAML, `wheelwright_mapping: 1`), and the entry that stands
+// in each line from the first on; nullptr where none does.
+struct MappingText {
+  std::string text;
+  std::vector<const MappingEntry*> lines;
+};
+MappingText mapping_text(const std::vector<MappingEntry>& entries);
 
 }  // namespace wheelwright::import

@@ -1,6 +1,8 @@
 #include "tools/wheelwright/import/mapping/mapping_file.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <system_error>
 
 #include "config/load/printable_text.hpp"
 #include "config/load/text_format.hpp"
@@ -262,13 +264,13 @@ constexpr std::string_view known_keys[] = {"time.column",
                                            "robot.name",
                                            "robot.wheel_base_m"};
 
-std::vector<MappingEntry> said_in(YamlReader file) {
+std::vector<MappingEntry> said_in(YamlReader file, const std::string& source) {
   std::vector<MappingEntry> entries;
   for (const std::string_view key : known_keys) {
     const auto dot = key.find('.');
     auto section = file.section(key.substr(0, dot));
     if (section && section->has(key.substr(dot + 1))) {
-      entries.push_back({std::string(key), section->text(key.substr(dot + 1))});
+      entries.push_back({std::string(key), section->text(key.substr(dot + 1)), source});
     }
   }
   return entries;
@@ -287,7 +289,33 @@ MappingEntry parse_setting(const std::string& setting) {
                                    ? ": must be KEY=VALUE, such as " + such + "=..."
                                    : ": there is no such key; did you mean " + such + "?"));
   }
-  return {key, setting.substr(equals + 1)};
+  return {key, setting.substr(equals + 1), "--set " + config::excerpt(setting)};
+}
+
+// Stands for the text that keys and values make, of which no person knows the lines.
+constexpr const char* entries_name = "mapping";
+
+// "mapping:3:9: what" as "--set wheels.unit=foo: what".
+std::string at_its_source(const std::string& message, const MappingText& text, const std::string& name) {
+  const std::string prefix = std::string(entries_name) + ":";
+  if (!message.starts_with(prefix)) return name + ": " + message;
+  std::size_t line = 0;
+  const char* const begin = message.data() + prefix.size();
+  const auto [end, error] = std::from_chars(begin, message.data() + message.size(), line);
+  const auto colon = message.find(": ", prefix.size());
+  if (error != std::errc() || end == begin || colon == std::string::npos) return name + ": " + message;
+  const std::string what = message.substr(colon + 2);
+  const MappingEntry* entry = line >= 1 && line <= text.lines.size() ? text.lines[line - 1] : nullptr;
+  if (entry == nullptr) return name + ": " + what;
+  const std::string where = entry->source.empty()
+                                ? name + ": " + entry->key + " '" + config::excerpt(entry->value) + "'"
+                            : entry->source.starts_with("--set") ? entry->source
+                                                                 : entry->source + ": " + entry->key;
+  // Every key is known here: it is of another kind than the others say.
+  if (what.starts_with("unknown key"))
+    return where + ": " + entry->key +
+           " does not go with the other keys of its section; leave it out, or them";
+  return where + ": " + what;
 }
 
 }  // namespace
@@ -295,11 +323,11 @@ MappingEntry parse_setting(const std::string& setting) {
 GivenMapping::GivenMapping(const std::filesystem::path& file, const std::vector<std::string>& settings) {
   if (!file.empty()) {
     read_mapping(YamlReader::load(file));
-    entries_ = said_in(YamlReader::load(file));
+    entries_ = said_in(YamlReader::load(file), file.string());
   }
   for (const auto& setting : settings) {
     const MappingEntry entry = parse_setting(setting);
-    to_mapping({entry}, "--set " + config::excerpt(setting));
+    to_mapping({entry}, entry.source);
     std::erase_if(entries_, [&](const MappingEntry& before) { return before.key == entry.key; });
     entries_.push_back(entry);
   }
@@ -311,7 +339,12 @@ const std::string* GivenMapping::find(std::string_view key) const {
 }
 
 Mapping to_mapping(const std::vector<MappingEntry>& entries, const std::string& name) {
-  return read_mapping(YamlReader::parse(mapping_text(entries), name));
+  const MappingText text = mapping_text(entries);
+  try {
+    return read_mapping(YamlReader::parse(text.text, entries_name));
+  } catch (const config::ConfigError& error) {
+    throw config::ConfigError(at_its_source(error.what(), text, name));
+  }
 }
 
 }  // namespace wheelwright::import

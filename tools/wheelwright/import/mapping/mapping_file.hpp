@@ -29,7 +29,8 @@ class GivenMapping {
 };
 
 // The mapping of keys and values; one that is not there has its default. A section of which the first channel
-// is not said (command.left) is absent. Throws config::ConfigError.
+// is not said (command.left) is absent. Throws config::ConfigError, which names the option or the file that
+// said what cannot be, or `name`, what was read, where it was found there.
 Mapping to_mapping(const std::vector<MappingEntry>& entries, const std::string& name);
 
 }  // namespace wheelwright::import
