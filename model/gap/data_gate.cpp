@@ -12,6 +12,7 @@
 #include "model/gap/gate_state.hpp"
 #include "model/gap/lost_counts.hpp"
 #include "model/identification/known_stretches.hpp"
+#include "model/identification/run_scales.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -197,6 +198,23 @@ GatedLog gate(const DriveLog& log) {
   return gate_beside(log, 0);
 }
 
+namespace {
+
+void find_other_scale(std::span<const DriveLog> logs, std::vector<GatedLog>& gated) {
+  const auto outlier = find_scale_outlier(logs);
+  if (!outlier) return;
+  const DriveLog& run = logs[outlier->run];
+  gated[outlier->run].faults.push_back({run.name, run.first_line,
+                                        "ticks_left and ticks_right go " + in_digits(outlier->factor, 3) +
+                                            " times as far for their commands as those of " +
+                                            logs[outlier->other].name + " (line " +
+                                            std::to_string(logs[outlier->other].first_line) +
+                                            "): other firmware, other wheels, or another scale",
+                                        false, true, false});
+}
+
+}  // namespace
+
 std::vector<GatedLog> gate_together(std::span<const DriveLog> logs) {
   std::vector<GatedLog> gated;
   std::size_t frozen = 0;
@@ -208,6 +226,7 @@ std::vector<GatedLog> gate_together(std::span<const DriveLog> logs) {
     const std::size_t elsewhere = frozen - gated[i].surely_frozen;
     if (elsewhere > 0) gated[i] = gate_beside(logs[i], elsewhere);
   }
+  find_other_scale(logs, gated);
   return gated;
 }
 

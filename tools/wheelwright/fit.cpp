@@ -4,8 +4,10 @@
 #include <ostream>
 
 #include "config/load/model_file.hpp"
+#include "config/load/text_format.hpp"
 #include "model/gap/data_gate.hpp"
 #include "model/identification/fir_fit.hpp"
+#include "model/identification/run_scales.hpp"
 #include "tools/wheelwright/commands.hpp"
 #include "tools/wheelwright/fit_arma.hpp"
 #include "tools/wheelwright/fit_json.hpp"
@@ -81,6 +83,19 @@ void refuse_contradictions(const std::vector<DriveLog>& runs) {
   }
 }
 
+// Of runs of one wheel the other, which stands beside it, says nothing.
+void refuse_other_scale(const std::vector<DriveLog>& runs) {
+  const auto outlier = find_scale_outlier(runs);
+  if (!outlier) return;
+  const DriveLog& run = runs[outlier->run];
+  const DriveLog& other = runs[outlier->other];
+  throw DataRefusal(run.name + ":" + std::to_string(run.first_line) + ": its counts go " +
+                    config::fixed_number(outlier->factor, 2) +
+                    " times as far for their commands as those of " + other.name + ":" +
+                    std::to_string(other.first_line) +
+                    "; give its own scale (--set wheels.metres_per_count), or leave it out");
+}
+
 std::vector<DriveLog> load_training_runs(const FitOptions& options, std::ostream& err) {
   auto runs = with_wheel_on_both_sides(load_all_runs({options.logs, options.import}, err));
   check_runs_of_one_robot(runs);
@@ -93,6 +108,7 @@ std::vector<DriveLog> load_training_runs(const FitOptions& options, std::ostream
     }
   }
   refuse_contradictions(runs);
+  refuse_other_scale(runs);
   return runs;
 }
 

@@ -100,6 +100,13 @@ ordered_json settled_json(const FitReport& report) {
   if (const auto& bend = report.curve.bend) {
     json["bend"] = {{"low", gain_at_json(bend->low)}, {"high", gain_at_json(bend->high)}};
   }
+  if (const auto& hole = report.hole) {
+    json["hole"] = {{"from_m_s", hole->from_m_s},
+                    {"to_m_s", hole->to_m_s},
+                    {"moves_below_m_s", hole->moves_below_m_s},
+                    {"moves_above_m_s", hole->moves_above_m_s},
+                    {"commands", hole->commands}};
+  }
   if (const auto& steps = report.curve.steps) {
     json["steps"] = {{"step_m_s", steps->step_m_s},
                      {"ci95", {steps->smallest_m_s, steps->largest_m_s}},

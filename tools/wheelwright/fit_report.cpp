@@ -20,7 +20,8 @@ constexpr std::size_t longest_table = 16;  // commands
 
 void add_speeds(FitReport& report, const FirFit& fit) {
   report.speeds = held_speeds(report.runs, fit.model, fit.left, fit.right);
-  report.curve = find_speed_curve(report.speeds);
+  report.hole = find_command_hole(report.speeds);
+  report.curve = find_speed_curve(report.hole ? without_hole(report.speeds, *report.hole) : report.speeds);
 }
 
 void print_holes(std::ostream& out, const std::vector<DriveLog>& runs) {
@@ -78,6 +79,14 @@ std::string gain_text(const GainAt& gain) {
          fixed_number(gain.command_m_s, 3) + " m/s";
 }
 
+void print_hole(std::ostream& out, const CommandHole& hole) {
+  const auto m_s = [](double speed) { return fixed_number(speed, 3); };
+  out << "\n  the wheels stand still at commands of " << m_s(hole.from_m_s) << " to " << m_s(hole.to_m_s)
+      << " m/s (" << hole.commands << " held commands), though they move at " << m_s(hole.moves_below_m_s)
+      << " and at " << m_s(hole.moves_above_m_s)
+      << " m/s\n  no linear model has such a hole, and no effect of the library: keep commands out of it\n";
+}
+
 void print_curve(std::ostream& out, const HeldSpeeds& speeds, const SpeedCurve& curve) {
   if (!curve.bend && !curve.steps) return;
   print_speeds(out, speeds);
@@ -115,7 +124,7 @@ const WheelFit& FitReport::right() const {
 }
 
 FitReport report_of(FirFit fit, std::vector<DriveLog> runs) {
-  FitReport report{FirReport{std::move(fit), {}}, std::move(runs), {}, {}};
+  FitReport report{FirReport{std::move(fit), {}}, std::move(runs), {}, {}, {}};
   auto& fir = std::get<FirReport>(report.fit);
   fir.score = score_of_fir_fit(fir.fit, report.runs);
   add_speeds(report, fir.fit);
@@ -123,7 +132,7 @@ FitReport report_of(FirFit fit, std::vector<DriveLog> runs) {
 }
 
 FitReport report_of(ArxFit fit, std::vector<DriveLog> runs) {
-  FitReport report{std::move(fit), std::move(runs), {}, {}};
+  FitReport report{std::move(fit), std::move(runs), {}, {}, {}};
   // A recursion that runs into what no linear model holds forgets so slowly that it hides settled speeds.
   if (const auto moving_average = fit_fir(report.runs)) add_speeds(report, *moving_average);
   return report;
@@ -136,6 +145,7 @@ void print_fit(std::ostream& out, const FitReport& report) {
     print_arma_fit(out, std::get<ArxFit>(report.fit), report.runs.size());
   }
   print_holes(out, report.runs);
+  if (report.hole) print_hole(out, *report.hole);
   print_curve(out, report.speeds, report.curve);
 }
 

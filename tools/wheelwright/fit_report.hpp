@@ -3,11 +3,13 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <variant>
 #include <vector>
 
 #include "model/drive_log.hpp"
 #include "model/identification/arx_fit.hpp"
+#include "model/identification/command_hole.hpp"
 #include "model/identification/fir_fit.hpp"
 #include "model/identification/held_speeds.hpp"
 #include "model/identification/speed_curve.hpp"
@@ -25,6 +27,7 @@ struct FitReport {
   std::vector<DriveLog> runs;
   HeldSpeeds speeds;
   SpeedCurve curve;
+  std::optional<CommandHole> hole;
 
   const LinearModel& model() const;
   const WheelFit& left() const;
