@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "model/gap/contradictions.hpp"
+#include "model/gap/frozen_reference.hpp"
 #include "model/gap/gate_state.hpp"
 #include "model/gap/lost_counts.hpp"
 #include "model/identification/known_stretches.hpp"
@@ -179,6 +180,7 @@ GatedLog gate_beside(const DriveLog& log, std::size_t frozen_elsewhere) {
     find_dropouts(state);
     check_sides_and_signs(state);
   }
+  remove_frozen_reference(state);
   remove_reference_jumps(state);
   check_reference(state);
   check_gyro(state);
