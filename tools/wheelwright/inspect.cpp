@@ -45,11 +45,13 @@ std::optional<Steps> steps_of(const import::Stream& stream, const import::TimeMa
     if (t_s[i] > t_s[i - 1]) steps.push_back(t_s[i] - t_s[i - 1]);
   }
   if (steps.empty()) return std::nullopt;
-  std::ranges::sort(steps);
   const auto at = [&](double part) {
-    return steps[static_cast<std::size_t>(part * static_cast<double>(steps.size() - 1))];
+    const auto place =
+        steps.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(steps.size() - 1));
+    std::ranges::nth_element(steps, place);
+    return *place;
   };
-  return Steps{at(0.05), at(0.5), at(0.95), steps.back()};
+  return Steps{at(0.05), at(0.5), at(0.95), std::ranges::max(steps)};
 }
 
 struct ChannelSummary {

@@ -1,3 +1,4 @@
+#include "tools/wheelwright/import/mapping/given_mapping.hpp"
 #include "tools/wheelwright/import/mapping/mapping_file.hpp"
 
 #include <fstream>

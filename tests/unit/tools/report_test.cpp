@@ -163,7 +163,7 @@ TEST_CASE("A folder without logs, or a file that is none, is no report") {
   std::ofstream(folder / "other.csv") << "a,b\n1,2\n";
   const Outcome other = command({"report", (folder / "other.csv").string()});
   CHECK(other.status == ExitStatus::bad_input);
-  CHECK_THAT(other.err, ContainsSubstring("no columns were found"));
+  CHECK_THAT(other.err, ContainsSubstring("no commands and no wheels were found"));
 }
 
 TEST_CASE("The page of the gap workflow is pointed at, not overwritten") {

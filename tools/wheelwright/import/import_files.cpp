@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tools/wheelwright/import/conversion/clock_shift.hpp"
+#include "tools/wheelwright/import/mapping/mapping_file.hpp"
 #include "tools/wheelwright/import/open_recording.hpp"
 
 namespace wheelwright::import {

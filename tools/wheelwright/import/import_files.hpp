@@ -9,7 +9,7 @@
 
 #include "tools/wheelwright/import/conversion/convert.hpp"
 #include "tools/wheelwright/import/inference/infer_mapping.hpp"
-#include "tools/wheelwright/import/mapping/mapping_file.hpp"
+#include "tools/wheelwright/import/mapping/given_mapping.hpp"
 #include "tools/wheelwright/import/recording.hpp"
 
 namespace wheelwright::import {

@@ -25,10 +25,22 @@ double large_step(std::span<const double> travel, std::span<const std::size_t> f
   return *at;
 }
 
+// Most logs have no value that could begin again: they are not looked at further.
+bool falls_towards_zero(std::span<const double> travel) {
+  double last = 0.0;
+  for (const double value : travel) {
+    if (!std::isfinite(value)) continue;
+    if (std::abs(value) < near_steps / far_steps * std::abs(last)) return true;
+    last = value;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<std::size_t> counter_resets(std::span<const double> travel) {
   std::vector<std::size_t> resets;
+  if (!falls_towards_zero(travel)) return resets;
   std::vector<std::size_t> filled;
   for (std::size_t i = 0; i < travel.size(); ++i) {
     if (std::isfinite(travel[i])) filled.push_back(i);

@@ -15,13 +15,13 @@
 #include "tools/wheelwright/import/conversion/stamps.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/conversion/time_units.hpp"
+#include "tools/wheelwright/import/conversion/wheel_command.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-constexpr double resolution_s = 2e-6;  // of the times in a drive log, with something to spare
 
 // A mapped channel and where its values go.
 struct Source {
@@ -43,8 +43,8 @@ void unwrap_angles(Column& angles) {
 
 class Gathering {
  public:
-  Gathering(std::span<const Recording> recordings, const Mapping& mapping)
-      : recordings_(recordings), mapping_(mapping) {}
+  Gathering(std::span<const Recording> recordings, const Mapping& mapping, std::size_t max_rows)
+      : recordings_(recordings), mapping_(mapping), max_rows_(max_rows) {}
 
   tl::expected<DriveColumns, std::string> run() {
     if (mapping_.command) {
@@ -67,7 +67,7 @@ class Gathering {
     if (!problem_.empty()) return tl::unexpected(problem_);
     if (sources_.empty()) return tl::unexpected(name() + ": " + what_is_missing(mapping_));
     if (!merge()) return tl::unexpected(problem_);
-    apply_directions();
+    if (mapping_.command) apply_directions(columns_, mapping_.command->forward);
     return std::move(columns_);
   }
 
@@ -124,19 +124,6 @@ class Gathering {
     sources_.push_back({w.stream, &heading_, &columns_.theta_rad, Joining::between});
   }
 
-  void apply_directions() {
-    for (std::size_t side = 0; side < 2; ++side) {
-      const Column& bits = columns_.direction[side];
-      Column& command = columns_.command[side];
-      if (bits.empty() || command.empty()) continue;
-      double bit = mapping_.command->forward;
-      for (std::size_t row = 0; row < command.size(); ++row) {
-        if (std::isfinite(bits[row])) bit = bits[row];
-        if (bit != mapping_.command->forward) command[row] = -command[row];
-      }
-    }
-  }
-
   bool merge() {
     std::vector<const Stream*> streams;
     for (const auto& source : sources_) {
@@ -153,6 +140,10 @@ class Gathering {
     for (const Stream* stream : streams) say_clock_wraps(*stream);
     shift_reference(streams, times);
     if (streams.size() == 1) {
+      if (streams.front()->rows > max_rows_) {
+        take_part(*streams.front(), times.front());
+        return true;
+      }
       columns_.t_s = std::move(times.front());
       columns_.places = streams.front()->places;
       columns_.run_starts = streams.front()->run_starts;
@@ -162,6 +153,34 @@ class Gathering {
     make_wheels_even(streams, times);
     merge_streams(streams, times);
     return true;
+  }
+
+  // Where the first of the held columns (the command) changes for the first time, and what follows.
+  void take_part(const Stream& stream, const Column& t_s) {
+    constexpr std::size_t rows_before = 100;
+    std::size_t moves = stream.rows - max_rows_;
+    for (const auto& source : sources_) {
+      if (source.joining != Joining::held) continue;
+      const auto& values = *source.values;
+      const auto change = std::ranges::adjacent_find(
+          values, [](double a, double b) { return std::isfinite(a) && std::isfinite(b) && a != b; });
+      moves = std::min(moves, static_cast<std::size_t>(change - values.begin()));
+    }
+    const std::size_t begin = moves > rows_before ? moves - rows_before : 0;
+    const auto part = [&](const auto& all) {
+      const auto from = all.begin() + static_cast<std::ptrdiff_t>(std::min(begin, all.size()));
+      return std::decay_t<decltype(all)>(
+          from, all.begin() + static_cast<std::ptrdiff_t>(std::min(begin + max_rows_, all.size())));
+    };
+    columns_.t_s = part(t_s);
+    columns_.places = part(stream.places);
+    for (const std::size_t start : stream.run_starts) {
+      if (start >= begin + max_rows_) continue;
+      if (columns_.run_starts.empty() || start > begin)
+        columns_.run_starts.push_back(start > begin ? start - begin : 0);
+    }
+    if (!columns_.run_starts.empty()) columns_.run_starts.front() = 0;
+    for (const auto& source : sources_) *source.target = part(*source.values);
   }
 
   void say_clock_wraps(const Stream& stream) {
@@ -222,33 +241,20 @@ class Gathering {
   }
 
   void unite_streams(const std::vector<const Stream*>& streams, const std::vector<Column>& times) {
-    struct Row {
-      double t_s;
-      std::size_t stream;
-      std::size_t row;
-    };
-    std::vector<Row> rows;
-    for (std::size_t s = 0; s < streams.size(); ++s) {
+    const UnitedRows united = unite_rows(times);
+    columns_.t_s = united.t_s;
+    for (const auto& source : sources_) {
+      source.target->assign(columns_.t_s.size(), nothing);
+      const auto s = static_cast<std::size_t>(std::ranges::find(streams, source.stream) - streams.begin());
       for (std::size_t i = 0; i < times[s].size(); ++i) {
-        if (std::isfinite(times[s][i])) rows.push_back({times[s][i], s, i});
-      }
-    }
-    std::ranges::stable_sort(rows, {}, &Row::t_s);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (i == 0 || rows[i].t_s > columns_.t_s.back() + resolution_s) columns_.t_s.push_back(rows[i].t_s);
-    }
-    for (const auto& source : sources_) source.target->assign(columns_.t_s.size(), nothing);
-    std::size_t at = 0;
-    for (const Row& row : rows) {
-      while (at + 1 < columns_.t_s.size() && columns_.t_s[at + 1] <= row.t_s) ++at;
-      for (const auto& source : sources_) {
-        if (source.stream == streams[row.stream]) (*source.target)[at] = (*source.values)[row.row];
+        if (std::isfinite(times[s][i])) (*source.target)[united.rows[s][i]] = (*source.values)[i];
       }
     }
   }
 
   std::span<const Recording> recordings_;
   const Mapping& mapping_;
+  std::size_t max_rows_;
   DriveColumns columns_;
   Column heading_;
   std::vector<Source> sources_;
@@ -277,7 +283,13 @@ FoundChannel find_channel(std::span<const Recording> recordings, const ChannelNa
 
 tl::expected<DriveColumns, std::string> gather(std::span<const Recording> recordings,
                                                const Mapping& mapping) {
-  return Gathering(recordings, mapping).run();
+  return Gathering(recordings, mapping, std::numeric_limits<std::size_t>::max()).run();
+}
+
+tl::expected<DriveColumns, std::string> gather_sample(std::span<const Recording> recordings,
+                                                      const Mapping& mapping) {
+  constexpr std::size_t sample_rows = 100'000;
+  return Gathering(recordings, mapping, sample_rows).run();
 }
 
 }  // namespace wheelwright::import

@@ -48,4 +48,9 @@ FoundChannel find_channel(std::span<const Recording> recordings, const ChannelNa
 // line, where a mapped channel is not there or there is no time.
 tl::expected<DriveColumns, std::string> gather(std::span<const Recording> recordings, const Mapping& mapping);
 
+// The same, of a long table a part from where the robot begins to move: enough to find out units and signs
+// from.
+tl::expected<DriveColumns, std::string> gather_sample(std::span<const Recording> recordings,
+                                                      const Mapping& mapping);
+
 }  // namespace wheelwright::import

@@ -89,4 +89,27 @@ std::vector<double> join(std::span<const double> from_s, std::span<const double>
   return joining == Joining::held ? hold(samples, to_s) : interpolate(samples, to_s);
 }
 
+UnitedRows unite_rows(std::span<const std::vector<double>> times) {
+  constexpr double resolution_s = 2e-6;  // of the times in a drive log, with something to spare
+  struct Row {
+    double t_s;
+    std::size_t stream;
+    std::size_t row;
+  };
+  std::vector<Row> all;
+  UnitedRows united;
+  for (std::size_t s = 0; s < times.size(); ++s) {
+    united.rows.emplace_back(times[s].size(), 0);
+    for (std::size_t i = 0; i < times[s].size(); ++i) {
+      if (std::isfinite(times[s][i])) all.push_back({times[s][i], s, i});
+    }
+  }
+  std::ranges::stable_sort(all, {}, &Row::t_s);
+  for (const Row& row : all) {
+    if (united.t_s.empty() || row.t_s > united.t_s.back() + resolution_s) united.t_s.push_back(row.t_s);
+    united.rows[row.stream][row.row] = united.t_s.size() - 1;
+  }
+  return united;
+}
+
 }  // namespace wheelwright::import

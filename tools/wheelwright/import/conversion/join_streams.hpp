@@ -1,6 +1,8 @@
 // Values of one stream at the times of the rows of another.
 #pragma once
 
+#include <cstddef>
+
 #include <span>
 #include <vector>
 
@@ -18,5 +20,12 @@ enum class Joining {
 // to the row nearest to it. Not-a-number where there is none.
 std::vector<double> join(std::span<const double> from_s, std::span<const double> values,
                          std::span<const double> to_s, Joining joining);
+
+// The rows of several streams on one axis of time: one at each time at which any stream has one.
+struct UnitedRows {
+  std::vector<double> t_s;
+  std::vector<std::vector<std::size_t>> rows;  // by stream, of each of its rows that has a time
+};
+UnitedRows unite_rows(std::span<const std::vector<double>> times);
 
 }  // namespace wheelwright::import

@@ -11,6 +11,7 @@
 namespace wheelwright::import {
 namespace {
 
+constexpr std::size_t max_steps = 100'000;  // of which the median is taken
 constexpr double default_period_s = 0.03;
 constexpr double max_period_s = 5.0;    // of rows with a calendar time
 constexpr double max_day_step = 4e-5;   // of days: 3.5 s; as seconds 25 kHz
@@ -32,7 +33,7 @@ Numbers examine(const std::vector<double>& times) {
     if (!std::isfinite(t)) continue;
     numbers.size = std::max(numbers.size, std::abs(t));
     numbers.whole = numbers.whole && t == std::round(t);
-    if (t > last) steps.push_back(t - last);
+    if (t > last && steps.size() < max_steps) steps.push_back(t - last);
     last = t;
   }
   if (steps.empty()) return numbers;

@@ -55,4 +55,17 @@ std::array<Column, 2> wheel_commands(const DriveColumns& columns, std::span<cons
   return result;
 }
 
+void apply_directions(DriveColumns& columns, double forward) {
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Column& bits = columns.direction[side];
+    Column& command = columns.command[side];
+    if (bits.empty() || command.empty()) continue;
+    double bit = forward;
+    for (std::size_t row = 0; row < command.size(); ++row) {
+      if (std::isfinite(bits[row])) bit = bits[row];
+      if (bit != forward) command[row] = -command[row];
+    }
+  }
+}
+
 }  // namespace wheelwright::import

@@ -19,4 +19,7 @@ WheelPair wheel_command(const Mapping& mapping, double first, double second);
 std::array<Column, 2> wheel_commands(const DriveColumns& columns, std::span<const std::size_t> rows,
                                      const Mapping& mapping);
 
+// A duty is negative where the bit beside it is not that of forward.
+void apply_directions(DriveColumns& columns, double forward);
+
 }  // namespace wheelwright::import

@@ -35,7 +35,7 @@ double other_value(const DriveColumns& columns, double forward) {
 void tell_forward_bit(std::span<const Recording> recordings, const GivenMapping& given, Mapping& mapping,
                       std::vector<std::string>& findings, std::vector<std::string>& doubts) {
   if (!mapping.command || !mapping.command->direction[0] || given.says("command.forward")) return;
-  const auto columns = gather(recordings, mapping);
+  const auto columns = gather_sample(recordings, mapping);
   if (!columns) return;
   const auto fits = mapping.wheels && !mapping.wheels->body_motion ? fit_both(*columns, mapping)
                                                                    : std::array<ResponseFit, 2>{};

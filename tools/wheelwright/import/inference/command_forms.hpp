@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
-#include "tools/wheelwright/import/mapping/mapping_file.hpp"
+#include "tools/wheelwright/import/mapping/given_mapping.hpp"
 #include "tools/wheelwright/import/recording.hpp"
 
 namespace wheelwright::import {

@@ -16,6 +16,7 @@
 #include "tools/wheelwright/import/inference/step_response.hpp"
 #include "tools/wheelwright/import/inference/time_of_log.hpp"
 #include "tools/wheelwright/import/inference/units_by_motion.hpp"
+#include "tools/wheelwright/import/mapping/mapping_file.hpp"
 
 namespace wheelwright::import {
 namespace {
@@ -77,7 +78,7 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
   tell_forward_bit(recordings, given, mapping, inference.findings, inference.doubts);
   tell_hundredths(recordings, given, mapping, inference.findings, inference.doubts);
   if (mapping.command || mapping.wheels) {
-    if (const auto columns = gather(recordings, mapping)) {
+    if (const auto columns = gather_sample(recordings, mapping)) {
       tell_counters(*columns, given, mapping, inference.findings, inference.doubts);
       tell_steering(*columns, given, mapping, inference.findings, inference.doubts);
       set_units(*columns, given, mapping, inference.findings, inference.doubts);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
+#include "tools/wheelwright/import/inference/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/name_words.hpp"
 #include "tools/wheelwright/import/inference/named_channels.hpp"
 #include "tools/wheelwright/import/inference/named_reference.hpp"
@@ -215,20 +216,6 @@ class ByNames {
 void map_by_names(std::span<const Recording> recordings, Mapping& mapping,
                   std::vector<std::string>& findings) {
   ByNames(recordings, mapping, findings).run();
-}
-
-bool is_held(const std::vector<double>& values) {
-  constexpr double most_changes = 0.3;  // of the rows
-  std::size_t changes = 0;
-  std::size_t count = 0;
-  double last = std::numeric_limits<double>::quiet_NaN();
-  for (const double value : values) {
-    if (!std::isfinite(value)) continue;
-    if (count > 0 && value != last) ++changes;
-    last = value;
-    ++count;
-  }
-  return changes > 0 && static_cast<double>(changes) < most_changes * static_cast<double>(count);
 }
 
 }  // namespace wheelwright::import

@@ -14,7 +14,4 @@ namespace wheelwright::import {
 void map_by_names(std::span<const Recording> recordings, Mapping& mapping,
                   std::vector<std::string>& findings);
 
-// Whether a column is held for most rows, as a command is, and changes at all.
-bool is_held(const std::vector<double>& values);
-
 }  // namespace wheelwright::import

@@ -9,8 +9,9 @@
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/counts.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
-#include "tools/wheelwright/import/inference/column_names.hpp"
-#include "tools/wheelwright/import/inference/named_roles.hpp"
+#include "tools/wheelwright/import/inference/assignment.hpp"
+#include "tools/wheelwright/import/inference/column_shapes.hpp"
+#include "tools/wheelwright/import/inference/gain_units.hpp"
 #include "tools/wheelwright/import/inference/pose_columns.hpp"
 #include "tools/wheelwright/import/inference/response_fit.hpp"
 #include "tools/wheelwright/import/inference/step_response.hpp"
@@ -44,80 +45,6 @@ bool is_used(const Mapping& mapping, const Stream& stream, const Channel& channe
   return false;
 }
 
-// Whether values rise at nearly every row by about the same: 0 never, 1 as a clock. Of a clock that was set
-// and of rows out of order the most rise.
-double evenness(const std::vector<double>& values) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    const double step = values[i] - values[i - 1];
-    if (std::isfinite(step)) steps.push_back(step);
-  }
-  if (steps.size() + 10 < values.size() || steps.size() < 2) return 0.0;
-  std::ranges::sort(steps);
-  const auto at = [&](double part) {
-    return steps[static_cast<std::size_t>(part * static_cast<double>(steps.size() - 1))];
-  };
-  return at(0.02) > 0.0 ? at(0.1) / at(0.9) : 0.0;
-}
-
-// Whether values go by one most of the time, over a range: the counts of a slow wheel are held as a command
-// is.
-bool looks_counted(const std::vector<double>& values) {
-  constexpr double least_range = 10.0;
-  std::size_t changes = 0;
-  std::size_t by_one = 0;
-  double lowest = std::numeric_limits<double>::infinity();
-  double highest = -std::numeric_limits<double>::infinity();
-  double last = std::numeric_limits<double>::quiet_NaN();
-  for (const double value : values) {
-    if (!std::isfinite(value)) continue;
-    if (std::isfinite(last) && value != last) {
-      ++changes;
-      if (std::abs(value - last) == 1.0) ++by_one;
-    }
-    lowest = std::min(lowest, value);
-    highest = std::max(highest, value);
-    last = value;
-  }
-  return highest - lowest >= least_range && by_one * 10 > changes * 8;
-}
-
-// The step between the values of a channel, where it has one: speeds that were counted.
-double quantum(const std::vector<double>& values) {
-  std::vector<double> sorted;
-  for (const double value : values) {
-    if (std::isfinite(value)) sorted.push_back(value);
-  }
-  std::ranges::sort(sorted);
-  double smallest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < sorted.size(); ++i) {
-    const double step = sorted[i] - sorted[i - 1];
-    if (step > 1e-6 * std::abs(sorted.back() - sorted.front())) smallest = std::min(smallest, step);
-  }
-  return smallest;
-}
-
-double largest_size(const std::vector<double>& values) {
-  double largest = 0.0;
-  for (const double value : values) {
-    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
-  }
-  return largest;
-}
-
-struct Candidate {
-  const Channel* channel;
-  bool cumulative;  // its steps are the motion, as of counts; else its values are, as of speeds
-};
-
-struct Assignment {
-  CommandKind kind = CommandKind::wheels;
-  const Channel* command[2] = {nullptr, nullptr};
-  Candidate wheel[2] = {};
-  double nats = 0.0;
-  double explained = 0.0;
-};
-
 class ByNumbers {
  public:
   ByNumbers(const Stream& stream, Mapping& mapping, std::vector<std::string>& findings)
@@ -129,13 +56,17 @@ class ByNumbers {
 
   void find_time() {
     const Channel* best = nullptr;
+    double most_even = 0.02;
     for (const Channel* channel : unused_) {
-      if (evenness(channel->values) > (best == nullptr ? 0.02 : evenness(best->values))) best = channel;
+      const double even = evenness(channel->values);
+      if (even <= most_even) continue;
+      most_even = even;
+      best = channel;
     }
     if (best == nullptr) return;
     mapping_.time.column = ChannelName{"", best->name};
     std::erase(unused_, best);
-    findings_.push_back("time is " + name(*best) + ": it rises at every row");
+    findings_.push_back("time is " + column_in_words(*best) + ": it rises at every row");
   }
 
   void find_motion(const std::vector<double>& t_s) {
@@ -154,11 +85,6 @@ class ByNumbers {
   const std::vector<const Channel*>& unused() const { return unused_; }
 
  private:
-  static std::string name(const Channel& channel) {
-    const bool is_number = channel.name.find_first_not_of("0123456789") == std::string::npos;
-    return (is_number ? "column " : "'") + channel.name + (is_number ? "" : "'");
-  }
-
   void collect(std::vector<const Channel*>& commands, std::vector<Candidate>& wheels) const {
     if (mapping_.command) {
       for (const auto& channel : stream_.channels) {
@@ -287,60 +213,8 @@ class ByNumbers {
     }
   }
 
-  // Whether the names say that the first is the right one.
-  bool are_exchanged(const Channel* first, const Channel* second) const {
-    if (first == nullptr || second == nullptr) return false;
-    const auto side = [this](const Channel& channel) { return meaning_of(stream_, channel).side; };
-    return side(*first) == NamedSide::right || side(*second) == NamedSide::left;
-  }
-
   void take(const Assignment& best) {
-    const bool one_wheel = best.wheel[1].channel == nullptr;
-    // Counted speeds of two wheels have the same step; forward and turning speed have not.
-    const bool is_body =
-        !one_wheel && best.kind == CommandKind::wheels && best.command[1] != nullptr &&
-        !best.wheel[0].cumulative &&
-        std::abs(std::log(quantum(best.wheel[0].channel->values) / quantum(best.wheel[1].channel->values))) >
-            0.5;
-    const std::string evidence = " (explains " + fixed_number(100.0 * best.explained, 1) +
-                                 " % of the speed, " + fixed_number(best.nats, 0) + " nats)";
-    if (!mapping_.command) {
-      CommandMapping command;
-      const bool exchanged =
-          best.kind != CommandKind::twist && are_exchanged(best.command[0], best.command[1]);
-      command.kind = best.kind;
-      if (best.kind == CommandKind::wheels && largest_size(best.command[0]->values) > fastest_m_s)
-        command.kind = CommandKind::duty;
-      if (is_body) command.kind = CommandKind::twist;
-      command.first = {stream_.name, best.command[exchanged ? 1 : 0]->name};
-      if (best.command[1] != nullptr)
-        command.second = ChannelName{stream_.name, best.command[exchanged ? 0 : 1]->name};
-      mapping_.command = command;
-      const bool is_twist = command.kind == CommandKind::twist;
-      findings_.push_back(std::string(is_twist ? "commands are forward and turning speed: "
-                                      : best.command[1] == nullptr ? "the command is "
-                                                                   : "commands are left and right: ") +
-                          name(*best.command[0]) +
-                          (best.command[1] == nullptr ? "" : " and " + name(*best.command[1])) + evidence);
-    }
-    if (!mapping_.wheels) {
-      WheelMapping wheels;
-      wheels.kind = best.wheel[0].cumulative ? WheelKind::counts : WheelKind::speed;
-      if (!best.wheel[0].cumulative && largest_size(best.wheel[0].channel->values) <= fastest_m_s)
-        wheels.unit = "m/s";
-      wheels.body_motion = is_body;
-      const bool exchanged = are_exchanged(best.wheel[0].channel, best.wheel[1].channel);
-      wheels.left = {stream_.name, best.wheel[exchanged ? 1 : 0].channel->name};
-      if (!one_wheel) wheels.right = ChannelName{stream_.name, best.wheel[exchanged ? 0 : 1].channel->name};
-      wheels.unit_assumed = !best.wheel[0].cumulative;
-      mapping_.wheels = wheels;
-      findings_.push_back(std::string(best.wheel[0].cumulative ? "counts" : "speeds") +
-                          (one_wheel ? " of one wheel: "
-                           : is_body ? " of the body, forward and turning: "
-                                     : " of the left and right wheel: ") +
-                          name(*best.wheel[0].channel) +
-                          (one_wheel ? "" : " and " + name(*best.wheel[1].channel)) + evidence);
-    }
+    take_assignment(stream_, best, mapping_, findings_);
     for (const Channel* channel :
          {best.command[0], best.command[1], best.wheel[0].channel, best.wheel[1].channel})
       std::erase(unused_, channel);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/wheelwright/import/mapping/mapping_file.hpp"
+#include "tools/wheelwright/import/mapping/given_mapping.hpp"
 #include "tools/wheelwright/import/recording.hpp"
 
 namespace wheelwright::import {

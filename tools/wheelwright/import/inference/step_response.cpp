@@ -7,6 +7,7 @@
 
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
+#include "tools/wheelwright/import/inference/assignment.hpp"
 #include "tools/wheelwright/import/inference/gain_units.hpp"
 #include "tools/wheelwright/import/inference/response_rows.hpp"
 
@@ -98,11 +99,6 @@ bool is_complete(const std::vector<double>& values) {
   return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
 
-std::string in_words(const Channel& channel) {
-  const bool is_number = channel.name.find_first_not_of("0123456789") == std::string::npos;
-  return (is_number ? "column " : "'") + channel.name + (is_number ? "" : "'");
-}
-
 struct Step {
   const Channel* speed = nullptr;
   const Channel* travel = nullptr;
@@ -154,9 +150,10 @@ void find_step(const Stream& stream, const std::vector<double>& t_s,
   wheels.left = {stream.name, step->speed->name};
   wheels.unit_assumed = !given.says("wheels.unit");
   mapping.wheels = wheels;
-  findings.push_back("one step of one wheel: its speed is " + in_words(*step->speed) +
-                     ", which starts at rest and settles" +
-                     (step->travel == nullptr ? "" : " and is the rate of " + in_words(*step->travel)));
+  findings.push_back(
+      "one step of one wheel: its speed is " + column_in_words(*step->speed) +
+      ", which starts at rest and settles" +
+      (step->travel == nullptr ? "" : " and is the rate of " + column_in_words(*step->travel)));
   // A travel that never moved stands at a number as the command does; the one that is nearest to a duty is
   // first.
   const auto is_duty = [](const Channel* channel) { return std::abs(constant_of(channel->values)) <= 255.0; };
@@ -165,7 +162,7 @@ void find_step(const Stream& stream, const std::vector<double>& t_s,
   mapping.command = CommandMapping{};
   mapping.command->kind = CommandKind::duty;
   mapping.command->first = {stream.name, command->name};
-  findings.push_back("the command is " + in_words(*command) + ", which stands at " +
+  findings.push_back("the command is " + column_in_words(*command) + ", which stands at " +
                      plain_number(constant_of(command->values)));
 }
 

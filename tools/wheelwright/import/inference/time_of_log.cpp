@@ -41,7 +41,7 @@ std::optional<double> speed_ratio(std::span<const Recording> recordings, const G
   const auto scale = wheel_scale(*mapping.wheels);
   const auto unit = find_unit(speed_units(), command.unit);
   if (!scale || command.is_duty() || !unit || unit->of_wheel || unit->of_count) return std::nullopt;
-  const auto columns = gather(recordings, mapping);
+  const auto columns = gather_sample(recordings, mapping);
   if (!columns) return std::nullopt;
   constexpr double max_m_s = 3.0;
   const bool is_stated = given.says("command.unit") || command.unit != "m/s";

@@ -1,0 +1,82 @@
+#include "tools/wheelwright/import/inference/assignment.hpp"
+
+#include <cmath>
+
+#include "config/load/text_format.hpp"
+#include "tools/wheelwright/import/inference/column_names.hpp"
+#include "tools/wheelwright/import/inference/column_shapes.hpp"
+#include "tools/wheelwright/import/inference/gain_units.hpp"
+
+namespace wheelwright::import {
+namespace {
+
+using config::fixed_number;
+
+constexpr double fastest_m_s = 3.0;  // larger numbers are in no metres per second
+
+// Whether the names say that the first is the right one.
+bool are_exchanged(const Stream& stream, const Channel* first, const Channel* second) {
+  if (first == nullptr || second == nullptr) return false;
+  const auto side = [&stream](const Channel& channel) { return meaning_of(stream, channel).side; };
+  return side(*first) == NamedSide::right || side(*second) == NamedSide::left;
+}
+
+}  // namespace
+
+std::string column_in_words(const Channel& channel) {
+  const bool is_number = channel.name.find_first_not_of("0123456789") == std::string::npos;
+  return (is_number ? "column " : "'") + channel.name + (is_number ? "" : "'");
+}
+
+void take_assignment(const Stream& stream, const Assignment& best, Mapping& mapping,
+                     std::vector<std::string>& findings) {
+  const bool one_wheel = best.wheel[1].channel == nullptr;
+  // Counted speeds of two wheels have the same step; forward and turning speed have not.
+  const bool is_body =
+      !one_wheel && best.kind == CommandKind::wheels && best.command[1] != nullptr &&
+      !best.wheel[0].cumulative &&
+      std::abs(std::log(quantum(best.wheel[0].channel->values) / quantum(best.wheel[1].channel->values))) >
+          0.5;
+  const std::string evidence = " (explains " + fixed_number(100.0 * best.explained, 1) + " % of the speed, " +
+                               fixed_number(best.nats, 0) + " nats)";
+  if (!mapping.command) {
+    CommandMapping command;
+    const bool exchanged =
+        best.kind != CommandKind::twist && are_exchanged(stream, best.command[0], best.command[1]);
+    command.kind = best.kind;
+    if (best.kind == CommandKind::wheels && largest(best.command[0]->values) > fastest_m_s)
+      command.kind = CommandKind::duty;
+    if (is_body) command.kind = CommandKind::twist;
+    command.first = {stream.name, best.command[exchanged ? 1 : 0]->name};
+    if (best.command[1] != nullptr)
+      command.second = ChannelName{stream.name, best.command[exchanged ? 0 : 1]->name};
+    mapping.command = command;
+    const bool is_twist = command.kind == CommandKind::twist;
+    findings.push_back(std::string(is_twist                     ? "commands are forward and turning speed: "
+                                   : best.command[1] == nullptr ? "the command is "
+                                                                : "commands are left and right: ") +
+                       column_in_words(*best.command[0]) +
+                       (best.command[1] == nullptr ? "" : " and " + column_in_words(*best.command[1])) +
+                       evidence);
+  }
+  if (!mapping.wheels) {
+    WheelMapping wheels;
+    wheels.kind = best.wheel[0].cumulative ? WheelKind::counts : WheelKind::speed;
+    if (!best.wheel[0].cumulative && largest(best.wheel[0].channel->values) <= fastest_m_s)
+      wheels.unit = "m/s";
+    wheels.body_motion = is_body;
+    const bool exchanged = are_exchanged(stream, best.wheel[0].channel, best.wheel[1].channel);
+    wheels.left = {stream.name, best.wheel[exchanged ? 1 : 0].channel->name};
+    if (!one_wheel) wheels.right = ChannelName{stream.name, best.wheel[exchanged ? 0 : 1].channel->name};
+    wheels.unit_assumed = !best.wheel[0].cumulative;
+    mapping.wheels = wheels;
+    findings.push_back(std::string(best.wheel[0].cumulative ? "counts" : "speeds") +
+                       (one_wheel ? " of one wheel: "
+                        : is_body ? " of the body, forward and turning: "
+                                  : " of the left and right wheel: ") +
+                       column_in_words(*best.wheel[0].channel) +
+                       (one_wheel ? "" : " and " + column_in_words(*best.wheel[1].channel)) + evidence);
+  }
+}
+
+}  // namespace wheelwright::import
