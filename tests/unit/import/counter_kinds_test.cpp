@@ -3,6 +3,7 @@
 
 #include "tests/unit/import/import_text.hpp"
 #include "tools/wheelwright/import/conversion/counter_resets.hpp"
+#include "tools/wheelwright/import/conversion/repair_checks.hpp"
 
 using namespace wheelwright;
 using namespace wheelwright::test;
@@ -66,8 +67,8 @@ TEST_CASE("A counter that was set to zero in mid-log begins a new run, and adds 
 }
 
 TEST_CASE("A single zero, a wrap and a wheel that comes back are no counter that was set to zero") {
-  std::vector<double> travel;
-  for (int k = 0; k < 400; ++k) travel.push_back(k < 200 ? 5.0 * k : 5.0 * (400 - k));
+  std::vector<double> travel(400);
+  for (int k = 0; k < 400; ++k) travel[static_cast<std::size_t>(k)] = k < 200 ? 5.0 * k : 5.0 * (400 - k);
   CHECK(import::counter_resets(travel).empty());
   travel[150] = 0.0;
   CHECK(import::counter_resets(travel).empty());
@@ -164,4 +165,20 @@ TEST_CASE("A counter of 8 bits whose turns the command does not predict is said 
                                                }),
                                    {"robot.wheel_base_m=0.3", "wheels.metres_per_count=0.00004"});
   CHECK(outcome.doubts("cannot be told"));
+}
+
+TEST_CASE("A drive log whose counts start again from zero is one that import has to put right") {
+  const auto drive = foreign_drive();
+  auto outcome = import_text(
+      with_wheels(drive, "ticks_left,ticks_right", [&](std::size_t k) { return counts(drive.rows[k]); }),
+      known);
+  REQUIRE(outcome.conversion);
+  auto& run = outcome.conversion->runs.front();
+  CHECK_FALSE(import::find_repair(outcome.conversion->runs));
+  const auto zero = *run.samples[700].ticks;
+  for (std::size_t k = 700; k < run.samples.size(); ++k) {
+    run.samples[k].ticks->left -= zero.left;
+    run.samples[k].ticks->right -= zero.right;
+  }
+  CHECK(import::find_repair(outcome.conversion->runs) == "counts that start again from zero");
 }

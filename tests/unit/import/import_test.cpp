@@ -17,10 +17,11 @@ TEST_CASE("Commands in millimetres, centimetres and metres per second are told a
   const auto drive = foreign_drive();
   for (const auto& [unit, factor] : {std::pair{"mm/s", 1000.0}, {"cm/s", 100.0}, {"m/s", 1.0}}) {
     INFO(unit);
-    const auto text = foreign_text(drive, "time,cmdL,cmdR,encL,encR", [&](const ForeignRow& row) {
-      return number(row.t_s) + "," + number(factor * row.command_left) + "," +
-             number(factor * row.command_right) + "," + counts(row);
-    });
+    const auto text =
+        foreign_text(drive, "time,cmdL,cmdR,encL,encR", [&, factor = factor](const ForeignRow& row) {
+          return number(row.t_s) + "," + number(factor * row.command_left) + "," +
+                 number(factor * row.command_right) + "," + counts(row);
+        });
     const auto outcome = import_text(text, {base, "wheels.metres_per_count=0.0005"});
     check_same(outcome, drive);
     CHECK(outcome.understood.mapping.command->unit == unit);
@@ -75,11 +76,11 @@ TEST_CASE("Time in any unit is seconds since the start") {
   };
   for (const auto& [name, form] : forms) {
     INFO(name);
-    const auto text =
-        foreign_text(drive, "stamp,cmd_left,cmd_right,ticks_left,ticks_right", [&](const ForeignRow& row) {
-          return form(row.t_s) + "," + number(row.command_left) + "," + number(row.command_right) + "," +
-                 counts(row);
-        });
+    const auto text = foreign_text(drive, "stamp,cmd_left,cmd_right,ticks_left,ticks_right",
+                                   [&, form = form](const ForeignRow& row) {
+                                     return form(row.t_s) + "," + number(row.command_left) + "," +
+                                            number(row.command_right) + "," + counts(row);
+                                   });
     check_same(import_text(text, {base, "wheels.metres_per_count=0.0005"}), drive);
   }
 }
@@ -233,4 +234,20 @@ TEST_CASE("The clock of a reference that was recorded elsewhere is found from th
   const auto& sample = conversion->runs.front().samples[700];
   REQUIRE(sample.reference_pose());
   CHECK_THAT(sample.reference_pose()->x_m, WithinAbs(drive.rows[700].x, 0.02));
+}
+
+TEST_CASE("Units are found in a long table whose robot stands for most of it") {
+  auto drive = foreign_drive();
+  const auto standing = drive.rows.front();
+  std::vector<ForeignRow> rows(110'000, standing);
+  rows.insert(rows.end(), drive.rows.begin(), drive.rows.end());
+  for (std::size_t k = 0; k < rows.size(); ++k) rows[k].t_s = 0.05 * static_cast<double>(k);
+  drive.rows = std::move(rows);
+  const auto text = foreign_text(drive, "time,cmdL,cmdR,encL,encR", [&](const ForeignRow& row) {
+    return number(row.t_s) + "," + number(1e3 * row.command_left) + "," + number(1e3 * row.command_right) +
+           "," + counts(row);
+  });
+  const auto outcome = import_text(text, {base, "wheels.metres_per_count=0.0005"});
+  check_same(outcome, drive);
+  CHECK(outcome.understood.mapping.command->unit == "mm/s");
 }

@@ -158,7 +158,7 @@ class Gathering {
   // Where the first of the held columns (the command) changes for the first time, and what follows.
   void take_part(const Stream& stream, const Column& t_s) {
     constexpr std::size_t rows_before = 100;
-    std::size_t moves = stream.rows - max_rows_;
+    std::size_t moves = stream.rows;
     for (const auto& source : sources_) {
       if (source.joining != Joining::held) continue;
       const auto& values = *source.values;
@@ -166,7 +166,9 @@ class Gathering {
           values, [](double a, double b) { return std::isfinite(a) && std::isfinite(b) && a != b; });
       moves = std::min(moves, static_cast<std::size_t>(change - values.begin()));
     }
-    const std::size_t begin = moves > rows_before ? moves - rows_before : 0;
+    const std::size_t begin = moves == stream.rows  ? stream.rows - max_rows_  // nothing changes
+                              : moves > rows_before ? moves - rows_before
+                                                    : 0;
     const auto part = [&](const auto& all) {
       const auto from = all.begin() + static_cast<std::ptrdiff_t>(std::min(begin, all.size()));
       return std::decay_t<decltype(all)>(
