@@ -52,6 +52,7 @@ class RunMaker {
     log.wheel_base_m = mapping_.wheel_base_m.value_or(one_wheel_base_m);
     log.first_line = rows.front() < columns_.places.size() ? columns_.places[rows.front()] : rows.front() + 1;
     std::vector<double> t_s;
+    t_s.reserve(rows.size());
     for (const std::size_t row : rows) t_s.push_back(times_s_[row] - times_s_[rows.front()]);
     std::array<Column, 2> counts = wheel_counts(rows, t_s, log, remarks);
     name_holes(rows, t_s, remarks);
@@ -145,6 +146,7 @@ class RunMaker {
     std::optional<double> first;
     std::optional<double> second;
     std::size_t before_commands = 0;
+    log.samples.reserve(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const std::size_t row = rows[i];
       if (const auto said = value(columns_.command[0], row)) first = said;

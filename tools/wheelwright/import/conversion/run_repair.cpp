@@ -40,6 +40,7 @@ std::vector<std::size_t> resets_of(const DriveColumns& columns, const RunRows& r
   for (const Column& wheel : columns.wheel) {
     if (wheel.empty()) continue;
     Column travel;
+    travel.reserve(rows.size());
     for (const std::size_t row : rows) travel.push_back(wheel[row]);
     const auto of_side = counter_resets(travel);
     resets.insert(resets.end(), of_side.begin(), of_side.end());

@@ -111,6 +111,7 @@ class TravelReader {
 
   void read_side(std::size_t side) {
     Column& values = travel_.values[side];
+    values.reserve(rows_.size());
     for (const std::size_t row : rows_) values.push_back(columns_.wheel[side][row]);
     const std::string which = side == 0 ? "left" : "right";
     if (wheels_.per_row) accumulate(values);
