@@ -182,3 +182,11 @@ TEST_CASE("A drive log whose counts start again from zero is one that import has
   }
   CHECK(import::find_repair(outcome.conversion->runs) == "counts that start again from zero");
 }
+
+TEST_CASE("A run that is too short to predict its counter says that the short way was taken") {
+  const auto drive = foreign_drive(40);
+  const auto outcome = import_text(
+      with_wheels(drive, "ticks_left,ticks_right", [&](std::size_t k) { return counts(drive.rows[k]); }),
+      {known[0], known[1], "wheels.bits=8", "wheels.unwrap=command"});
+  CHECK(outcome.remarks("taken the short way"));
+}

@@ -128,7 +128,12 @@ class TravelReader {
       fill_down(values);
       if (side == 0) say("counts stand only where they changed; a blank is taken for the count above it");
     }
-    if (wheels_.bits && wheels_.unwrap_by_command && unwrap_fast(values, side)) return;
+    if (wheels_.bits && wheels_.unwrap_by_command) {
+      if (unwrap_fast(values, side)) return;
+      say("the " + which +
+          " counter may go more than half around between rows, and this run does not show how far; taken the "
+          "short way");
+    }
     const auto bits = wheels_.bits ? wheels_.bits : wrapped_bits(values);
     const std::size_t wraps = bits ? unwrap(values, *bits) : 0;
     if (wraps > 0) {
