@@ -46,8 +46,7 @@ std::vector<std::size_t> resets_of(const DriveColumns& columns, const RunRows& r
     resets.insert(resets.end(), of_side.begin(), of_side.end());
   }
   std::ranges::sort(resets);
-  const auto [first, last] = std::ranges::unique(resets);
-  resets.erase(first, last);
+  resets.erase(std::unique(resets.begin(), resets.end()), resets.end());
   return resets;
 }
 
