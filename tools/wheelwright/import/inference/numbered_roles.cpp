@@ -6,7 +6,6 @@
 #include <limits>
 #include <optional>
 
-#include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/counts.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/inference/assignment.hpp"
@@ -19,12 +18,9 @@
 namespace wheelwright::import {
 namespace {
 
-using config::fixed_number;
-
 constexpr std::size_t fewest_rows = 50;
 constexpr std::size_t most_columns = 40;
 constexpr double sure_explained = 0.6;
-constexpr double fastest_m_s = 3.0;  // larger numbers are in no metres per second
 constexpr std::size_t most_rows = 20'000;
 
 const Stream* longest_table(std::span<const Recording> recordings) {
