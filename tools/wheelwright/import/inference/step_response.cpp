@@ -14,7 +14,6 @@
 namespace wheelwright::import {
 namespace {
 
-using config::fixed_number;
 using config::plain_number;
 
 constexpr std::size_t min_rows = 30;
