@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace wheelwright {
@@ -40,13 +41,14 @@ WheelNoise wheel_noise(const FilterNoise& noise, double position_noise_m, double
 }  // namespace
 
 HybridFilter::HybridFilter(const RobotModel& model)
-    : HybridFilter(model.core, scale_of(model), filter_noise_of(model)) {}
+    : HybridFilter(model.core, scale_of(model), filter_noise_of(model), effect_settings(model)) {}
 
 HybridFilter::HybridFilter(const LinearModel& model, const WheelPair& metres_per_tick,
-                           const FilterNoise& noise)
+                           const FilterNoise& noise, std::span<const EffectSetting> effects)
     : period_s_(model.period_s),
       noise_(noise),
-      predictor_(model),
+      wheel_base_m_(model.wheel_base_m),
+      simulation_(model, effects),
       left_(wheel_noise(noise, noise.position_noise_m.left, noise.drift_m_per_sqrt_s.left), model.period_s,
             metres_per_tick.left, noise.gain_standard_error.left),
       right_(wheel_noise(noise, noise.position_noise_m.right, noise.drift_m_per_sqrt_s.right), model.period_s,
@@ -64,13 +66,22 @@ void HybridFilter::set_prediction(Side& side, double predicted_m, double ticks) 
 }
 
 void HybridFilter::advance_model(const SensorFrame& frame) {
+  constexpr double unknown_v = std::numeric_limits<double>::quiet_NaN();
+  const double battery_v = frame.battery_v > 0.0 ? frame.battery_v : unknown_v;
   WheelPair predicted_m;
+  beyond_wheels_ = {};
+  simulation_.set_pose(pose_.pose());
+  simulation_.set_distance_m(rolled_m_);
   const std::int64_t ticks =
       started_ ? std::clamp<std::int64_t>(frame.tick - tick_, 0, most_ticks_left_out) : 0;
   for (std::int64_t i = 0; i < ticks; ++i) {
-    const WheelPair speed = predictor_.step(command_);
+    const auto& motion = simulation_.step(command_, battery_v);
+    const WheelPair& speed = motion.wheel_m_s;
+    const Twist by_wheels = twist_of_wheels(speed, wheel_base_m_);
     predicted_m.left += period_s_ * speed.left;
     predicted_m.right += period_s_ * speed.right;
+    beyond_wheels_.v_m_s += period_s_ * (motion.twist.v_m_s - by_wheels.v_m_s);
+    beyond_wheels_.w_rad_s += period_s_ * (motion.twist.w_rad_s - by_wheels.w_rad_s);
   }
   set_prediction(left_, predicted_m.left, static_cast<double>(ticks));
   set_prediction(right_, predicted_m.right, static_cast<double>(ticks));
@@ -217,7 +228,10 @@ HybridOutput HybridFilter::step(const SensorFrame& frame) {
   judge(frame, output);
   output.left = left_.out;
   output.right = right_.out;
-  pose_.move({left_.step_m, right_.step_m}, {left_.variance_m2, right_.variance_m2});
+  const bool stalled = left_.stalled || right_.stalled;
+  rolled_m_ = {rolled_m_.left + left_.step_m, rolled_m_.right + right_.step_m};
+  pose_.move({left_.step_m, right_.step_m}, {left_.variance_m2, right_.variance_m2},
+             stalled ? Twist{} : beyond_wheels_);
   output.pose = pose_.pose();
   output.covariance = pose_.covariance();
   return output;

@@ -8,6 +8,10 @@
 // Frames may be invalid (sensors not heard) and ticks may be left out: the model then stands in, and for
 // ticks left out the last command is taken to have stayed in force.
 //
+// The prediction is the free run of the whole model, effects included: what the wheels do is compared with
+// the counts, and what the body does beyond its wheels' travel (slip, geometry, slope) is added to the pose.
+// Effects that act by place, heading or the angle of a wheel act where the filter has the robot.
+//
 // Limits. The encoders do not see the floor: two wheels that slip alike, or a robot that is carried, look
 // like driving. Where the wheel-speed controller of the robot holds the speed, another floor shows in the
 // motor currents and hardly in the counts; a floor with less grip that pulls no harder shows in neither. A
@@ -18,6 +22,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <span>
 
 #include "model/filter/environment_monitor.hpp"
 #include "model/filter/fault.hpp"
@@ -28,6 +33,7 @@
 #include "model/filter/scale_drift_test.hpp"
 #include "model/filter/wheel_filter.hpp"
 #include "model/linear_model.hpp"
+#include "model/model_simulation.hpp"
 #include "model/robot_model.hpp"
 #include "model/sensor_frame.hpp"
 
@@ -44,7 +50,7 @@ struct HybridWheel {
 
 struct HybridOutput {
   std::int64_t tick = 0;
-  Pose pose;
+  Pose pose;                                             // of the middle of the axle
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  // of x, y, theta in the frame of the pose
   HybridWheel left;
   HybridWheel right;
@@ -59,7 +65,8 @@ class HybridFilter {
  public:
   // Throws std::invalid_argument where the model lacks the encoder scale.
   explicit HybridFilter(const RobotModel& model);
-  HybridFilter(const LinearModel& model, const WheelPair& metres_per_tick, const FilterNoise& noise);
+  HybridFilter(const LinearModel& model, const WheelPair& metres_per_tick, const FilterNoise& noise,
+               std::span<const EffectSetting> effects = {});
 
   HybridOutput step(const SensorFrame& frame);
 
@@ -68,7 +75,7 @@ class HybridFilter {
   const Pose& pose() const { return pose_.pose(); }
   // Before the first frame: a command that was in force for one period, so that the model is in motion then
   // as the robot is.
-  void prime(const WheelPair& command_m_s) { predictor_.step(command_m_s); }
+  void prime(const WheelPair& command_m_s) { simulation_.step(command_m_s); }
   // Before the first frame: goes on in the place of a filter by another model of the same robot. The pose,
   // how well it is known, and which counter is the left one stay; everything else is learnt anew.
   void take_over(const HybridFilter& before) {
@@ -124,7 +131,10 @@ class HybridFilter {
 
   double period_s_;
   FilterNoise noise_;
-  LinearPredictor predictor_;
+  double wheel_base_m_;
+  ModelSimulation simulation_;
+  WheelPair rolled_m_;   // since the start, as filtered
+  Twist beyond_wheels_;  // way and turn of the body over this tick, beyond the wheels' travel
   Side left_;
   Side right_;
   FaultDetector detector_;

@@ -4,8 +4,11 @@
 
 namespace wheelwright {
 
-void PoseWithCovariance::move(const WheelPair& rolled_m, const TravelVariance& variance) {
-  const Twist moved = twist_of_wheels(rolled_m, wheel_base_m_);
+void PoseWithCovariance::move(const WheelPair& rolled_m, const TravelVariance& variance,
+                              const Twist& beyond) {
+  Twist moved = twist_of_wheels(rolled_m, wheel_base_m_);
+  moved.v_m_s += beyond.v_m_s;
+  moved.w_rad_s += beyond.w_rad_s;
   const double direction = pose_.theta_rad + 0.5 * moved.w_rad_s;
   const double c = std::cos(direction);
   const double s = std::sin(direction);

@@ -20,8 +20,9 @@ class PoseWithCovariance {
   PoseWithCovariance(double wheel_base_m, double scale_standard_error)
       : wheel_base_m_(wheel_base_m), scale_standard_error_(scale_standard_error) {}
 
-  // Both wheels have rolled so far.
-  void move(const WheelPair& rolled_m, const TravelVariance& variance);
+  // Both wheels have rolled so far; `beyond` is what the body has moved beyond the wheels' travel (way in m,
+  // turn in rad), as slip and geometry have it.
+  void move(const WheelPair& rolled_m, const TravelVariance& variance, const Twist& beyond = {});
 
   // Starts anew at a pose that is known.
   void reset(const Pose& pose);
