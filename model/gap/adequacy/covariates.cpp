@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "model/gap/gap_errors.hpp"
 
@@ -47,6 +48,40 @@ std::vector<Pose> predicted_poses(const TrialModel& model, const GapRun& run) {
   return poses;
 }
 
+// Time since the command last changed, with the sign of that change: what a transient leaves. Not known
+// before the first change.
+Covariate since_change(const GapProblem& problem, std::span<const ResidualTrack* const> tracks) {
+  constexpr double least_change_m_s = 0.02;
+  constexpr double longest_s = 3.0;
+  Covariate result{"the time since a change of command", "s", {}, {}};
+  for (const ResidualTrack* track : tracks) {
+    const GapRun& run = problem.runs()[track->run];
+    const auto command = [&](std::size_t period) {
+      const WheelPair now = command_at(run, period);
+      if (track->channel == Channel::left) return now.left;
+      if (track->channel == Channel::right) return now.right;
+      return track->channel == Channel::turn ? now.right - now.left : 0.5 * (now.left + now.right);
+    };
+    auto& values = result.value.emplace_back();
+    auto& signs = result.sign.emplace_back();
+    std::size_t at = 0;
+    std::optional<std::size_t> changed;
+    double sign = 1.0;
+    for (const std::size_t period : track->period) {
+      for (; at < period; ++at) {
+        const double change = command(at + 1) - command(at);
+        if (std::abs(change) < least_change_m_s) continue;
+        changed = at;
+        sign = change > 0.0 ? 1.0 : -1.0;
+      }
+      const double since_s = changed ? run.period_s * static_cast<double>(period - *changed) : longest_s;
+      values.push_back(since_s < longest_s ? since_s : unknown);
+      signs.push_back(sign);
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<Covariate> covariates_for(const GapProblem& problem, const TrialModel& model,
@@ -81,13 +116,14 @@ std::vector<Covariate> covariates_for(const GapProblem& problem, const TrialMode
                               return value(of_run[std::min(period, of_run.size() - 1)]);
                             }));
   };
-  by_pose("the heading", "rad", [](const Pose& pose) { return wrap_angle(pose.theta_rad); });
+  by_pose(heading_name, "rad", [](const Pose& pose) { return wrap_angle(pose.theta_rad); });
   by_pose("the place along x", "m", [](const Pose& pose) { return pose.x_m; });
   by_pose("the place along y", "m", [](const Pose& pose) { return pose.y_m; });
   all.push_back(covariate(problem, tracks, "the time since the start", "s",
                           [](const GapRun& run, const ResidualTrack&, std::size_t period) {
                             return run.period_s * static_cast<double>(period);
                           }));
+  all.push_back(since_change(problem, tracks));
   return all;
 }
 

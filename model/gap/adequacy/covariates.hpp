@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "model/gap/adequacy/dependence.hpp"
@@ -9,10 +10,12 @@
 
 namespace wheelwright::gap {
 
+inline constexpr std::string_view heading_name = "the heading";
+
 // Of a wheel: its command; of the body: the forward command; of both: the turning command, the time since the
-// start, and heading and place where dense references give them. These are the reference of a second ago and
-// the model's motion since: the noise of a reading must not be in its own covariate, where it would look like
-// a dependence.
+// start, the time since a change of command, and heading and place where dense references give them. These
+// are the reference of a second ago and the model's motion since: the noise of a reading must not be in its
+// own covariate, where it would look like a dependence.
 std::vector<Covariate> covariates_for(const GapProblem& problem, const TrialModel& model,
                                       std::span<const ResidualTrack* const> tracks);
 

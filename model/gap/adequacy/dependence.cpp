@@ -13,6 +13,8 @@ constexpr std::size_t max_bins = 8;
 constexpr std::size_t min_bins = 3;
 constexpr std::size_t min_readings_per_bin = 20;
 constexpr double horizon_s = 10.0;
+constexpr int min_visits = 3;
+constexpr double break_s = 0.5;  // between two visits
 
 struct Bin {
   double from = 0.0;
@@ -21,6 +23,15 @@ struct Bin {
   double sum = 0.0;         // of innovations
   double error = 0.0;       // sum of increments of the free-run error
   double duration_s = 0.0;  // over which these came about
+  int visits = 0;           // times when the covariate came into the bin
+  double mean() const { return sum / count; }
+};
+
+// Readings in one bin without a longer break: what they have in common by chance, they have in common once.
+struct Visit {
+  double value = 0.0;  // of the covariate, somewhere in the bin
+  double sum = 0.0;
+  double count = 0.0;
 };
 
 // Upper edges of bins of about equal count; equal values share a bin.
@@ -44,8 +55,9 @@ std::size_t bin_of(double value, std::span<const double> edges) {
   return std::min(static_cast<std::size_t>(edge - edges.begin()), edges.size() - 1);
 }
 
+// Leaves out bins that the covariate seldom came to: there a dependence and a single event look alike.
 std::vector<Bin> filled_bins(std::span<const ResidualTrack* const> tracks, const Covariate& covariate,
-                             std::span<const double> edges) {
+                             std::span<const double> edges, std::vector<Visit>& visits) {
   std::vector<Bin> bins(edges.size());
   for (std::size_t b = 0; b < bins.size(); ++b) {
     bins[b].to = edges[b];
@@ -53,24 +65,54 @@ std::vector<Bin> filled_bins(std::span<const ResidualTrack* const> tracks, const
   }
   for (std::size_t t = 0; t < tracks.size(); ++t) {
     const ResidualTrack& track = *tracks[t];
+    std::vector<std::optional<double>> left_s(bins.size());
+    std::vector<std::size_t> visit_of(bins.size());
     for (std::size_t i = 0; i < track.innovation.size(); ++i) {
       const double value = covariate.value[t][i];
       if (begins_anew(track, i) || !std::isfinite(value)) continue;
-      Bin& bin = bins[bin_of(value, edges)];
+      const std::size_t b = bin_of(value, edges);
+      Bin& bin = bins[b];
+      if (!left_s[b] || track.time_s[i] - *left_s[b] > break_s) {
+        ++bin.visits;
+        visit_of[b] = visits.size();
+        visits.push_back({value, 0.0, 0.0});
+      }
+      left_s[b] = track.time_s[i];
       bin.from = std::min(bin.from, value);
       bin.count += 1.0;
-      bin.sum += track.innovation[i];
-      bin.error += track.error[i] - track.error[i - 1];
+      const double sign = covariate.sign_at(t, i);
+      bin.sum += sign * track.innovation[i];
+      visits[visit_of[b]].sum += sign * track.innovation[i];
+      visits[visit_of[b]].count += 1.0;
+      bin.error += sign * (track.error[i] - track.error[i - 1]);
       bin.duration_s += track.time_s[i] - track.time_s[i - 1];
     }
   }
-  std::erase_if(bins, [](const Bin& bin) { return bin.count == 0.0; });
+  std::erase_if(bins, [](const Bin& bin) { return bin.visits < min_visits; });
   return bins;
 }
 
-const Bin& bin_at(const std::vector<Bin>& bins, double value) {
+// Nothing for a value in a bin that was left out.
+const Bin* bin_at(const std::vector<Bin>& bins, double value) {
   const auto bin = std::ranges::lower_bound(bins, value, {}, &Bin::to);
-  return bin == bins.end() ? bins.back() : *bin;
+  return bin == bins.end() || value < bin->from ? nullptr : &*bin;
+}
+
+// Of the sums of visits about their bins' means, against that of as many independent innovations.
+double variance_ratio_of_visits(const std::vector<Visit>& visits, const std::vector<Bin>& bins) {
+  double squares = 0.0;
+  double count = 0.0;
+  double kept = 0.0;
+  for (const Visit& visit : visits) {
+    const Bin* bin = bin_at(bins, visit.value);
+    if (bin == nullptr) continue;
+    const double sum = visit.sum - bin->mean() * visit.count;
+    squares += sum * sum;
+    count += visit.count;
+    kept += 1.0;
+  }
+  const double degrees = kept - static_cast<double>(bins.size());
+  return count > 0.0 && degrees > 0.0 ? squares / count * kept / degrees : 1.0;
 }
 
 // Variance of sums over so many seconds against that of as many independent innovations, bin means taken out.
@@ -95,8 +137,9 @@ double variance_ratio(std::span<const ResidualTrack* const> tracks, const Covari
       }
       const double value = covariate.value[t][i];
       if (begins_anew(track, i) || !std::isfinite(value)) continue;
-      const Bin& bin = bin_at(bins, value);
-      sum += track.innovation[i] - bin.sum / bin.count;
+      const Bin* bin = bin_at(bins, value);
+      if (bin == nullptr) continue;
+      sum += covariate.sign_at(t, i) * track.innovation[i] - bin->mean();
       block_count += 1.0;
     }
     close();
@@ -131,9 +174,10 @@ OverHorizon over_horizon(std::span<const ResidualTrack* const> tracks, const Cov
     for (std::size_t i = 1; i < track.innovation.size(); ++i) {
       const double value = covariate.value[t][i];
       if (!begins_anew(track, i) && std::isfinite(value)) {
-        const Bin& bin = bin_at(bins, value);
-        const double rate = bin.duration_s > 0.0 ? bin.error / bin.duration_s : 0.0;
-        sum += (rate - mean_rate) * (track.time_s[i] - track.time_s[i - 1]);
+        const Bin* bin = bin_at(bins, value);
+        const double rate =
+            bin != nullptr && bin->duration_s > 0.0 ? bin->error / bin->duration_s : mean_rate;
+        sum += covariate.sign_at(t, i) * (rate - mean_rate) * (track.time_s[i] - track.time_s[i - 1]);
         change += track.error[i] - track.error[i - 1];
       }
       if (track.time_s[i] - from_s < horizon_s) continue;
@@ -161,7 +205,8 @@ std::optional<Dependence> dependence(std::span<const ResidualTrack* const> track
   }
   if (values.size() < min_bins * min_readings_per_bin) return std::nullopt;
   const auto edges = edges_of(std::move(values));
-  const auto bins = filled_bins(tracks, covariate, edges);
+  std::vector<Visit> visits;
+  const auto bins = filled_bins(tracks, covariate, edges, visits);
   if (bins.size() < min_bins) return std::nullopt;
 
   double count = 0.0;
@@ -175,7 +220,7 @@ std::optional<Dependence> dependence(std::span<const ResidualTrack* const> track
   Dependence found;
   double largest = -1.0;
   for (const Bin& bin : bins) {
-    const double deviation = bin.sum / bin.count - mean;
+    const double deviation = bin.mean() - mean;
     const double of_bin = bin.count * deviation * deviation;
     between += of_bin;
     if (bin.duration_s > 0.0) found.rates.emplace_back(0.5 * (bin.from + bin.to), bin.error / bin.duration_s);
@@ -185,7 +230,7 @@ std::optional<Dependence> dependence(std::span<const ResidualTrack* const> track
     found.to = bin.to;
     found.share_of_time = bin.count / count;
   }
-  double ratio = 1.0;
+  double ratio = std::max(1.0, variance_ratio_of_visits(visits, bins));
   for (const double block_s : {2.0, 4.0, 8.0}) {
     ratio = std::max(ratio, variance_ratio(tracks, covariate, bins, block_s));
   }

@@ -8,6 +8,7 @@
 
 #include "model/gap/adequacy/covariates.hpp"
 #include "model/gap/adequacy/dependence.hpp"
+#include "model/gap/adequacy/offset_over_heading.hpp"
 #include "model/gap/adequacy/periodic_residual.hpp"
 #include "model/gap/adequacy/tail_probability.hpp"
 
@@ -110,6 +111,27 @@ void add(std::vector<CheckStatistic>& all, const ChannelWords& of, const Covaria
   all.push_back(std::move(statistic));
 }
 
+void add(std::vector<CheckStatistic>& all, const ChannelWords& of,
+         const std::optional<OffsetOverHeading>& found) {
+  if (!found) return;
+  CheckStatistic statistic;
+  statistic.name = "offset over heading, " + std::string(of.name);
+  statistic.p_value = found->p_value;
+  statistic.size = found->size;
+  statistic.visible = is_visible(found->size, of.channel);
+  const std::string often = found->harmonic == 1 ? "once" : "twice";
+  statistic.sentence = "the measured " + std::string(of.name) + " is off by " +
+                       size_in_words(found->size, of.angle) + ", " + often +
+                       " to and fro in a turn of the robot";
+  statistic.regime = "an offset that swings " + often + " in a turn of the robot";
+  statistic.curve = {"heading [rad]",
+                     "offset of the " + std::string(of.name) + (of.angle ? " [mrad]" : " [mm]"),
+                     in_milli(found->curve)};
+  statistic.detail = {{"swings_per_turn", static_cast<double>(found->harmonic)},
+                      {of.angle ? "amplitude_rad" : "amplitude_m", found->size}};
+  all.push_back(std::move(statistic));
+}
+
 }  // namespace
 
 PredictiveCheck predictive_check(const GapProblem& problem, const TrialModel& model) {
@@ -129,6 +151,9 @@ PredictiveCheck predictive_check(const GapProblem& problem, const TrialModel& mo
     }
     for (const Covariate& covariate : covariates_for(problem, model, of_channel)) {
       add(check.statistics, of, covariate, dependence(of_channel, covariate));
+      const bool is_heading = covariate.name == heading_name;
+      if (is_heading && !of_channel.front()->of_wheel())
+        add(check.statistics, of, offset_over_heading(problem, of_channel, covariate.value));
     }
   }
   std::ranges::sort(check.statistics, [](const CheckStatistic& one, const CheckStatistic& other) {

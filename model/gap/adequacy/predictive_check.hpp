@@ -6,7 +6,8 @@
 // lies below `level`. A statistic counts only if what it shows would be seen by a person in the free run:
 // `visible_...`.
 //   periodic residual, over time and over a wheel's travel      periodic_residual.hpp
-//   dependence on command, turn rate, heading, place and time   dependence.hpp
+//   dependence on command, heading, place, time, and on the time since a change of command   dependence.hpp
+//   offset of measured headings and positions over heading      offset_over_heading.hpp
 #pragma once
 
 #include <string>

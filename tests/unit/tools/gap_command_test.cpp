@@ -146,7 +146,11 @@ TEST_CASE("Of a linear robot wheelwright gap says that nothing is missing, and w
   const auto at = workspace("gap_clean", runs_with("clean"));
   REQUIRE(gap(at).status == ExitStatus::done);
   const auto json = gap_json(at);
+  INFO(json["summary"].get<std::string>());
   CHECK(json["verdict"] == "nothing_missing");
+  CHECK(json["check"]["passed"] == true);
+  CHECK(json["data"]["untouched"] == false);
+  CHECK(json["linear_changes"].empty());
   CHECK(json["added"].empty());
   REQUIRE_FALSE(json["detectable"].empty());
   CHECK(json["detectable"][0]["size"] > 0.0);

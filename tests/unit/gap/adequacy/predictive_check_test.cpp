@@ -15,8 +15,8 @@ std::vector<DriveLog> clean_runs(std::uint64_t seed) {
   test::GapCaseSpec spec;
   spec.name = "clean";
   spec.seed = seed;
-  spec.runs = 4;
-  spec.seconds = 50.0;
+  spec.runs = 3;
+  spec.seconds = 35.0;
   return test::make_gap_case(spec).runs;
 }
 
@@ -50,7 +50,7 @@ TEST_CASE("A robot of which nothing is missing passes the predictive check") {
 }
 
 TEST_CASE("A heading that swings while driving is unnamed, and the sentence gives period and size") {
-  const double amplitude_rad = GENERATE(0.020, 0.035);
+  constexpr double amplitude_rad = 0.020;
   auto runs = clean_runs(42);
   add_swing(runs, amplitude_rad, 1.43);
   const auto analysis = analysed(runs);
@@ -63,4 +63,21 @@ TEST_CASE("A heading that swings while driving is unnamed, and the sentence give
   CHECK_THAT(first.detail.front().second, WithinRel(1.43, 0.02));
   CHECK_THAT(first.size, WithinRel(amplitude_rad, 0.4));
   CHECK_THAT(analysis.summary, ContainsSubstring("the error of the heading swings every 1.4"));
+}
+
+TEST_CASE(
+    "A compass beside iron is unnamed, and the sentence says how far and how often it is off in a turn") {
+  auto runs = clean_runs(43);
+  for (DriveLog& run : runs) {
+    for (DriveSample& sample : run.samples) {
+      if (sample.reference_theta_rad)
+        *sample.reference_theta_rad += 0.05 * std::sin(2.0 * *sample.reference_theta_rad + 0.4);
+    }
+  }
+  const auto analysis = analysed(runs);
+  INFO(analysis.summary);
+  CHECK(analysis.verdict == Verdict::unnamed);
+  CHECK(analysis.check.statistics.front().name == "offset over heading, heading");
+  CHECK_THAT(analysis.check.statistics.front().size, WithinRel(0.05, 0.25));
+  CHECK_THAT(analysis.summary, ContainsSubstring("twice to and fro in a turn of the robot"));
 }

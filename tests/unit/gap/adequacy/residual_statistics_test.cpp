@@ -133,3 +133,31 @@ TEST_CASE("White innovations depend on nothing, nor do those that correlation ma
 TEST_CASE("Where a quantity hardly varies there is nothing to depend on") {
   CHECK_FALSE(TwoRuns(4).on([](double) { return 1.0; }));
 }
+
+TEST_CASE("What follows the sign of another quantity is found, and cancels without it") {
+  // A drift of 20 mm/s for 0.4 s after each change of command, in the direction of the change.
+  const auto sign_at = [](double t) { return static_cast<int>(t / 1.5) % 2 == 0 ? 1.0 : -1.0; };
+  const auto since = [](double t) { return std::fmod(t, 1.5); };
+  double sum_m = 0.0;
+  const TwoRuns runs(7, [&](double t) {
+    if (t == 0.0) sum_m = 0.0;
+    if (since(t) < 0.4) sum_m += sign_at(t) * 0.02 * period_s;
+    return sum_m;
+  });
+  const std::vector<const ResidualTrack*> all{&runs.tracks[0], &runs.tracks[1]};
+  Covariate covariate{"the time since a change of command", "s", {}, {}};
+  for (const ResidualTrack& track : runs.tracks) {
+    auto& values = covariate.value.emplace_back();
+    auto& signs = covariate.sign.emplace_back();
+    for (const double time_s : track.time_s) {
+      values.push_back(since(time_s));
+      signs.push_back(sign_at(time_s));
+    }
+  }
+  const auto found = dependence(all, covariate);
+  REQUIRE(found);
+  CHECK(found->p_value < 1e-4);
+  CHECK(found->to < 0.45);
+  covariate.sign.clear();
+  CHECK(dependence(all, covariate)->p_value > 0.01);
+}

@@ -11,14 +11,11 @@ using namespace wheelwright::gap;
 
 namespace {
 
-std::vector<DriveLog> clean_runs(std::uint64_t seed) {
-  test::GapCaseSpec spec;
-  spec.name = "clean";
-  spec.seed = seed;
-  spec.runs = 4;
-  spec.seconds = 50.0;
-  return test::make_gap_case(spec).runs;
-}
+// Runs of a robot of which nothing is missing, and the linear model of it.
+struct Robot {
+  std::vector<DriveLog> runs;
+  RobotModel model;
+};
 
 GapAnalysis analysed(const std::vector<DriveLog>& runs, const GapOptions& options) {
   const std::span<const DriveLog> all(runs);
@@ -28,9 +25,17 @@ GapAnalysis analysed(const std::vector<DriveLog>& runs, const GapOptions& option
   return std::move(*analysis);
 }
 
-// The linear model of the same robot, before its runs are changed.
-RobotModel model_of(const std::vector<DriveLog>& runs) {
-  return analysed(runs, {}).after;
+const Robot& robot() {
+  static const Robot made = [] {
+    test::GapCaseSpec spec;
+    spec.name = "clean";
+    spec.seed = 52;
+    spec.runs = 3;
+    spec.seconds = 35.0;
+    auto runs = test::make_gap_case(spec).runs;
+    return Robot{runs, analysed(runs, {}).after};
+  }();
+  return made;
 }
 
 // The robot obeys each command so many rows later than the log of before says.
@@ -79,17 +84,16 @@ TEST_CASE("Corrected commands have the gain, the delay and the lag that were ask
 }
 
 TEST_CASE("A model of the robot itself has no linear change") {
-  const auto runs = clean_runs(51);
-  const auto analysis = analysed(runs, {model_of(runs), {}});
+  const auto analysis = analysed(robot().runs, {robot().model, {}});
   INFO(analysis.summary);
   CHECK(analysis.verdict == Verdict::nothing_missing);
   CHECK(analysis.linear_changes.empty());
 }
 
 TEST_CASE("A given model that is too quick is told by how much, and the delay is named") {
-  const std::size_t rows = GENERATE(std::size_t{2}, std::size_t{3}, std::size_t{8});
-  const auto runs = clean_runs(52);
-  const auto analysis = analysed(later(runs, rows), {model_of(runs), {}});
+  const std::size_t rows = GENERATE(std::size_t{3}, std::size_t{8});
+  const auto& runs = robot().runs;
+  const auto analysis = analysed(later(runs, rows), {robot().model, {}});
   const double true_s = static_cast<double>(rows) * runs.front().period_s;
   INFO(analysis.summary);
   CHECK(analysis.verdict == Verdict::named);
@@ -102,8 +106,7 @@ TEST_CASE("A given model that is too quick is told by how much, and the delay is
 }
 
 TEST_CASE("A gain that a given model has wrong is told for its wheel, and is never nothing") {
-  const auto runs = clean_runs(53);
-  const auto analysis = analysed(left_wheel_stronger(runs, 1.03), {model_of(runs), {}});
+  const auto analysis = analysed(left_wheel_stronger(robot().runs, 1.03), {robot().model, {}});
   INFO(analysis.summary);
   CHECK(analysis.verdict == Verdict::unnamed);
   const LinearChange* gain = change_of(analysis, "gain", "left");

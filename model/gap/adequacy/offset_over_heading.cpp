@@ -1,0 +1,111 @@
+#include "model/gap/adequacy/offset_over_heading.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "model/gap/adequacy/tail_probability.hpp"
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr Eigen::Index columns = 4;
+constexpr double block_s = 2.0;
+constexpr double min_range_rad = 3.0;
+
+using Row = Eigen::Matrix<double, columns, 1>;
+
+Row harmonics(double heading_rad) {
+  return {std::sin(heading_rad), std::cos(heading_rad), std::sin(2.0 * heading_rad),
+          std::cos(2.0 * heading_rad)};
+}
+
+// The whitened columns of one track, one row per reading; empty where a heading is not known.
+std::vector<Row> whitened(const GapProblem& problem, const ResidualTrack& track,
+                          std::span<const double> heading) {
+  std::vector<Row> rows(heading.size());
+  for (Eigen::Index c = 0; c < columns; ++c) {
+    std::vector<double> series(heading.size());
+    for (std::size_t i = 0; i < heading.size(); ++i) {
+      if (!std::isfinite(heading[i])) return {};
+      series[i] = harmonics(heading[i])(c);
+    }
+    const auto column = problem.innovations(track.run, track.channel, series);
+    if (!column) return {};
+    for (std::size_t i = 0; i < heading.size(); ++i) rows[i](c) = column->values[i];
+  }
+  return rows;
+}
+
+double range_of(std::span<const std::vector<double>> heading) {
+  double from = 0.0;
+  double to = 0.0;
+  for (const auto& of_run : heading) {
+    for (const double value : of_run) {
+      if (!std::isfinite(value)) continue;
+      from = std::min(from, value);
+      to = std::max(to, value);
+    }
+  }
+  return to - from;
+}
+
+// Of sums over 2 s of what the fitted offset leaves, against as many independent ones; at least 1.
+double variance_ratio(std::span<const ResidualTrack* const> tracks, const std::vector<std::vector<Row>>& rows,
+                      const Row& offset) {
+  double squares = 0.0;
+  double all = 0.0;
+  for (std::size_t t = 0; t < tracks.size(); ++t) {
+    double sum = 0.0;
+    double end_s = block_s;
+    for (std::size_t i = 0; i < rows[t].size(); ++i) {
+      if (tracks[t]->time_s[i] >= end_s) {
+        squares += sum * sum;
+        sum = 0.0;
+        end_s = tracks[t]->time_s[i] + block_s;
+      }
+      const double left = tracks[t]->innovation[i] - offset.dot(rows[t][i]);
+      sum += left;
+      all += left * left;
+    }
+    squares += sum * sum;
+  }
+  return all > 0.0 ? std::max(1.0, squares / all) : 1.0;
+}
+
+}  // namespace
+
+std::optional<OffsetOverHeading> offset_over_heading(const GapProblem& problem,
+                                                     std::span<const ResidualTrack* const> tracks,
+                                                     std::span<const std::vector<double>> heading) {
+  if (range_of(heading) < min_range_rad) return std::nullopt;
+  Eigen::Matrix4d information = Eigen::Matrix4d::Zero();
+  Row slope = Row::Zero();
+  std::vector<std::vector<Row>> rows;
+  for (std::size_t t = 0; t < tracks.size(); ++t) {
+    rows.push_back(whitened(problem, *tracks[t], heading[t]));
+    for (std::size_t i = 0; i < rows[t].size(); ++i) {
+      information += rows[t][i] * rows[t][i].transpose();
+      slope += tracks[t]->innovation[i] * rows[t][i];
+    }
+  }
+  const Eigen::LDLT<Eigen::Matrix4d> solver(information);
+  if (!(information.trace() > 0.0) || !solver.isPositive()) return std::nullopt;
+  const Row offset = solver.solve(slope);
+  OffsetOverHeading found;
+  found.p_value = chi_squared_tail(slope.dot(offset) / variance_ratio(tracks, rows, offset),
+                                   static_cast<double>(columns));
+  const double first = std::hypot(offset(0), offset(1));
+  const double second = std::hypot(offset(2), offset(3));
+  found.size = std::max(first, second);
+  found.harmonic = second > first ? 2 : 1;
+  constexpr int points = 36;
+  for (int i = 0; i <= points; ++i) {
+    const double heading_rad = std::numbers::pi * (2.0 * i / points - 1.0);
+    found.curve.emplace_back(heading_rad, offset.dot(harmonics(heading_rad)));
+  }
+  return found;
+}
+
+}  // namespace wheelwright::gap
