@@ -85,7 +85,8 @@ Filtered filtered(const RobotModel& model, const Drive& drive) {
 }  // namespace
 
 TEST_CASE("What the wheels do by an effect is predicted, so that sound counts are not held for a fault") {
-  const auto robot = model_with({{"saturation", "command", {0.22, 0.0, 0.05}}, {"coulomb_friction", "", {0.012, 0.05}}});
+  const auto robot =
+      model_with({{"saturation", "command", {0.22, 0.0, 0.05}}, {"coulomb_friction", "", {0.012, 0.05}}});
   const auto drive = drive_of(robot, 3000);
   const auto whole = filtered(robot, drive);
   const auto linear = filtered(without_effects(robot), drive);
