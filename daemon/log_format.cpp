@@ -27,7 +27,7 @@ std::string drive_log_head(const config::DaemonConfig& config, const WheelPair& 
   text += "light_left,light_front_left,light_center_left,light_center_right,light_front_right,light_right,";
   text +=
       "bump,wheel_drop,cliff,overcurrents,current_left_a,current_right_a,oi_mode,doubtful_sign,after_gap,"
-      "travel_ticks_left,travel_ticks_right\n";
+      "travel_ticks_left,travel_ticks_right,late_us\n";
   return text;
 }
 
@@ -45,7 +45,7 @@ std::string drive_log_line(const LogEntry& entry) {
   line += "," + std::to_string(record.tick) + "," + std::string(name_of(frame.command.activity)) + "," +
           std::to_string(frame.command.repetition) + "," + std::string(name_of(frame.stop)) + "," +
           std::to_string(record.model_version);
-  if (!frame.valid) return line + ",,,,,,,,,,,,,,,,,";
+  if (!frame.valid) return line + ",,,,,,,,,,,,,,,,,,";
   for (const auto signal : frame.light_bumper) line += "," + std::to_string(signal);
   const auto flag = [](bool value) { return value ? ",1" : ",0"; };
   line += flag(frame.bump_left || frame.bump_right);
@@ -55,7 +55,8 @@ std::string drive_log_line(const LogEntry& entry) {
           fixed_number(frame.motor_current_a.right, 3) + "," + std::to_string(frame.oi_mode);
   line += flag(frame.doubtful_sign);
   line += flag(frame.after_gap);
-  line += "," + std::to_string(frame.ticks.left) + "," + std::to_string(frame.ticks.right);
+  line += "," + std::to_string(frame.ticks.left) + "," + std::to_string(frame.ticks.right) + "," +
+          std::to_string(frame.late_us);
   return line;
 }
 

@@ -47,7 +47,8 @@ RecordedFrames::RecordedFrames(const DriveLog& log)
       doubtful_sign_(column_of(log, "doubtful_sign")),
       travel_left_(column_of(log, "travel_ticks_left")),
       travel_right_(column_of(log, "travel_ticks_right")),
-      model_version_(column_or_none(log, "model_version")) {
+      model_version_(column_or_none(log, "model_version")),
+      late_us_(column_or_none(log, "late_us")) {
   const std::array names{"light_left",         "light_front_left",  "light_center_left",
                          "light_center_right", "light_front_right", "light_right"};
   for (std::size_t s = 0; s < names.size(); ++s) light_.at(s) = &column_of(log, names.at(s));
@@ -80,6 +81,9 @@ SensorFrame RecordedFrames::frame(std::size_t row) const {
   if (!frame.valid) return frame;
   frame.counted_ticks = *sample.ticks;
   frame.ticks = travel(row);
+  if (late_us_ != nullptr) {
+    frame.late_us = static_cast<std::int32_t>(whole(row, *late_us_, 0.0, largest_late_us));
+  }
   frame.after_gap = after_gap_.values[row] > 0.0;
   frame.doubtful_sign = doubtful_sign_.values[row] > 0.0;
   frame.wheel_drop = wheel_drop_.values[row] > 0.0;

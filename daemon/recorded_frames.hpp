@@ -54,6 +54,7 @@ class RecordedFrames {
   const ExtraColumn& travel_left_;
   const ExtraColumn& travel_right_;
   const ExtraColumn* model_version_;
+  const ExtraColumn* late_us_;
   std::array<const ExtraColumn*, 6> light_{};
 };
 

@@ -51,6 +51,8 @@ enum class StopReason : std::uint8_t {
 };
 std::string_view name_of(StopReason reason);
 
+constexpr std::int32_t largest_late_us = 10'000'000;  // that a frame states
+
 // What to do at one tick.
 struct Command {
   std::int64_t tick = 0;
@@ -72,6 +74,7 @@ struct SensorFrame {
   bool armed = false;                  // the robot is in a mode that obeys and the loop sends motion
 
   bool valid = false;          // the reply of this tick came and was sound; what follows is from it
+  std::int32_t late_us = 0;    // how late the tick began or, where that is more, the reply came
   bool after_gap = false;      // the first sound reply after a lost link: counts have a new origin
   WheelTicks counted_ticks;    // unwrapped, with the robot's own signs
   WheelTicks ticks;            // unwrapped, signed by the true direction as far as that can be known

@@ -102,6 +102,8 @@ void Session::on_timer() {
     note_lateness(steady_clock::now() - deadline_);
   }
   skip_missed_periods();
+  tick_due_ = deadline_;
+  begun_late_ = steady_clock::now() - tick_due_;
   tick();
   if (tick_open_ && config_.link.transport == Transport::stream) finish_tick(nullptr);
   deadline_ += period_;
@@ -110,6 +112,7 @@ void Session::on_timer() {
 
 void Session::note_lateness(std::chrono::nanoseconds lateness) {
   lateness_.add(lateness);
+  silence_watch_.woke_up(lateness);
   client_.on_wake_up(deadline_, lateness);
 }
 
@@ -182,12 +185,31 @@ void Session::begin_tick() {
 
 void Session::finish_tick(const open_interface::Reading* reading) {
   tick_open_ = false;
-  const SensorFrame frame = link_.complete_tick(reading);
+  SensorFrame frame = link_.complete_tick(reading);
+  if (reading != nullptr) frame.late_us = lateness_of_reply_us();
   if (frame.valid) counts_.sound_readings.add();
+  note_silence(frame.valid);
   counts_.commands_late.set(static_cast<std::int64_t>(link_.counts().late_commands));
   write(link_.urgent_bytes());
   client_.on_frame(frame);
   report_changes();
+}
+
+// A frame of the stream is due a period after the one before it.
+std::int32_t Session::lateness_of_reply_us() {
+  const std::chrono::nanoseconds taken = steady_clock::now() - tick_due_;
+  quickest_reply_ = std::min(quickest_reply_, taken);
+  const auto late = std::max(begun_late_, taken - quickest_reply_ - held_by_adapter_);
+  return static_cast<std::int32_t>(
+      std::clamp<std::int64_t>(late / std::chrono::microseconds(1), 0, largest_late_us));
+}
+
+void Session::note_silence(bool heard) {
+  const auto skipped = counts_.skipped_periods.value();
+  if (heard) silence_watch_.heard(skipped, link_.reply_counts());
+  if (link_.stop_reason() == StopReason::blind && reported_stop_ != StopReason::blind) {
+    silence_ = silence_watch_.until(skipped, link_.reply_counts());
+  }
 }
 
 void Session::start_reading() {
@@ -217,6 +239,8 @@ void Session::on_reading(const open_interface::Reading& reading) {
   }
   measure_stream_period();
   note_lateness(std::max(steady_clock::now() - deadline_, steady_clock::duration::zero()));
+  tick_due_ = deadline_;
+  begun_late_ = {};
   tick();
   if (ending_) return;
   finish_tick(&reading);
@@ -264,6 +288,7 @@ void Session::adopt(const serial::OpenPort& port) {
   io_->port.assign(port.descriptor);
   held_up_size_ = 0;
   stream_frames_ = 0;
+  held_by_adapter_ = std::chrono::milliseconds(port.latency_timer_ms.value_or(0));
   link_.port_opened();
   if (guard_ != nullptr) guard_->port_opened(port.descriptor);
 }

@@ -16,6 +16,7 @@
 #include "drivers/roomba/port_guard.hpp"
 #include "drivers/roomba/reopen_schedule.hpp"
 #include "drivers/roomba/roomba_link.hpp"
+#include "drivers/roomba/silence.hpp"
 #include "drivers/serial/serial_port.hpp"
 
 namespace wheelwright::roomba {
@@ -95,6 +96,8 @@ class Session {
 
   // After run() has returned, or from the loop's own thread.
   const RoombaLink& link() const { return link_; }
+  // How it came to the stop for want of a sound reading (StopReason::blind), the last time.
+  const std::optional<Silence>& silence() const { return silence_; }
 
  private:
   struct Io;
@@ -109,6 +112,8 @@ class Session {
   void begin_tick();
   void finish_tick(const open_interface::Reading* reading);
   void note_lateness(std::chrono::nanoseconds lateness);
+  void note_silence(bool heard);
+  std::int32_t lateness_of_reply_us();
   void skip_missed_periods();
   void take_requests();
   void arm_if_there();
@@ -133,6 +138,12 @@ class Session {
   std::chrono::steady_clock::time_point started_;
   std::chrono::steady_clock::time_point deadline_;
   std::int64_t tick_ = -1;
+  std::chrono::steady_clock::time_point tick_due_;
+  std::chrono::nanoseconds begun_late_{};
+  std::chrono::nanoseconds quickest_reply_ = std::chrono::nanoseconds::max();
+  std::chrono::nanoseconds held_by_adapter_{};  // for so long at most, whatever the machine does
+  SilenceWatch silence_watch_;
+  std::optional<Silence> silence_;
   bool tick_open_ = false;
   bool ending_ = false;
   std::optional<std::int64_t> end_by_tick_;

@@ -54,7 +54,7 @@ TEST_CASE("A log of the daemon is taken") {
 
 TEST_CASE("A log in whose columns stands what no daemon writes is refused with its row") {
   for (const std::string name : {"overcurrents", "light_left", "travel_ticks_right", "current_left_a", "tick",
-                                 "model_version", "repetition"}) {
+                                 "model_version", "repetition", "late_us"}) {
     for (const double value : {std::nan(""), 1e308, -1e308}) {
       DriveLog log = log_of_daemon();
       column(log, name).values.at(2) = value;
