@@ -54,6 +54,10 @@ void CalibratorThread::deliver(CalibrationOutcome& outcome) {
     wiring_.push(wiring_.deliveries, Delivery{});
     return;
   }
+  if (outcome.remark) {
+    spdlog::warn("{}", *outcome.remark);
+    report_.late_readings = outcome.remark;
+  }
   switch (outcome.kind) {
     case CalibrationKind::encoder_order:
       deliver_encoder_order(outcome.encoders_swapped);

@@ -19,6 +19,7 @@ struct CalibrationReport {
   std::optional<EncoderScaleFit> encoder_scale;
   std::optional<RobotModel> model;
   std::optional<std::string> refusal;
+  std::optional<std::string> late_readings;    // of the last response or random drive
   std::optional<std::string> file_error;       // the model could not be written
   std::vector<std::filesystem::path> adapted;  // models made while driving, in order
 };

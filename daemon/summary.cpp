@@ -54,6 +54,7 @@ void add_calibration(Table& table, const CalibrationReport& calibration) {
               model->left_fit->gain_standard_error.from_left);
     table.row("gain, right wheel", "{:.4f} +- {:.4f}", model->right_fit->gain.from_right,
               model->right_fit->gain_standard_error.from_right);
+    if (calibration.late_readings) table.row("machine was late", "{}", *calibration.late_readings);
     table.row("reading against model", "{:.2f} mm", 1e3 * model->left_fit->position_noise_m);
   }
 }

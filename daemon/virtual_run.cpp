@@ -53,8 +53,10 @@ class VirtualRun {
       link_.arm();
       asked_to_arm_ = true;
     }
+    late_ = config_.host_lateness ? config_.host_lateness(tick) : nanoseconds{};
+    robot_.advance(late_);
     send(link_.begin_tick(tick, static_cast<double>(tick) * config_.limits.period_s, command_for(tick)));
-    const auto period = nanoseconds(static_cast<std::int64_t>(1e9 * config_.limits.period_s));
+    const auto period = nanoseconds(static_cast<std::int64_t>(1e9 * config_.limits.period_s)) - late_;
     bool answered = false;
     for (int look = 0; look < looks_per_tick; ++look) {
       robot_.advance(period / looks_per_tick);
@@ -72,7 +74,8 @@ class VirtualRun {
   }
 
   void finish_tick(const open_interface::Reading* reading) {
-    const SensorFrame frame = link_.complete_tick(reading);
+    SensorFrame frame = link_.complete_tick(reading);
+    frame.late_us = static_cast<std::int32_t>(late_ / std::chrono::microseconds(1));
     send(link_.urgent_bytes());
     result_.frames.push_back(frame);
     result_.records.push_back(brain_.take(frame));
@@ -100,6 +103,7 @@ class VirtualRun {
       link_.stop(StopReason::refused);
       return;
     }
+    if (outcome.remark) result_.remarks.push_back(*outcome.remark);
     switch (outcome.kind) {
       case CalibrationKind::encoder_order:
         result_.encoders_swapped = outcome.encoders_swapped;
@@ -149,6 +153,7 @@ class VirtualRun {
   std::deque<Command> commands_;
   VirtualRunResult result_;
   bool asked_to_arm_ = false;
+  nanoseconds late_{};
   int ticks_after_end_ = 0;
   bool over_ = false;
 };

@@ -3,8 +3,10 @@
 // the same bytes.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "drivers/open_interface/query_reader.hpp"
@@ -22,6 +24,8 @@ struct VirtualRunConfig {
   roomba::LinkConfig link;
   std::optional<RobotModel> model;
   double longest_s = 600.0;  // of virtual time
+  // How late the host wakes up for a tick, less than a period; never where it is empty.
+  std::function<std::chrono::nanoseconds(std::int64_t tick)> host_lateness;
 };
 
 struct VirtualRunResult {
@@ -31,8 +35,9 @@ struct VirtualRunResult {
   std::optional<EncoderScaleFit> encoder_scale;
   std::optional<FirFit> response;
   std::optional<ArxFit> arma;
-  std::optional<RobotModel> model;  // that the calibration made
-  std::vector<RobotModel> adapted;  // models made while driving, in order
+  std::vector<std::string> remarks;  // on the calibrations
+  std::optional<RobotModel> model;   // that the calibration made
+  std::vector<RobotModel> adapted;   // models made while driving, in order
   bool encoders_swapped = false;
   std::vector<SensorFrame> frames;
   std::vector<PoseRecord> records;  // one per frame

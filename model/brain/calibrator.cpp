@@ -56,11 +56,20 @@ void leave_out_crawl(DriveLog& run) {
   if (last_moving - first_off > longest_response) samples.resize(first_off);
 }
 
+// A wheel's gain is known no better than how long the command was in force that made it.
+void widen(const DcGain& gain, double relative_error, DcGain& standard_error) {
+  standard_error.from_left = std::hypot(standard_error.from_left, gain.from_left * relative_error);
+  standard_error.from_right = std::hypot(standard_error.from_right, gain.from_right * relative_error);
+}
+
 }  // namespace
 
 Calibrator::Calibrator(const Mission& mission, const RobotLimits& limits,
                        const std::optional<RobotModel>& model)
-    : mission_(mission), limits_(limits), metres_per_tick_(limits.metres_per_tick) {
+    : mission_(mission),
+      limits_(limits),
+      metres_per_tick_(limits.metres_per_tick),
+      punctuality_(limits.period_s) {
   watch(model);
 }
 
@@ -135,7 +144,9 @@ void Calibrator::note_counts(const SensorFrame& frame, bool entered, bool record
   if (entered) {
     refused_counts_ = 0;
     counts_broke_ = false;
+    punctuality_.begin_manoeuvre();
   }
+  punctuality_.take(frame);
   // Only a reading has a battery voltage.
   if (!frame.valid && frame.battery_v > 0.0) ++refused_counts_;
   counts_broke_ = counts_broke_ || (frame.valid && frame.after_gap && recorded_before);
@@ -153,6 +164,12 @@ std::optional<Refusal> Calibrator::doubt_of_counts() const {
     return Refusal{"the encoder counts jumped on the way; look at cable and encoders, calibrate again"};
   }
   return std::nullopt;
+}
+
+// A turn in place needs no such doubt of time: its counts and what the bumper saw come in one reply.
+std::optional<Refusal> Calibrator::doubt_of_manoeuvre() const {
+  const auto doubt = doubt_of_counts();
+  return doubt ? doubt : punctuality_.doubt();
 }
 
 CalibrationOutcome Calibrator::encoder_order() const {
@@ -214,7 +231,8 @@ void Calibrator::record_response(const SensorFrame& frame) {
     response_runs_.push_back(new_run("response action " + std::to_string(response_runs_.size() + 1)));
     response_counts_.emplace_back();
   }
-  if (response_runs_.empty() || !frame.valid || (!on && !mission_.response->use_fall)) return;
+  const bool usable = frame.valid && !punctuality_.is_late(frame);
+  if (response_runs_.empty() || !usable || (!on && !mission_.response->use_fall)) return;
   DriveSample sample;
   // Counted from the action's own start, so that a replay of the log fits the very same numbers.
   if (response_runs_.back().samples.empty()) response_start_tick_ = frame.tick;
@@ -229,8 +247,9 @@ void Calibrator::record_response(const SensorFrame& frame) {
 CalibrationOutcome Calibrator::response() const {
   CalibrationOutcome outcome;
   outcome.kind = CalibrationKind::response;
-  outcome.refusal = doubt_of_counts();
+  outcome.refusal = doubt_of_manoeuvre();
   if (outcome.refusal) return outcome;
+  outcome.remark = punctuality_.remark();
   std::vector<DriveLog> runs;
   for (std::size_t i = 0; i < response_runs_.size(); ++i) {
     if (response_runs_[i].samples.empty()) continue;
@@ -241,6 +260,9 @@ CalibrationOutcome Calibrator::response() const {
   const FirFitOptions options{std::nullopt, longest_response, limits_.period_s};
   auto fit = fit_fir(runs, options);
   if (fit) {
+    const WheelPair timing = punctuality_.relative_gain_error();
+    widen(fit->left.gain, timing.left, fit->left.gain_standard_error);
+    widen(fit->right.gain, timing.right, fit->right.gain_standard_error);
     outcome.model =
         model_of(fit->model, fit->left, fit->right,
                  "response calibration on the robot, " + std::to_string(response_runs_.size()) + " actions");
@@ -259,11 +281,12 @@ void Calibrator::begin_random(const SensorFrame& frame) {
 
 // Ticks whose sensors were not heard are kept for their commands; the run begins at rest, with a reading.
 void Calibrator::record_random(const SensorFrame& frame) {
-  if (random_run_.samples.empty() && !frame.valid) return;
+  const bool usable = frame.valid && !punctuality_.is_late(frame);
+  if (random_run_.samples.empty() && !usable) return;
   DriveSample sample;
   sample.t_s = static_cast<double>(frame.tick - random_start_tick_) * limits_.period_s;
   sample.command_m_s = frame.command.speed_m_s;
-  if (frame.valid) {
+  if (usable) {
     sample.ticks = frame.ticks;
     sample.battery_v = frame.battery_v;
   }
@@ -274,8 +297,9 @@ void Calibrator::record_random(const SensorFrame& frame) {
 CalibrationOutcome Calibrator::arma() const {
   CalibrationOutcome outcome;
   outcome.kind = CalibrationKind::arma;
-  outcome.refusal = doubt_of_counts();
+  outcome.refusal = doubt_of_manoeuvre();
   if (outcome.refusal) return outcome;
+  outcome.remark = punctuality_.remark();
   ArxFitOptions options;
   options.order = mission_.random_drive->order;
   options.period_s = limits_.period_s;

@@ -11,6 +11,7 @@
 
 #include "model/adaptation/continuous_calibration.hpp"
 #include "model/brain/mission.hpp"
+#include "model/calibration/punctuality.hpp"
 #include "model/drive_log.hpp"
 #include "model/identification/arx_fit.hpp"
 #include "model/identification/fir_fit.hpp"
@@ -40,6 +41,7 @@ struct CalibrationOutcome {
   std::optional<FirFit> response;                // response
   std::optional<ArxFit> arma;                    // arma
   std::optional<AdaptedModel> adapted;           // adaptation
+  std::optional<std::string> remark;             // response, arma: what was left out of it
   std::optional<RobotModel> model;               // response, arma, adaptation: all that is known, to drive by
 };
 
@@ -64,6 +66,7 @@ class Calibrator {
   void watch(const std::optional<RobotModel>& model);
   void note_counts(const SensorFrame& frame, bool entered, bool recorded_before);
   std::optional<Refusal> doubt_of_counts() const;
+  std::optional<Refusal> doubt_of_manoeuvre() const;
   void record_response(const SensorFrame& frame);
   CalibrationOutcome encoder_order() const;
   CalibrationOutcome encoder_scale();
@@ -91,6 +94,7 @@ class Calibrator {
   std::optional<ContinuousCalibration> continuous_;
   std::uint16_t model_version_ = 1;
   Activity last_activity_ = Activity::idle;
+  Punctuality punctuality_;
   int refused_counts_ = 0;     // readings of the manoeuvre whose counts no wheel can have made
   bool counts_broke_ = false;  // in the manoeuvre: they got a new origin on the way
 };

@@ -1,5 +1,7 @@
 // The whole calibration on the virtual clock, judged by what only the simulator knows.
+#include <chrono>
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "daemon/virtual_run.hpp"
@@ -89,4 +91,35 @@ TEST_CASE("The same seed gives the same run, tick for tick, calibration included
     REQUIRE(a.predicted.x_m == b.predicted.x_m);
     REQUIRE(a.odometry.theta_rad == b.odometry.theta_rad);
   }
+}
+
+TEST_CASE(
+    "A calibration on a machine that is late now and then agrees with a punctual one, within its interval") {
+  const auto gains = [](const std::function<std::chrono::nanoseconds(std::int64_t)>& lateness) {
+    simulation::SimulatedRobot robot(test::robot_in_room("default", "box_without_slip", 1));
+    auto config = calibration_only();
+    config.host_lateness = lateness;
+    return daemon::run_virtually(config, robot);
+  };
+  const auto punctual = gains({});
+  const auto late =
+      gains([](std::int64_t tick) { return std::chrono::milliseconds(tick % 37 == 5 ? 10 : 0); });
+  REQUIRE(punctual.response);
+  REQUIRE(late.response);
+  CHECK(punctual.remarks.empty());
+  CHECK_FALSE(late.remarks.empty());
+  const auto& fit = late.response->left;
+  CHECK_THAT(fit.gain.from_left,
+             WithinAbs(punctual.response->left.gain.from_left, 3.0 * fit.gain_standard_error.from_left));
+}
+
+TEST_CASE("A calibration on a machine that is often late ends with a refusal, and the robot stands") {
+  simulation::SimulatedRobot robot(test::robot_in_room("default", "box_without_slip", 1));
+  auto config = calibration_only();
+  config.host_lateness = [](std::int64_t tick) { return std::chrono::milliseconds(tick % 9 == 5 ? 10 : 0); };
+  const auto result = daemon::run_virtually(config, robot);
+  CHECK_FALSE(result.finished);
+  REQUIRE(result.refusal);
+  CHECK_THAT(result.refusal->reason, ContainsSubstring("the machine was too busy"));
+  CHECK(robot.truth().wheels_at_rest);
 }
