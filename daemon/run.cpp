@@ -21,6 +21,7 @@
 #include "daemon/lateness_file.hpp"
 #include "daemon/message_output.hpp"
 #include "daemon/predictor_thread.hpp"
+#include "daemon/silence_text.hpp"
 #include "daemon/summary.hpp"
 
 namespace wheelwright::daemon {
@@ -112,6 +113,10 @@ RunOutcome Run::drive(const sigset_t& signals) {
   RunOutcome outcome = supervise(signals);
   if (!outcome.reload) service_.notifier.stopping();
   end_threads(ending_of(outcome));
+  end_loop();
+  if (const auto& silence = session_.silence(); silence && outcome.cause == EndCause::robot_silent) {
+    outcome.stopped += "; " + explain(*silence, {config_.link.period_s, machine_load()});
+  }
   outcome.interrupted = outcome.interrupted || session_.link().state() != roomba::LinkState::running;
 
   LogReport logs = log_.report();
@@ -132,6 +137,7 @@ void Run::start_all() {
     start_threads();
   } catch (const std::system_error& error) {
     end_threads("not started");
+    end_loop();
     throw StartFailure(EndCause::internal, std::string("no thread left: ") + error.what() +
                                                "; raise the limit of threads (ulimit -u, TasksMax=)");
   }
@@ -192,8 +198,8 @@ void Run::start_threads() {
   live_view_thread_ = start_thread("ww-live-view", *wiring_, [this] { live_view_.run(); });
 }
 
-// Those that were started; the loop first, since it holds the wheels.
-void Run::end_threads(const std::string& result) {
+// Before the other threads, since it holds the wheels.
+void Run::end_loop() {
   session_.request_end();
   if (loop_.joinable()) {
     if (!loop_ends()) abandon_loop();
@@ -201,6 +207,10 @@ void Run::end_threads(const std::string& result) {
   }
   if (loop_failed_.load()) guardian_.leave_wheels_to_guardian();
   wiring_->ending.store(true);
+}
+
+// Those that were started.
+void Run::end_threads(const std::string& result) {
   wiring_->frame_arrived.release();
   for (std::thread& thread : threads_) thread.join();
   if (!live_view_thread_.joinable()) return;

@@ -47,6 +47,7 @@ class Run {
   void start_threads();
   void start_all();
   RunOutcome supervise(const sigset_t& signals);
+  void end_loop();
   void end_threads(const std::string& result);
   bool loop_ends() const;
   [[noreturn]] void abandon_loop();

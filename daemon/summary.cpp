@@ -36,8 +36,8 @@ void add_calibration(Table& table, const CalibrationReport& calibration) {
   if (!calibration.encoder_scale && !calibration.model) return;
   table.title("Calibration");
   if (const auto& scale = calibration.encoder_scale) {
-    table.row("metres per tick", "{:.4f} mm  +- {:.2f} %", 1e3 * scale->metres_per_tick.left,
-              100.0 * scale->relative_standard_error);
+    table.row("metres per tick", "{:.4f} mm  +- {:.2f} %, mean of both wheels",
+              1e3 * scale->metres_per_tick.left, 100.0 * scale->relative_standard_error);
     table.row("one full turn", "{:.1f} ticks of each wheel, on average", scale->ticks_per_turn);
     table.row("repetition of the signal", "{:.3f} of 1, over {:.1f} turns", scale->correlation, scale->turns);
   }
@@ -72,20 +72,30 @@ void add_faults(Table& table, const CalibrationReport& calibration, const LogRep
   if (log.recalibration_due) table.row("recalibration", "{}", "due: the model does not fit any more");
 }
 
+// Who steers by a pose brings just that pose to where it is wanted; another one says how well.
+std::string_view trust_in(PoseSource by, PoseSource steered, bool best_measured) {
+  if (by == steered || (is_sensorless(by) && is_sensorless(steered))) {
+    return "  (small by construction: the robot was steered by it)";
+  }
+  return best_measured ? "  (measured: believe this one)" : "";
+}
+
 void add_route(Table& table, const config::DaemonConfig& config, const LogReport& log) {
   if (!config.route || !log.last_driven_record) return;
   const PoseRecord& last = *log.last_driven_record;
   table.title("Route '" + config.route->name + "', steered by " + steered_by(config.pose_source));
   table.row("checkpoints visited", "{} of {}", last.visited, config.route->checkpoints.size());
   if (!is_closed(*config.route)) return;
-  if (last.has_prediction) {
-    table.row("loop closure by the model", "{:.4f} m", std::hypot(last.predicted.x_m, last.predicted.y_m));
+  const auto closure = [&](const std::string& by, PoseSource source, const Pose& pose, bool best_measured) {
+    table.row("loop closure by " + by, "{:.4f} m{}", std::hypot(pose.x_m, pose.y_m),
+              trust_in(source, config.pose_source, best_measured));
+  };
+  if (last.has_prediction) closure("the model", PoseSource::arma, last.predicted, false);
+  if (last.hybrid) closure("the filter", PoseSource::hybrid, last.hybrid->pose, true);
+  closure("odometry", PoseSource::odometry, last.odometry, !last.hybrid);
+  if (!is_sensorless(config.pose_source)) {
+    table.row("", "{}", "how far the robot truly ended from its start, only a tape measure says");
   }
-  if (last.hybrid) {
-    table.row("loop closure by the filter", "{:.4f} m",
-              std::hypot(last.hybrid->pose.x_m, last.hybrid->pose.y_m));
-  }
-  table.row("loop closure by odometry", "{:.4f} m", std::hypot(last.odometry.x_m, last.odometry.y_m));
 }
 
 void add_commanded_drive(Table& table, const config::DaemonConfig& config, const LogReport& log) {
