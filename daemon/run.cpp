@@ -53,6 +53,7 @@ GuardianConfig guardian_config(const config::DaemonConfig& config) {
           real_time ? config.real_time.priority + 1 : 0, real_time && config.real_time.lock_memory};
 }
 
+constexpr const char* finished = "finished";  // as /state calls it
 constexpr auto summary_patience = std::chrono::seconds(2);
 constexpr auto loop_patience =
     std::chrono::seconds(3);  // braking, and some commands that the port does not take
@@ -70,7 +71,7 @@ std::thread start_thread(const char* name, Wiring& wiring, std::function<void()>
 }
 
 std::string ending_of(const RunOutcome& outcome) {
-  if (outcome.finished()) return "finished";
+  if (outcome.finished()) return finished;
   return outcome.reload ? "the configuration is loaded anew" : "stopped, " + outcome.stopped;
 }
 
@@ -112,11 +113,11 @@ RunOutcome Run::drive(const sigset_t& signals) {
   start_all();
   RunOutcome outcome = supervise(signals);
   if (!outcome.reload) service_.notifier.stopping();
-  end_threads(ending_of(outcome));
   end_loop();
   if (const auto& silence = session_.silence(); silence && outcome.cause == EndCause::robot_silent) {
     outcome.stopped += "; " + explain(*silence, {config_.link.period_s, machine_load()});
   }
+  end_threads(ending_of(outcome));
   outcome.interrupted = outcome.interrupted || session_.link().state() != roomba::LinkState::running;
 
   LogReport logs = log_.report();
@@ -136,8 +137,8 @@ void Run::start_all() {
     tell_how_it_is_set_up();
     start_threads();
   } catch (const std::system_error& error) {
-    end_threads("not started");
     end_loop();
+    end_threads("not started");
     throw StartFailure(EndCause::internal, std::string("no thread left: ") + error.what() +
                                                "; raise the limit of threads (ulimit -u, TasksMax=)");
   }
@@ -206,15 +207,15 @@ void Run::end_loop() {
     loop_.join();
   }
   if (loop_failed_.load()) guardian_.leave_wheels_to_guardian();
-  wiring_->ending.store(true);
 }
 
 // Those that were started.
 void Run::end_threads(const std::string& result) {
+  wiring_->ending.store(true);
   wiring_->frame_arrived.release();
   for (std::thread& thread : threads_) thread.join();
   if (!live_view_thread_.joinable()) return;
-  live_view_.end(result);
+  live_view_.end(result, result == finished ? route_in_words(config_, log_.report()) : "");
   live_view_thread_.join();
 }
 

@@ -156,6 +156,17 @@ void add_files(Table& table, const config::DaemonConfig& config, const Calibrati
 
 }  // namespace
 
+std::string route_in_words(const config::DaemonConfig& config, const LogReport& log) {
+  if (!config.route || !log.last_driven_record) return "";
+  const PoseRecord& last = *log.last_driven_record;
+  std::string text =
+      fmt::format("{} of {} checkpoints visited", last.visited, config.route->checkpoints.size());
+  if (!is_closed(*config.route)) return text;
+  const Pose& end = last.hybrid ? last.hybrid->pose : last.odometry;
+  return text + fmt::format(", and the robot ended {:.3f} m from its start by {}", std::hypot(end.x_m, end.y_m),
+                            last.hybrid ? "the filter" : "odometry");
+}
+
 std::string summary(const config::DaemonConfig& config, const RunOutcome& outcome,
                     const CalibrationReport& calibration, const LogReport& log,
                     const roomba::Session& session, const RealTimeStatus& real_time, std::uint64_t dropped) {

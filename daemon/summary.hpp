@@ -15,4 +15,7 @@ std::string summary(const config::DaemonConfig& config, const RunOutcome& outcom
                     const CalibrationReport& calibration, const LogReport& log,
                     const roomba::Session& session, const RealTimeStatus& real_time, std::uint64_t dropped);
 
+// How a route came out, in half a sentence: for who watches. Empty where none was driven.
+std::string route_in_words(const config::DaemonConfig& config, const LogReport& log);
+
 }  // namespace wheelwright::daemon

@@ -89,7 +89,8 @@ std::string state_schema() {
                      property("period_s", "number", "of the sensor loop, s") + "," +
                      property("dropped", "integer", "ticks that the live view has lost") + "," +
                      property("watchers", "integer", "clients of the live view") + "," +
-                     property("result", "string", "how the run came out"));
+                     property("result", "string", "how the run came out") + "," +
+                     property("outcome", "string", "of a run that has finished, its figures in words"));
 }
 
 }  // namespace wheelwright::mcap

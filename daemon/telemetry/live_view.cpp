@@ -103,10 +103,11 @@ void LiveView::run() {
   }
 }
 
-void LiveView::end(const std::string& result) {
+void LiveView::end(const std::string& result, const std::string& outcome) {
   if (!server_) return;
-  boost::asio::post(context_, [this, result] {
+  boost::asio::post(context_, [this, result, outcome] {
     result_ = result;
+    outcome_ = outcome;
     state_changed_ = true;
     say_goodbye();
   });
@@ -255,7 +256,7 @@ std::string LiveView::state_text() const {
   return state_message(
       time_of(*last_), *last_, config_,
       {wiring_.robot_answers.load(std::memory_order_relaxed),
-       wiring_.telemetry.dropped.load(std::memory_order_relaxed), server_->clients(), result_});
+       wiring_.telemetry.dropped.load(std::memory_order_relaxed), server_->clients(), result_, outcome_});
 }
 
 std::vector<Message> LiveView::history(ChannelId channel) const {

@@ -40,7 +40,7 @@ class LiveView {
   void run();
 
   // From any thread: tells the clients how the run came out, and ends run().
-  void end(const std::string& result);
+  void end(const std::string& result, const std::string& outcome);
 
  private:
   void wait();
@@ -80,6 +80,7 @@ class LiveView {
   std::optional<LogEntry> last_;
   std::deque<Message> last_messages_;
   std::string result_;
+  std::string outcome_;
   CountedNotice stops_{std::chrono::seconds(5)};
   CountedNotice failures_{std::chrono::seconds(5)};
   std::string last_stop_by_;

@@ -103,7 +103,8 @@ std::string state_message(std::uint64_t time_ns, const LogEntry& entry, const co
   return text + field("period_s", number(config.link.period_s, 6)) +
          field("dropped", std::to_string(surroundings.dropped)) +
          field("watchers", std::to_string(surroundings.watchers)) +
-         field("result", json_quoted(surroundings.result)) + "}";
+         field("result", json_quoted(surroundings.result)) +
+         field("outcome", json_quoted(surroundings.outcome)) + "}";
 }
 
 std::string log_message(std::uint64_t time_ns, LogLevel level, std::string_view text) {

@@ -28,7 +28,8 @@ struct Surroundings {
   bool robot_answers = false;
   std::uint64_t dropped = 0;  // ticks that the live view has lost
   std::size_t watchers = 0;
-  std::string result;  // how the run came out, once it has
+  std::string result;   // how the run came out, once it has
+  std::string outcome;  // of one that has finished, its figures in words
 };
 std::string state_message(std::uint64_t time_ns, const LogEntry& entry, const config::DaemonConfig& config,
                           const Surroundings& surroundings);

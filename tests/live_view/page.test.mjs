@@ -110,3 +110,43 @@ test('the page comes back by itself when the daemon does, with the token in its 
   const refused = await fetch(`http://127.0.0.1:${bench.port}/`);
   assert.equal(refused.status, 401);
 }));
+
+test('nothing is drawn while the page is hidden, and the floor at most 15 times a second while it is not', options, () => onBench({ route: '[[3, 0]]' }, async bench => {
+  await bench.startDaemon();
+  const context = await browser.newContext({ viewport: sizes[0][1] });
+  await context.addInitScript(() => {
+    window.drawn = 0;
+    window.isHidden = false;
+    Object.defineProperty(Document.prototype, 'hidden', { get: () => window.isHidden });
+    const { clearRect } = CanvasRenderingContext2D.prototype;
+    CanvasRenderingContext2D.prototype.clearRect = function clear(...area) {
+      if (this.canvas.id === 'floor') ++window.drawn;
+      return clearRect.apply(this, area);
+    };
+  });
+  const page = await context.newPage();
+  await page.goto(bench.url);
+  await phase(page, /Driving/);
+  const drawnIn = async ms => {
+    const before = await page.evaluate(() => [window.drawn, performance.now()]);
+    await sleep(ms);
+    const after = await page.evaluate(() => [window.drawn, performance.now()]);
+    return [after[0] - before[0], 1e-3 * (after[1] - before[1])];
+  };
+  const [drawn, seconds] = await drawnIn(2000);
+  assert.ok(drawn > 0 && drawn <= 15 * seconds + 1, `drawn ${drawn} times in ${seconds} s`);
+  await page.evaluate(() => { window.isHidden = true; document.dispatchEvent(new Event('visibilitychange')); });
+  await sleep(300);  // what was planned before
+  assert.equal((await drawnIn(1500))[0], 0);
+  await page.evaluate(() => { window.isHidden = false; document.dispatchEvent(new Event('visibilitychange')); });
+  await eventually('it is drawn again', async () => (await drawnIn(100))[0] > 0);
+}));
+
+test('a run that has finished says so calmly, with what came of it', options, () => onBench({ route: '[[0.2, 0], [0, 0]]' }, async bench => {
+  await bench.startDaemon();
+  const page = await open(bench);
+  await phase(page, /Driving/);
+  await eventually('the page says how it came out', async () => /finished: 2 of 2 checkpoints visited, and the robot ended 0\.\d+ m from its start by/.test(await textOf(page, 'notice')), 30000);
+  assert.equal(await page.locator('#notice').getAttribute('class'), 'calm');
+  assert.deepEqual(page.wrong, []);
+}));

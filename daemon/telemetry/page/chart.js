@@ -2,7 +2,7 @@
 const ink = {};
 function readInk() {
   const style = getComputedStyle(document.documentElement);
-  for (const name of ['text', 'quiet', 'line', 'card', 'accent', 'tint', 'alarm']) {
+  for (const name of ['text', 'quiet', 'line', 'card', 'accent', 'tint', 'alarm', 'filter']) {
     ink[name] = style.getPropertyValue('--' + name).trim();
   }
 }

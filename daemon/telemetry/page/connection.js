@@ -2,7 +2,9 @@
 //
 //   on.open({name, sessionId, mayControl})   on.message(topic, object, time_s)   on.closed()
 class Connection {
-  constructor(on) {
+  // Only `topics` are asked for.
+  constructor(topics, on) {
+    this.wanted = topics;
     this.on = on;
     this.calls = new Map();
     this.nextCall = 1;
@@ -39,7 +41,7 @@ class Connection {
       this.on.open({ name: message.name, sessionId: message.sessionId,
                      mayControl: message.capabilities.includes('services') });
     } else if (message.op === 'advertise') {
-      const subscriptions = message.channels.map(channel => {
+      const subscriptions = message.channels.filter(channel => this.wanted.has(channel.topic)).map(channel => {
         this.topics.set(channel.id, channel.topic);
         return { id: channel.id, channelId: channel.id };
       });

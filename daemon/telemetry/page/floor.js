@@ -1,7 +1,9 @@
-// The floor: what /scene holds, and the robot where it is by the pose that it steers by.
+// The floor: what /scene holds, and the robot where it is by the pose that it steers by. What stays, the ground with route and
+// ways, is drawn when it changes, and copied under the robot.
 class Floor {
   constructor(canvas) {
     this.canvas = canvas;
+    this.ground = document.createElement('canvas');
     this.clear();
   }
 
@@ -9,9 +11,20 @@ class Floor {
     this.entities = new Map();
     this.pose = null;
     this.bounds = null;
+    this.redrawGround();
+  }
+
+  redrawGround() { this.groundIsOld = true; }
+
+  setVisited(count) {
+    if (count !== this.visited) this.redrawGround();
+    this.visited = count;
   }
 
   takeScene(update) {
+    if (update.deletions.length || update.entities.some(entity => entity.id !== 'covariance' && entity.id !== 'robot')) {
+      this.redrawGround();
+    }
     for (const deletion of update.deletions) {
       if (deletion.type === 1) this.entities.clear();
       else this.entities.delete(deletion.id);
@@ -31,12 +44,15 @@ class Floor {
     this.include(this.pose);
   }
 
+  // In steps, so that a robot on its way out does not change the scale with each message.
   include({ x, y }) {
     const b = this.bounds || (this.bounds = { left: x, right: x, bottom: y, top: y });
-    b.left = Math.min(b.left, x);
-    b.right = Math.max(b.right, x);
-    b.bottom = Math.min(b.bottom, y);
-    b.top = Math.max(b.top, y);
+    if (x >= b.left && x <= b.right && y >= b.bottom && y <= b.top) return;
+    b.left = Math.min(b.left, Math.floor(x / boundsStep_m) * boundsStep_m);
+    b.right = Math.max(b.right, Math.ceil(x / boundsStep_m) * boundsStep_m);
+    b.bottom = Math.min(b.bottom, Math.floor(y / boundsStep_m) * boundsStep_m);
+    b.top = Math.max(b.top, Math.ceil(y / boundsStep_m) * boundsStep_m);
+    this.redrawGround();
   }
 
   // The names of the ways that there are.
@@ -52,14 +68,35 @@ class Floor {
                            height / Math.max(b.top - b.bottom + 2 * room, 1));
     const x = value => width / 2 + scale * (value - (b.left + b.right) / 2);
     const y = value => height / 2 - scale * (value - (b.bottom + b.top) / 2);
+    this.drawGround(width, height, scale, x, y);
+    context.drawImage(this.ground, 0, 0, width, height);
+    this.drawRobot(context, scale, x, y);
+    for (const line of this.lines('covariance')) {
+      strip(context, line.points, x, y);
+      context.fillStyle = ink.tint;
+      context.strokeStyle = ink.filter;
+      context.lineWidth = 1.2;
+      context.fill();
+      context.stroke();
+    }
+  }
+
+  lines(id) { return this.entities.get(id)?.lines ?? []; }
+
+  drawGround(width, height, scale, x, y) {
+    const { canvas, ground } = this;
+    if (!this.groundIsOld && ground.width === canvas.width && ground.height === canvas.height) return;
+    this.groundIsOld = false;
+    ground.width = canvas.width;
+    ground.height = canvas.height;
+    const context = ground.getContext('2d');
+    const ratio = canvas.width / width;
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.font = '11px system-ui, sans-serif';
+    context.lineJoin = 'round';
     this.drawGrid(context, width, height, scale, x, y);
-    const strip = points => {
-      context.beginPath();
-      points.forEach((point, i) => (i ? context.lineTo : context.moveTo).call(context, x(point.x), y(point.y)));
-    };
-    const lines = id => this.entities.get(id)?.lines ?? [];
-    for (const line of lines('route')) {
-      strip(line.points);
+    for (const line of this.lines('route')) {
+      strip(context, line.points, x, y);
       context.strokeStyle = ink.quiet;
       context.lineWidth = 1;
       context.setLineDash([2, 4]);
@@ -72,20 +109,11 @@ class Floor {
       context.setLineDash(look.dash || []);
       for (const [id, entity] of this.entities) {
         if (!id.startsWith(look.id + '/')) continue;
-        for (const line of entity.lines) { strip(line.points); context.stroke(); }
+        for (const line of entity.lines) { strip(context, line.points, x, y); context.stroke(); }
       }
       context.setLineDash([]);
     }
     this.drawCheckpoints(context, scale, x, y);
-    this.drawRobot(context, scale, x, y);
-    for (const line of lines('covariance')) {
-      strip(line.points);
-      context.fillStyle = ink.tint;
-      context.strokeStyle = ink.text;
-      context.lineWidth = 1.2;
-      context.fill();
-      context.stroke();
-    }
   }
 
   drawGrid(context, width, height, scale, x, y) {
@@ -152,9 +180,23 @@ class Floor {
   }
 }
 
+const boundsStep_m = 0.1;
+
+// A path through points of the floor; what would not move by half a pixel is left out.
+function strip(context, points, x, y) {
+  context.beginPath();
+  let last = null;
+  points.forEach((point, i) => {
+    const here = { x: x(point.x), y: y(point.y) };
+    if (last && i < points.length - 1 && Math.abs(here.x - last.x) < 0.5 && Math.abs(here.y - last.y) < 0.5) return;
+    (last ? context.lineTo : context.moveTo).call(context, here.x, here.y);
+    last = here;
+  });
+}
+
 const wayLooks = [
   { id: 'odometry', label: 'odometry', ink: 'quiet', width: 2 },
-  { id: 'filtered', label: 'filtered, with 95 % ellipse', ink: 'text', width: 1.2 },
+  { id: 'filtered', label: 'filtered, with 95 % ellipse', ink: 'filter', width: 2, dash: [6, 2] },
   { id: 'truth', label: 'truth', ink: 'alarm', width: 1.5, dash: [5, 3] },
   { id: 'predicted', label: 'model', ink: 'accent', width: 3 },
 ];
