@@ -19,8 +19,7 @@ std::string describe_replies(const open_interface::ReplyCounts& replies) {
 }
 
 constexpr std::string_view relieve =
-    "end other programs (a browser with the live view takes part of a core) and give the daemon real-time "
-    "scheduling (systemd/README.md)";
+    "end other programs and give the daemon real-time scheduling (systemd/README.md)";
 
 }  // namespace
 
@@ -33,35 +32,36 @@ MachineLoad machine_load() {
 
 std::string explain(const roomba::Silence& silence, const SilenceContext& context) {
   const double late_ms = milliseconds(silence.largest_lateness);
-  const std::string loop = fmt::format("the loop woke up to {:.1f} ms late", late_ms);
+  const std::string loop = fmt::format("the loop woke up at most {:.1f} ms late", late_ms);
   const std::string load = fmt::format("load {:.1f} on {} cores", context.load.processes, context.load.cores);
   if (silence.skipped_periods > 0 || late_ms > 500.0 * context.period_s) {
-    return fmt::format("the machine was too busy: {} and skipped {} periods ({}); {}", loop,
-                       silence.skipped_periods, load, relieve);
+    return fmt::format("the machine was too busy ({}): {} and skipped {} periods; {}", load, loop,
+                       silence.skipped_periods, relieve);
   }
   const auto& replies = silence.replies;
-  const auto failed = replies.missing + replies.incomplete + replies.garbled;
-  if (replies.sound > failed) {
+  if (replies.sound > replies.missing + replies.incomplete + replies.garbled) {
     return fmt::format(
-        "replies came, but with encoder counts that no wheel can have made ({}); the cable or the "
-        "serial adapter damages bytes: see wheelwright doctor",
+        "replies came, but with encoder counts that no wheel can have made ({}); the cable or the serial "
+        "adapter damages bytes: see wheelwright doctor",
         loop);
-  }
-  if (context.load.is_busy()) {
-    return fmt::format(
-        "the loop was in time ({}), but the machine was busy ({}), and {}; {}, and if it comes again "
-        "look at cable and robot: wheelwright doctor",
-        loop, load, describe_replies(replies), relieve);
   }
   if (replies.incomplete + replies.garbled == 0) {
     return fmt::format(
-        "nothing came from the robot while the machine was in time ({}, {}); look whether the cable "
-        "is plugged in at both ends and the robot is on: wheelwright doctor",
-        loop, load);
+        "nothing sound came from the robot ({}, {}); look whether the cable is plugged in at both ends and "
+        "the robot "
+        "is on: wheelwright doctor{}",
+        loop, load, context.load.is_busy() ? "; a simulated robot wants a machine that is less busy" : "");
+  }
+  const std::string what = describe_replies(replies);
+  if (context.load.is_busy()) {
+    return fmt::format(
+        "{} while the machine was busy ({}, {}); {}, and if it comes again look at the cable: "
+        "wheelwright doctor",
+        what, load, loop, relieve);
   }
   return fmt::format(
-      "the machine was in time ({}, {}), but {}; look at the cable and its plugs: wheelwright doctor", loop,
-      load, describe_replies(replies));
+      "{} while the machine was in time ({}, {}); look at the cable and its plugs: wheelwright doctor", what,
+      loop, load);
 }
 
 }  // namespace wheelwright::daemon
