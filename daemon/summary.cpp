@@ -163,8 +163,8 @@ std::string route_in_words(const config::DaemonConfig& config, const LogReport& 
       fmt::format("{} of {} checkpoints visited", last.visited, config.route->checkpoints.size());
   if (!is_closed(*config.route)) return text;
   const Pose& end = last.hybrid ? last.hybrid->pose : last.odometry;
-  return text + fmt::format(", and the robot ended {:.3f} m from its start by {}", std::hypot(end.x_m, end.y_m),
-                            last.hybrid ? "the filter" : "odometry");
+  return text + fmt::format(", and the robot ended {:.3f} m from its start by {}",
+                            std::hypot(end.x_m, end.y_m), last.hybrid ? "the filter" : "odometry");
 }
 
 std::string summary(const config::DaemonConfig& config, const RunOutcome& outcome,
