@@ -195,8 +195,10 @@ void Session::finish_tick(const open_interface::Reading* reading) {
   report_changes();
 }
 
-// A frame of the stream is due a period after the one before it.
+// A frame of the stream is of its own moment by the robot's clock, however late it comes: adapters hand over
+// two and more at once.
 std::int32_t Session::lateness_of_reply_us() {
+  if (config_.link.transport == Transport::stream) return 0;
   const std::chrono::nanoseconds taken = steady_clock::now() - tick_due_;
   quickest_reply_ = std::min(quickest_reply_, taken);
   const auto late = std::max(begun_late_, taken - quickest_reply_ - held_by_adapter_);
@@ -239,8 +241,6 @@ void Session::on_reading(const open_interface::Reading& reading) {
   }
   measure_stream_period();
   note_lateness(std::max(steady_clock::now() - deadline_, steady_clock::duration::zero()));
-  tick_due_ = deadline_;
-  begun_late_ = {};
   tick();
   if (ending_) return;
   finish_tick(&reading);
