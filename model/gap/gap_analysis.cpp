@@ -363,7 +363,7 @@ void Analysis::check_on_test_runs() {
         result_.found, [&](const Finding& one) { return one.setting.name == effects[i].info->name; });
     if (found != result_.found.end()) found->test_gain_nats = confirmation.effect_nats[i];
   }
-  obey_check(result_);
+  apply_check(result_);
 }
 
 // Figures of the held-out runs have served in the choice of effects.

@@ -2,7 +2,7 @@
 
 namespace wheelwright::gap {
 
-void obey_check(GapAnalysis& analysis) {
+void apply_check(GapAnalysis& analysis) {
   const PredictiveCheck& check = analysis.check;
   if (check.passed) return;
   const CheckStatistic& failed = check.statistics.front();

@@ -7,6 +7,6 @@ namespace wheelwright::gap {
 
 // `nothing_missing` becomes `unnamed`, with the sentence and the regime of the statistic that failed; beside
 // names, the summary says "and something else". A passed check leaves the answer as it is.
-void obey_check(GapAnalysis& analysis);
+void apply_check(GapAnalysis& analysis);
 
 }  // namespace wheelwright::gap

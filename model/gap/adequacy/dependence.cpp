@@ -46,7 +46,7 @@ std::vector<double> edges_of(std::vector<double> values) {
   return edges;
 }
 
-bool begins_anew(const ResidualTrack& track, std::size_t i) {
+bool is_discontinuity(const ResidualTrack& track, std::size_t i) {
   return track.discontinuity[i] != 0;
 }
 
@@ -69,7 +69,7 @@ std::vector<Bin> filled_bins(std::span<const ResidualTrack* const> tracks, const
     std::vector<std::size_t> visit_of(bins.size());
     for (std::size_t i = 0; i < track.innovation.size(); ++i) {
       const double value = covariate.value[t][i];
-      if (begins_anew(track, i) || !std::isfinite(value)) continue;
+      if (is_discontinuity(track, i) || !std::isfinite(value)) continue;
       const std::size_t b = bin_of(value, edges);
       Bin& bin = bins[b];
       if (!left_s[b] || track.time_s[i] - *left_s[b] > break_s) {
@@ -136,7 +136,7 @@ double variance_ratio(std::span<const ResidualTrack* const> tracks, const Covari
         end_s = track.time_s[i] + block_s;
       }
       const double value = covariate.value[t][i];
-      if (begins_anew(track, i) || !std::isfinite(value)) continue;
+      if (is_discontinuity(track, i) || !std::isfinite(value)) continue;
       const Bin* bin = bin_at(bins, value);
       if (bin == nullptr) continue;
       sum += covariate.sign_at(t, i) * track.innovation[i] - bin->mean();
@@ -173,7 +173,7 @@ OverHorizon over_horizon(std::span<const ResidualTrack* const> tracks, const Cov
     double from_s = 0.0;
     for (std::size_t i = 1; i < track.innovation.size(); ++i) {
       const double value = covariate.value[t][i];
-      if (!begins_anew(track, i) && std::isfinite(value)) {
+      if (!is_discontinuity(track, i) && std::isfinite(value)) {
         const Bin* bin = bin_at(bins, value);
         const double rate =
             bin != nullptr && bin->duration_s > 0.0 ? bin->error / bin->duration_s : mean_rate;
@@ -199,7 +199,7 @@ std::optional<Dependence> dependence(std::span<const ResidualTrack* const> track
   std::vector<double> values;
   for (std::size_t t = 0; t < tracks.size(); ++t) {
     for (std::size_t i = 0; i < tracks[t]->innovation.size(); ++i) {
-      if (!begins_anew(*tracks[t], i) && std::isfinite(covariate.value[t][i]))
+      if (!is_discontinuity(*tracks[t], i) && std::isfinite(covariate.value[t][i]))
         values.push_back(covariate.value[t][i]);
     }
   }

@@ -22,8 +22,8 @@ std::vector<ResidualTrack> residual_tracks(const GapProblem& problem, const Tria
     track.time_s.push_back(seconds_at(run, series.at[place.reading]));
     track.innovation.push_back(innovations[i]);
     track.error.push_back(errors[place.run].series[static_cast<std::size_t>(*place.channel)][place.reading]);
-    const bool begins_anew = place.reading == 0 || series.restarts[place.reading] != 0;
-    track.discontinuity.push_back(begins_anew ? char{1} : char{0});
+    const bool is_discontinuity = place.reading == 0 || series.restarts[place.reading] != 0;
+    track.discontinuity.push_back(is_discontinuity ? char{1} : char{0});
   }
   return tracks;
 }

@@ -17,7 +17,7 @@ struct ResidualTrack {
   std::vector<double> time_s;       // since the start of the run
   std::vector<double> innovation;   // whitened error: standard normal where the model is adequate
   std::vector<double> error;        // free-run error, m or rad
-  std::vector<char> discontinuity;  // 1 where the error begins anew
+  std::vector<char> discontinuity;  // 1 where the series begins, or something jumped
 
   bool of_wheel() const { return channel == Channel::left || channel == Channel::right; }
 };
