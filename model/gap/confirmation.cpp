@@ -35,18 +35,19 @@ void find_initial_travel(const GapProblem& train, const TrialModel& model, GapPr
 
 }  // namespace
 
-Confirmation confirm(const GapProblem& train, const GapSearch& search, RunSet& untouched,
+Confirmation confirm(const GapProblem& train, const GapSearch& search, RunSet& runs, bool untouched,
                      const ForEach& for_each) {
   const TrialModel& accepted = search.final.model;
   const NoiseModel noise = train.noise_left_by(accepted);
   GapProblem known = train;
   known.set_noise(noise);
-  GapProblem problem(untouched.runs, untouched.metres_per_tick, for_each);
+  GapProblem problem(runs.runs, runs.metres_per_tick, for_each);
   problem.set_noise(noise);
-  find_initial_travel(known, accepted, problem, untouched, for_each);
+  find_initial_travel(known, accepted, problem, runs, for_each);
 
   Confirmation result;
   result.check = predictive_check(problem, accepted);
+  if (!untouched) return result;
   const auto residuals = problem.residuals(accepted);
   const double ratio = variance_ratio(problem, residuals);
   for (std::size_t i = 0; i < accepted.effects.size(); ++i) {

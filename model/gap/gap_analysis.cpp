@@ -355,10 +355,11 @@ void Analysis::check_on_test_runs() {
   for (std::size_t r = 0; r < test.logs.size(); ++r) {
     note_references(test.logs[r], test.runs[r], result_.search.final.model);
   }
-  const Confirmation confirmation = confirm(*train_problem_, result_.search, test, for_each_);
+  const Confirmation confirmation =
+      confirm(*train_problem_, result_.search, test, result_.untouched, for_each_);
   result_.check = confirmation.check;
   const auto& effects = result_.search.final.model.effects;
-  for (std::size_t i = 0; i < effects.size() && result_.untouched; ++i) {
+  for (std::size_t i = 0; i < confirmation.effect_nats.size(); ++i) {
     const auto found = std::ranges::find_if(
         result_.found, [&](const Finding& one) { return one.setting.name == effects[i].info->name; });
     if (found != result_.found.end()) found->test_gain_nats = confirmation.effect_nats[i];

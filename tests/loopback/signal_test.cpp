@@ -113,5 +113,5 @@ TEST_CASE("SIGTERM right behind SIGUSR1 is obeyed: no order to drive goes out an
   const auto moving = tap.drive_orders().last_moving;
   CAPTURE(drives, between.count());
   if (moving) CHECK(*moving - at < 40ms);
-  CHECK(moving.has_value() >= drives);
+  if (drives) CHECK(moving);
 }

@@ -31,23 +31,6 @@ WheelPair command_at(const GapRun& run, std::size_t period) {
   return run.commands_m_s[std::min(period, run.commands_m_s.size() - 1)];
 }
 
-// Poses of one run at each grid point by the reference of a second ago and the model's motion since; empty
-// without dense references.
-std::vector<Pose> predicted_poses(const TrialModel& model, const GapRun& run) {
-  constexpr double reference_age_s = 1.0;
-  if (run.passed.empty()) return {};
-  const auto states = model_states(model, run);
-  const auto age = static_cast<std::size_t>(std::lround(reference_age_s / run.period_s));
-  std::vector<Pose> poses;
-  poses.reserve(states.size());
-  for (std::size_t k = 0; k < states.size(); ++k) {
-    const std::size_t from = k > age ? k - age : 0;
-    const Pose& known = run.passed[std::min(from, run.passed.size() - 1)];
-    poses.push_back(placed_at(known, relative_to(states[from].pose, states[k].pose)));
-  }
-  return poses;
-}
-
 // Time since the command last changed, with the sign of that change: what a transient leaves. Not known
 // before the first change.
 Covariate since_change(const GapProblem& problem, std::span<const ResidualTrack* const> tracks) {
@@ -82,9 +65,31 @@ Covariate since_change(const GapProblem& problem, std::span<const ResidualTrack*
   return result;
 }
 
+std::vector<Pose> predicted_poses_of(const TrialModel& model, const GapRun& run) {
+  constexpr double reference_age_s = 1.0;
+  if (run.passed.empty()) return {};
+  const auto states = model_states(model, run);
+  const auto age = static_cast<std::size_t>(std::lround(reference_age_s / run.period_s));
+  std::vector<Pose> poses;
+  poses.reserve(states.size());
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const std::size_t from = k > age ? k - age : 0;
+    const Pose& known = run.passed[std::min(from, run.passed.size() - 1)];
+    poses.push_back(placed_at(known, relative_to(states[from].pose, states[k].pose)));
+  }
+  return poses;
+}
+
 }  // namespace
 
-std::vector<Covariate> covariates_for(const GapProblem& problem, const TrialModel& model,
+std::vector<std::vector<Pose>> predicted_poses(const GapProblem& problem, const TrialModel& model) {
+  std::vector<std::vector<Pose>> poses;
+  poses.reserve(problem.runs().size());
+  for (const GapRun& run : problem.runs()) poses.push_back(predicted_poses_of(model, run));
+  return poses;
+}
+
+std::vector<Covariate> covariates_for(const GapProblem& problem, std::span<const std::vector<Pose>> poses,
                                       std::span<const ResidualTrack* const> tracks) {
   std::vector<Covariate> all;
   const bool of_wheels = !tracks.empty() && tracks.front()->of_wheel();
@@ -106,8 +111,6 @@ std::vector<Covariate> covariates_for(const GapProblem& problem, const TrialMode
                             const WheelPair command = command_at(run, period);
                             return (command.right - command.left) / run.wheel_base_m;
                           }));
-  std::vector<std::vector<Pose>> poses;
-  for (const GapRun& run : problem.runs()) poses.push_back(predicted_poses(model, run));
   const auto by_pose = [&](std::string_view name, std::string_view unit, auto value) {
     all.push_back(covariate(problem, tracks, name, unit,
                             [&](const GapRun&, const ResidualTrack& track, std::size_t period) {

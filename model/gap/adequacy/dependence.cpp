@@ -234,7 +234,7 @@ std::optional<Dependence> dependence(std::span<const ResidualTrack* const> track
   for (const double block_s : {2.0, 4.0, 8.0}) {
     ratio = std::max(ratio, variance_ratio(tracks, covariate, bins, block_s));
   }
-  found.p_value = chi_squared_tail(between / ratio, static_cast<double>(bins.size() - 1));
+  found.p_value = chi_squared_tail(between / ratio, static_cast<int>(bins.size()) - 1);
   const OverHorizon over = over_horizon(tracks, covariate, bins);
   found.size = over.size;
   found.share = over.share;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -12,7 +13,6 @@ namespace {
 
 constexpr Eigen::Index columns = 4;
 constexpr double block_s = 2.0;
-constexpr double min_range_rad = 3.0;
 
 using Row = Eigen::Matrix<double, columns, 1>;
 
@@ -38,17 +38,21 @@ std::vector<Row> whitened(const GapProblem& problem, const ResidualTrack& track,
   return rows;
 }
 
-double range_of(std::span<const std::vector<double>> heading) {
-  double from = 0.0;
-  double to = 0.0;
+// The robot has to have stood at headings all around: else a harmonic and a constant look alike.
+bool turns_around(std::span<const std::vector<double>> heading) {
+  constexpr std::size_t sectors = 12;
+  constexpr std::ptrdiff_t min_sectors = 8;
+  std::array<bool, sectors> visited{};
   for (const auto& of_run : heading) {
     for (const double value : of_run) {
       if (!std::isfinite(value)) continue;
-      from = std::min(from, value);
-      to = std::max(to, value);
+      const double turns = value / (2.0 * std::numbers::pi);
+      const auto sector =
+          static_cast<std::size_t>((turns - std::floor(turns)) * static_cast<double>(sectors));
+      visited.at(std::min(sector, sectors - 1)) = true;
     }
   }
-  return to - from;
+  return std::ranges::count(visited, true) >= min_sectors;
 }
 
 // Of sums over 2 s of what the fitted offset leaves, against as many independent ones; at least 1.
@@ -79,7 +83,7 @@ double variance_ratio(std::span<const ResidualTrack* const> tracks, const std::v
 std::optional<OffsetOverHeading> offset_over_heading(const GapProblem& problem,
                                                      std::span<const ResidualTrack* const> tracks,
                                                      std::span<const std::vector<double>> heading) {
-  if (range_of(heading) < min_range_rad) return std::nullopt;
+  if (!turns_around(heading)) return std::nullopt;
   Eigen::Matrix4d information = Eigen::Matrix4d::Zero();
   Row slope = Row::Zero();
   std::vector<std::vector<Row>> rows;
@@ -94,8 +98,8 @@ std::optional<OffsetOverHeading> offset_over_heading(const GapProblem& problem,
   if (!(information.trace() > 0.0) || !solver.isPositive()) return std::nullopt;
   const Row offset = solver.solve(slope);
   OffsetOverHeading found;
-  found.p_value = chi_squared_tail(slope.dot(offset) / variance_ratio(tracks, rows, offset),
-                                   static_cast<double>(columns));
+  found.p_value =
+      chi_squared_tail(slope.dot(offset) / variance_ratio(tracks, rows, offset), static_cast<int>(columns));
   const double first = std::hypot(offset(0), offset(1));
   const double second = std::hypot(offset(2), offset(3));
   found.size = std::max(first, second);

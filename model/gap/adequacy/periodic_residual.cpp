@@ -37,6 +37,21 @@ Frequencies frequencies_for(std::span<const std::vector<double>> at, double shor
   return {first, step, static_cast<std::size_t>((1.0 / shortest - first) / step)};
 }
 
+// What each value is beyond its share of the one before: a spectrum that falls over all frequencies becomes
+// flat, a line stays. The share is the correlation of neighbours.
+std::vector<double> prewhitened(std::span<const double> values) {
+  double squares = 0.0;
+  double products = 0.0;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    squares += values[k] * values[k];
+    if (k > 0) products += values[k] * values[k - 1];
+  }
+  const double share = squares > 0.0 ? products / squares : 0.0;
+  std::vector<double> result(values.begin(), values.end());
+  for (std::size_t k = values.size(); k-- > 1;) result[k] -= share * values[k - 1];
+  return result;
+}
+
 // Adds |sum of value times wave|^2 / sum of value^2 to the power at each frequency; the wave at one frequency
 // follows from that at the one before.
 void add_power(std::span<const double> values, std::span<const double> at, const Frequencies& frequencies,
@@ -154,10 +169,12 @@ std::optional<PeriodicResidual> periodic_residual(std::span<const ResidualTrack*
   const Frequencies frequencies = frequencies_for(at, shortest_period(tracks, over));
   if (frequencies.count == 0) return std::nullopt;
   std::vector<double> power(frequencies.count, 0.0);
-  for (std::size_t t = 0; t < tracks.size(); ++t) add_power(tracks[t]->innovation, at[t], frequencies, power);
+  for (std::size_t t = 0; t < tracks.size(); ++t)
+    add_power(prewhitened(tracks[t]->innovation), at[t], frequencies, power);
 
-  const double degrees = 2.0 * static_cast<double>(tracks.size());
-  const double median = 0.5 * degrees * std::pow(1.0 - 2.0 / (9.0 * degrees), 3);
+  const int degrees = 2 * static_cast<int>(tracks.size());
+  const double median =
+      0.5 * degrees * std::pow(1.0 - 2.0 / (9.0 * degrees), 3);  // Wilson and Hilferty, 1931
   std::size_t peak = 0;
   double highest = 0.0;
   for (std::size_t i = 0; i < power.size(); ++i) {

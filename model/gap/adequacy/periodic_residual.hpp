@@ -22,9 +22,10 @@ struct PeriodicResidual {
 
 // The highest peak of the periodogram of the innovations, summed over tracks with a phase of its own in each.
 // With T tracks, twice the power at a frequency is chi-squared with 2 T degrees of freedom where innovations
-// are white; power is measured against the median of its neighbourhood, so that noise of another colour has
-// no peak. Periods from 0.2 s (or three readings, or 12 mm) up to a quarter of the longest run. `at` holds
-// where each reading of each track stands, s or m. None where the runs are too short.
+// are white; each innovation is taken beyond its correlation with the one before, and power is measured
+// against the median of its neighbourhood, so that noise of another colour has no peak. Periods from 0.2 s
+// (or three readings, or 12 mm) up to a quarter of the longest run. `at` holds where each reading of each
+// track stands, s or m. None where the runs are too short.
 std::optional<PeriodicResidual> periodic_residual(std::span<const ResidualTrack* const> tracks,
                                                   std::span<const std::vector<double>> at,
                                                   PeriodicResidual::Over over);

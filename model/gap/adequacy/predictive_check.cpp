@@ -136,6 +136,7 @@ void add(std::vector<CheckStatistic>& all, const ChannelWords& of,
 
 PredictiveCheck predictive_check(const GapProblem& problem, const TrialModel& model) {
   const auto tracks = residual_tracks(problem, model);
+  const auto poses = predicted_poses(problem, model);
   PredictiveCheck check;
   for (const ChannelWords& of : channels) {
     Tracks of_channel;
@@ -149,7 +150,7 @@ PredictiveCheck predictive_check(const GapProblem& problem, const TrialModel& mo
       add(check.statistics, of,
           periodic_residual(of_channel, travel_of(problem, of_channel), PeriodicResidual::Over::travel));
     }
-    for (const Covariate& covariate : covariates_for(problem, model, of_channel)) {
+    for (const Covariate& covariate : covariates_for(problem, poses, of_channel)) {
       add(check.statistics, of, covariate, dependence(of_channel, covariate));
       const bool is_heading = covariate.name == heading_name;
       if (is_heading && !of_channel.front()->of_wheel())

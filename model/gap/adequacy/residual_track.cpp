@@ -4,10 +4,10 @@ namespace wheelwright::gap {
 
 std::vector<ResidualTrack> residual_tracks(const GapProblem& problem, const TrialModel& model) {
   std::vector<ResidualTrack> tracks;
-  const std::vector<double> innovations = problem.residuals(model);
   std::vector<RunErrors> errors;
   errors.reserve(problem.runs().size());
   for (const GapRun& run : problem.runs()) errors.push_back(free_run_errors(model, run));
+  const std::vector<double> innovations = problem.residuals(errors);
   const auto& places = problem.places();
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto& place = places[i];

@@ -3,17 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace wheelwright::gap {
 
-// P(X >= value) for X chi-squared with so many degrees of freedom, by the cube root's approximation to the
-// normal distribution (Wilson and Hilferty, PNAS 17 (1931) 684-688); good to a tenth of itself down to
-// 1e-6.
-inline double chi_squared_tail(double value, double degrees) {
-  const double spread = 2.0 / (9.0 * degrees);
-  const double z = (std::cbrt(std::max(value, 0.0) / degrees) - (1.0 - spread)) / std::sqrt(spread);
-  return 0.5 * std::erfc(z / std::numbers::sqrt2);
+// P(X >= value) for X chi-squared with so many degrees of freedom: by the recurrence of the incomplete gamma
+// function, Q(k + 2) = Q(k) + (value / 2)^(k / 2) exp(-value / 2) / Gamma(k / 2 + 1), from Q(1) and Q(2).
+inline double chi_squared_tail(double value, int degrees) {
+  const double half = 0.5 * std::max(value, 0.0);
+  if (half == 0.0) return 1.0;
+  const bool is_even = degrees % 2 == 0;
+  double tail = is_even ? std::exp(-half) : std::erfc(std::sqrt(half));
+  for (int k = is_even ? 2 : 1; k < degrees; k += 2) {
+    tail += std::exp(0.5 * k * std::log(half) - half - std::lgamma(0.5 * k + 1.0));
+  }
+  return std::min(tail, 1.0);
 }
 
 // Of the smallest of so many independent p-values.

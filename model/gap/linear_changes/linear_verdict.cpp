@@ -57,7 +57,7 @@ void add_linear_changes(GapAnalysis& analysis, const LinearChanges& found, const
   if (found.changes.empty()) return;
   const std::string words = in_words(found.changes);
   if (analysis.verdict != Verdict::nothing_missing) {
-    analysis.summary += " Beside the given model's linear part: " + words + ".";
+    analysis.summary += " The linear part of the given model is off: " + words + ".";
     return;
   }
   const LinearChange* delay = longer_delay(found.changes);
