@@ -51,11 +51,14 @@ class FrozenReference {
   }
 
  private:
-  // As of a source that has no heading and writes a number for it.
+  // As of a source that has no heading and writes a number for it. Of a robot that has made whole turns the
+  // same heading is expected: several poses have to be of moments at which the counts say another.
   bool heading_never_turns() {
     double heading = 0.0;
     double lowest = 0.0;
     double highest = 0.0;
+    double at_first = 0.0;
+    std::size_t elsewhere = 0;
     const DriveSample* first = nullptr;
     bool moves = false;
     for (std::size_t i = 0; i < samples_.size(); ++i) {
@@ -65,14 +68,18 @@ class FrozenReference {
         if (is_possible(i, left, right)) heading += (right - left) / gate_.result.log.wheel_base_m;
       }
       if (!samples_[i].reference_theta_rad || !samples_[i].reference_x_m) continue;
-      if (first == nullptr) first = &samples_[i];
+      if (first == nullptr) {
+        first = &samples_[i];
+        at_first = heading;
+      }
+      if (std::abs(wrap_angle(heading - at_first)) > rolled_rad) ++elsewhere;
       if (std::abs(wrap_angle(*samples_[i].reference_theta_rad - *first->reference_theta_rad)) > still_rad)
         return false;
       moves = moves || std::abs(*samples_[i].reference_x_m - *first->reference_x_m) > rolled_m / 4;
       lowest = std::min(lowest, heading);
       highest = std::max(highest, heading);
     }
-    if (!moves || highest - lowest < rolled_rad) return false;
+    if (!moves || elsewhere < min_poses) return false;
     gate_.fault(0,
                 "the heading of the reference does not turn while the wheels turn " +
                     in_digits(highest - lowest, 3) + " rad by their counts",

@@ -106,3 +106,17 @@ TEST_CASE("A heading that does not turn with the wheels explains any gap") {
   }
   CHECK(says(gate(log), "it is frozen", true));
 }
+
+TEST_CASE("First and last pose alone do not say that a heading is frozen, though whole turns bring it back") {
+  DriveLog log = referenced_log();
+  const DriveSample first = log.samples.front();
+  for (auto& sample : log.samples)
+    sample.reference_x_m = sample.reference_y_m = sample.reference_theta_rad = {};
+  auto& start = log.samples.front();
+  auto& end = log.samples.back();
+  start.reference_x_m = start.reference_y_m = start.reference_theta_rad = 0.0;
+  end.reference_x_m = *first.reference_x_m + 1.0;
+  end.reference_y_m = 0.0;
+  end.reference_theta_rad = 0.002;
+  CHECK_FALSE(says(gate(log), "the heading of the reference does not turn", true));
+}
