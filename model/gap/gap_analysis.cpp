@@ -50,6 +50,7 @@ class Analysis {
   void compare_linear_part();
   void check_on_test_runs();
   void show_untouched_figures();
+  void bound_floors();
   void note_runs();
 
   const GapOptions& options_;
@@ -377,6 +378,11 @@ void Analysis::show_untouched_figures() {
   result_.test.floor = slow_floor(untouched.logs);
 }
 
+void Analysis::bound_floors() {
+  for (GapFigures* figures : {&result_.train, &result_.test})
+    figures->floor = bounded_floor(figures->floor, figures->after);
+}
+
 void Analysis::note_runs() {
   result_.train_runs = gathered_.train.runs.size();
   result_.test_runs = gathered_.test.runs.size();
@@ -403,6 +409,7 @@ tl::expected<GapAnalysis, GapRefusal> Analysis::run(std::span<const DriveLog> tr
   check_on_test_runs();
   doubt_the_noise();
   show_untouched_figures();
+  bound_floors();
   return result_;
 }
 

@@ -133,6 +133,21 @@ Smoothness smoothness(const GapFigures& train, const GapFigures& test) {
   return {std::min(of_wheels(train), of_wheels(test)), std::min(of_position(train), of_position(test))};
 }
 
+Score bounded_floor(const Score& floor, const Score& after) {
+  Score bounded = floor;
+  const auto bound = [](std::optional<double>& value, const std::optional<double>& by) {
+    if (value && by) value = std::min(*value, *by);
+  };
+  const auto bound_at_horizon = [](std::optional<AtHorizon>& value, const std::optional<AtHorizon>& by) {
+    if (value && by) value->value = std::min(value->value, by->value);
+  };
+  bound(bounded.wheel_speed_rms_m_s, after.wheel_speed_rms_m_s);
+  bound(bounded.distance_rms_m, after.distance_rms_m);
+  bound_at_horizon(bounded.position_rms_m, after.position_rms_m);
+  bound_at_horizon(bounded.heading_rms_rad, after.heading_rms_rad);
+  return bounded;
+}
+
 bool some_figure_falls(const GapFigures& figures, double least_share, double above_floor) {
   const Values before = values_of(figures.before);
   const Values after = values_of(figures.after);

@@ -58,6 +58,10 @@ struct Smoothness {
 };
 Smoothness smoothness(const GapFigures& train, const GapFigures& test);
 
+// The floor of a figure, or the figure after the analysis where that is smaller: noise is a part of what is
+// left, so a larger floor is an error of the noise model.
+Score bounded_floor(const Score& floor, const Score& after);
+
 constexpr double least_fall = 0.03;  // of a figure, that a person would see
 
 // Whether any figure fell by `least_share` of itself. Figures that lay below `above_floor` floors do not

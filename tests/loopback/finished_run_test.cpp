@@ -1,8 +1,21 @@
 // A run without hazards: what every other test here is to be compared with.
+#include <chrono>
+#include <thread>
+
 #include "tests/loopback/bench/bench.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace wheelwright::bench;
+
+namespace {
+
+// Folders of runs are named by the second.
+void wait_for_the_begin_of_a_second() {
+  const auto now = std::chrono::system_clock::now();
+  std::this_thread::sleep_until(std::chrono::floor<std::chrono::seconds>(now) + 1s);
+}
+
+}  // namespace
 
 TEST_CASE("The daemon drives a route on the simulated robot, logs it whole, and exits with 0") {
   Bench bench;
@@ -23,4 +36,30 @@ TEST_CASE("The daemon drives a route on the simulated robot, logs it whole, and 
   const Table truth = bench.truth();
   CHECK_THAT(truth.number(truth.rows() - 1, "x"), WithinAbs(0.25, 0.03));
   CHECK(log.word(log.rows() - 1, "activity") == "finished");
+}
+
+TEST_CASE(
+    "Daemons of two robots that start in the same second with one log folder have a run's folder each") {
+  Bench first, second;
+  std::filesystem::create_directory(first.folder() / "runs");
+  std::filesystem::create_directory_symlink(first.folder() / "runs", second.folder() / "runs");
+  const auto one_robot = first.start_robot("perfect");
+  const auto other_robot = second.start_robot("perfect");
+  wait_for_the_begin_of_a_second();
+  const auto one = first.start_daemon(first.configure({}));
+  const auto other = second.start_daemon(second.configure({}));
+  CHECK(one->wait(20s) == 0);
+  CHECK(other->wait(20s) == 0);
+  const auto runs = first.runs();
+  REQUIRE(runs.size() == 2);
+  for (const auto& run : runs) {
+    const Table log = Table::load(run / "drive_log.csv");
+    REQUIRE(log.rows() > 50);
+    for (std::size_t row = 0; row < log.rows(); ++row) {
+      CHECK(log.number(row, "tick") == static_cast<double>(row));
+    }
+    CHECK(log.word(log.rows() - 1, "activity") == "finished");
+  }
+  // By the second: the later one has a number behind its name.
+  CHECK(runs.back().filename().string() == runs.front().filename().string() + "_2");
 }
