@@ -31,6 +31,17 @@ WheelPair command_at(const GapRun& run, std::size_t period) {
   return run.commands_m_s[std::min(period, run.commands_m_s.size() - 1)];
 }
 
+// Otherwise a turning command says no more than that of the one wheel.
+bool are_both_wheels_commanded(const GapProblem& problem) {
+  const auto commanded = [&](double WheelPair::*wheel) {
+    return std::ranges::any_of(problem.runs(), [wheel](const GapRun& run) {
+      return std::ranges::any_of(run.commands_m_s,
+                                 [wheel](const WheelPair& command) { return command.*wheel != 0.0; });
+    });
+  };
+  return commanded(&WheelPair::left) && commanded(&WheelPair::right);
+}
+
 // Time since the command last changed, with the sign of that change: what a transient leaves. Not known
 // before the first change.
 Covariate since_change(const GapProblem& problem, std::span<const ResidualTrack* const> tracks) {
@@ -106,11 +117,13 @@ std::vector<Covariate> covariates_for(const GapProblem& problem, std::span<const
                               return 0.5 * (command.left + command.right);
                             }));
   }
-  all.push_back(covariate(problem, tracks, "the turning command", "rad/s",
-                          [](const GapRun& run, const ResidualTrack&, std::size_t period) {
-                            const WheelPair command = command_at(run, period);
-                            return (command.right - command.left) / run.wheel_base_m;
-                          }));
+  if (are_both_wheels_commanded(problem)) {
+    all.push_back(covariate(problem, tracks, "the turning command", "rad/s",
+                            [](const GapRun& run, const ResidualTrack&, std::size_t period) {
+                              const WheelPair command = command_at(run, period);
+                              return (command.right - command.left) / run.wheel_base_m;
+                            }));
+  }
   const auto by_pose = [&](std::string_view name, std::string_view unit, auto value) {
     all.push_back(covariate(problem, tracks, name, unit,
                             [&](const GapRun&, const ResidualTrack& track, std::size_t period) {

@@ -159,7 +159,7 @@ PredictiveCheck predictive_check(const GapProblem& problem, const TrialModel& mo
   }
   std::ranges::sort(check.statistics, [](const CheckStatistic& one, const CheckStatistic& other) {
     if (one.visible != other.visible) return one.visible;
-    return one.p_value < other.p_value;
+    return std::pair(one.p_value, -one.size) < std::pair(other.p_value, -other.size);
   });
   if (!check.statistics.empty() && check.statistics.front().visible) {
     check.p_value =
