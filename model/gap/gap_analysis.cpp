@@ -42,11 +42,8 @@ class Analysis {
   bool closes_the_gap() const;
   bool leave_out_linear_effects();
   Wandering wandering_left() const;
-  Smoothness smoothness_left() const;
-  NoiseAtReversals noise_left_at_reversals() const;
   std::vector<std::size_t> runs_off_by_more_than_noise() const;
   void hold_out_others();
-  void doubt_the_noise();
   void compare_linear_part();
   void check_on_test_runs();
   void show_untouched_figures();
@@ -208,11 +205,7 @@ void Analysis::conclude() {
     result_.search.final = result_.search.baseline;
     size_up();
   }
-  Leftovers leftovers{what_is_left(result_), {}, {}, train_problem_->has_counts()};
-  if (result_.found.empty()) {
-    const GapFit& left = result_.search.final;
-    leftovers.swing = regular_swing(*train_problem_, left.model, left.residuals);
-  }
+  Leftovers leftovers{what_is_left(result_), {}, train_problem_->has_counts()};
   put_slow_noise_into_floors();
   leftovers.gain_changes = changed_gains(result_, *train_problem_, *test_problem_);
   reach_verdict(result_, options_.limits, leftovers);
@@ -281,43 +274,6 @@ void Analysis::hold_out_others() {
 Wandering Analysis::wandering_left() const {
   return wandering_by(*train_problem_,
                       with_slow_noise(*train_problem_, result_.search.final.model, two_seconds_apart_s));
-}
-
-// Against a random walk as large: noise that lasts is smoother than that. What pushes motors is forgotten
-// within half a second; only wheels that go on for longer are said to sway.
-Smoothness Analysis::smoothness_left() const {
-  const TrialModel& model = result_.search.final.model;
-  NoiseModel walk = with_slow_noise(*train_problem_, model, two_seconds_apart_s);
-  for (TravelNoise& channel : walk.channel) channel.lasts_s = 0.0;
-  GapFigures train = result_.train;
-  train.floor = noise_floor(result_.after, gathered_.train.logs, walk, floor_seed);
-  GapFigures test = result_.tail_held_out ? train : result_.test;
-  if (!result_.tail_held_out) {
-    test.floor = noise_floor(result_.after, gathered_.test.logs, walk, floor_seed);
-  }
-  Smoothness found = smoothness(train, test);
-  const NoiseModel lasting = train_problem_->noise_left_by(model, 0.0, lasting_of_swaying_s);
-  for (const Channel wheel : {Channel::left, Channel::right}) {
-    if (lasting.channel[static_cast<std::size_t>(wheel)].lasts_s < lasting_of_swaying_s)
-      found.of_wheels = 0.0;
-  }
-  return found;
-}
-
-void Analysis::doubt_the_noise() {
-  if (result_.verdict != Verdict::nothing_missing) return;
-  const GapFit& left = result_.search.final;
-  gap::doubt_the_noise(result_, {random_moments(*train_problem_, left.model, left.residuals),
-                                 wandering_left(), smoothness_left(), noise_left_at_reversals()});
-}
-
-// By those runs that show less of it.
-NoiseAtReversals Analysis::noise_left_at_reversals() const {
-  const GapFit& left = result_.search.final;
-  const NoiseAtReversals train = noise_at_reversals(*train_problem_, left.model, left.residuals);
-  const NoiseAtReversals test =
-      noise_at_reversals(*test_problem_, left.model, test_problem_->residuals(left.model));
-  return train.times < test.times ? train : test;
 }
 
 // The search fits a linear part of its own: what the given one lacks would go unsaid.
@@ -407,7 +363,6 @@ tl::expected<GapAnalysis, GapRefusal> Analysis::run(std::span<const DriveLog> tr
   hold_out_others();
   compare_linear_part();
   check_on_test_runs();
-  doubt_the_noise();
   show_untouched_figures();
   bound_floors();
   return result_;

@@ -118,21 +118,6 @@ bool some_figure_rises(const GapFigures& train, const GapFigures& test) {
   return false;
 }
 
-Smoothness smoothness(const GapFigures& train, const GapFigures& test) {
-  const auto of_wheels = [](const GapFigures& figures) {
-    const auto& scatter = figures.after.wheel_speed_rms_m_s;
-    const auto& floor = figures.floor.wheel_speed_rms_m_s;
-    return scatter && floor && *scatter > 0.0 ? *floor / *scatter : 0.0;
-  };
-  const auto of_position = [](const GapFigures& figures) {
-    const auto& after = figures.after.position_rms_m;
-    const auto& floor = figures.floor.position_rms_m;
-    const bool by_windows = after && floor && after->horizon_s <= longest_horizon_s;
-    return by_windows && after->value > 0.0 ? floor->value / after->value : 0.0;
-  };
-  return {std::min(of_wheels(train), of_wheels(test)), std::min(of_position(train), of_position(test))};
-}
-
 Score bounded_floor(const Score& floor, const Score& after) {
   Score bounded = floor;
   const auto bound = [](std::optional<double>& value, const std::optional<double>& by) {

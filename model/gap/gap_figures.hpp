@@ -48,16 +48,6 @@ double largest_share_gone(const GapFigures& train, const GapFigures& test);
 // of travel, 30 mm of position and 50 mrad of heading do not count.
 bool some_figure_rises(const GapFigures& train, const GapFigures& test);
 
-// Noise by which wheels wander has their speeds scatter from reading to reading, and noise by which a robot
-// wanders carries it along for ten seconds. By how many times the floor of such a figure lies above the
-// figure, in both sets of runs; zero where the logs do not show it. Far above one, what was called noise
-// sways.
-struct Smoothness {
-  double of_wheels = 0.0;
-  double of_position = 0.0;
-};
-Smoothness smoothness(const GapFigures& train, const GapFigures& test);
-
 // The floor of a figure, or the figure after the analysis where that is smaller: noise is a part of what is
 // left, so a larger floor is an error of the noise model.
 Score bounded_floor(const Score& floor, const Score& after);

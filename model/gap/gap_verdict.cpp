@@ -11,9 +11,6 @@
 namespace wheelwright::gap {
 namespace {
 
-// Of 110 logs with counts of which nothing is missing, 1.8 at most; of 77 with references, 2.1.
-constexpr Smoothness too_smooth{2.5, 3.0};
-
 std::string in_words(const Excess& excess) {
   const auto tenths = std::lround(10.0 * excess.times);
   return std::string(excess.figure) + " is off " + std::to_string(tenths / 10) + "." +
@@ -78,75 +75,6 @@ std::optional<Excess> only_held_out(const GapAnalysis& analysis) {
   return held_out_alone(analysis.train, analysis.test);
 }
 
-// As in "every 0.45 s" or "every 36 mm of a wheel's way".
-std::string in_words(const RegularSwing& swing) {
-  const bool by_time = swing.over == RegularSwing::Over::time;
-  std::ostringstream words;
-  words << "every " << std::setprecision(3) << (by_time ? swing.period : 1000.0 * swing.period)
-        << (by_time ? " s" : " mm of a wheel's way");
-  return words.str();
-}
-
-// As in "run2 at 12.3 s, run1 at 4.5 s": the strongest.
-std::string in_words(std::span<const RandomMoments::Moment> moments) {
-  constexpr std::size_t most = 3;
-  std::ostringstream words;
-  words << std::fixed << std::setprecision(1);
-  for (const auto& moment : moments.first(std::min(most, moments.size()))) {
-    words << (words.view().empty() ? "" : ", ") << moment.run << " at " << moment.time_s << " s";
-  }
-  return words.str();
-}
-
-Judgement of_moments(const RandomMoments& found) {
-  const std::string such = in_words(found.moments);
-  std::ostringstream summary;
-  summary << "Something happens now and then, which nothing in these runs foretells and no effect of the "
-             "library does: in "
-          << std::setprecision(2) << 100.0 * found.share_of_time << " % of the time lies "
-          << std::lround(100.0 * found.share) << " % of what is left (" << such << ").";
-  return {Verdict::unnamed, summary.str(), {{"moments like " + such, found.share, found.share_of_time}}};
-}
-
-Judgement of_reversals(const NoiseAtReversals& found) {
-  std::ostringstream summary;
-  summary << "Something happens where a wheel changes direction that no effect of the library explains: what "
-             "is left there is "
-          << std::setprecision(2) << found.times << " times what is left elsewhere.";
-  return {Verdict::unnamed,
-          summary.str(),
-          {{"within 0.7 s of a wheel's reversal", found.share, found.share_of_time}}};
-}
-
-// By the one that is further beyond what noise may be.
-Judgement of_wandering(const Wandering& by) {
-  const bool turns =
-      by.rad_per_sqrt_s / largest_noise.rad_per_sqrt_s > by.m_per_sqrt_s / largest_noise.m_per_sqrt_s;
-  const std::string size = turns ? std::to_string(std::lround(1e3 * by.rad_per_sqrt_s)) + " mrad"
-                                 : std::to_string(std::lround(1e3 * by.m_per_sqrt_s)) + " mm";
-  return {Verdict::unnamed,
-          "Something is missing that no effect of the library explains: the robot wanders by " + size +
-              " within a second."};
-}
-
-// None where what is left scatters as noise does.
-std::optional<Judgement> of_smoothness(const Smoothness& of) {
-  const bool wheels = of.of_wheels >= too_smooth.of_wheels;
-  if (!wheels && of.of_position < too_smooth.of_position) return std::nullopt;
-  std::ostringstream summary;
-  summary << "Something sways that no effect of the library does: what is left of "
-          << (wheels ? "the wheels' way" : "the robot's position") << " is " << std::setprecision(2)
-          << (wheels ? of.of_wheels : of.of_position) << " times too smooth for noise.";
-  return Judgement{Verdict::unnamed, summary.str()};
-}
-
-std::optional<Judgement> of_doubtful_noise(const SupposedNoise& noise) {
-  if (noise.moments) return of_moments(*noise.moments);
-  if (too_much_for_noise(noise.at_reversals)) return of_reversals(noise.at_reversals);
-  if (beyond_noise(noise.wandering)) return of_wandering(noise.wandering);
-  return of_smoothness(noise.smoothness);
-}
-
 Judgement of_nothing_found(const GapAnalysis& analysis, const SearchLimits& limits,
                            const Leftovers& leftovers) {
   const Excess& over_quick_noise = leftovers.over_quick_noise;
@@ -180,11 +108,6 @@ Judgement of_nothing_found(const GapAnalysis& analysis, const SearchLimits& limi
   if (const auto excess = only_held_out(analysis)) {
     return {Verdict::unnamed, "Something changed between training and held-out runs: in these, " +
                                   in_words(*excess) + "; these logs cannot say why."};
-  }
-  if (leftovers.swing) {
-    return {Verdict::unnamed,
-            "Something swings " + in_words(*leftovers.swing) + ", which no effect of the library does.",
-            {{"a swing " + in_words(*leftovers.swing), leftovers.swing->share, 1.0}}};
   }
   return {Verdict::nothing_missing, "Nothing is missing that these runs could show."};
 }
@@ -330,15 +253,6 @@ void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Left
   if (analysis.verdict == Verdict::named && left.times >= far_above_noise) {
     analysis.summary += " More may be: in free runs " + in_words(left) + ".";
   }
-}
-
-void doubt_the_noise(GapAnalysis& analysis, const SupposedNoise& noise) {
-  if (analysis.verdict != Verdict::nothing_missing) return;
-  const auto judgement = of_doubtful_noise(noise);
-  if (!judgement) return;
-  analysis.verdict = judgement->verdict;
-  analysis.summary = judgement->summary;
-  analysis.where = judgement->where;
 }
 
 }  // namespace wheelwright::gap

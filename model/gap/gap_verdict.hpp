@@ -8,9 +8,6 @@
 
 #include "model/gap/gap_analysis.hpp"
 #include "model/gap/gap_size.hpp"
-#include "model/gap/noise_at_reversals.hpp"
-#include "model/gap/random_moments.hpp"
-#include "model/gap/regular_swing.hpp"
 
 namespace wheelwright::gap {
 
@@ -34,23 +31,11 @@ std::vector<GainChange> changed_gains(const GapAnalysis& analysis, const GapProb
 struct Leftovers {
   Excess over_quick_noise;  // in floors of noise from reading to reading
   std::vector<GainChange> gain_changes;
-  std::optional<RegularSwing> swing;
   bool counted = false;  // whether the logs hold counts
 };
 
-// Sets verdict and summary, and `where` for gains that changed or a swing, from all else that the analysis
-// holds. Its floors are those of noise over seconds.
+// Sets verdict and summary, and `where` for gains that changed, from all else that the analysis holds. Its
+// floors are those of noise over seconds.
 void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Leftovers& leftovers);
-
-// Where nothing seems to be missing, what explains nothing was taken for noise. It is none where it comes at
-// moments, where it comes as wheels change direction, where it has the robot wander further within a second
-// than robots do, or where it is too smooth: then it is unnamed.
-struct SupposedNoise {
-  std::optional<RandomMoments> moments;
-  Wandering wandering;  // over seconds
-  Smoothness smoothness;
-  NoiseAtReversals at_reversals = {};  // of the runs that show less of it, training or held out
-};
-void doubt_the_noise(GapAnalysis& analysis, const SupposedNoise& noise);
 
 }  // namespace wheelwright::gap

@@ -2,14 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <iomanip>
-#include <sstream>
+#include <tuple>
 
-#include "model/gap/adequacy/covariates.hpp"
-#include "model/gap/adequacy/dependence.hpp"
-#include "model/gap/adequacy/offset_over_heading.hpp"
-#include "model/gap/adequacy/periodic_residual.hpp"
+#include "model/gap/adequacy/check_statistic.hpp"
 #include "model/gap/adequacy/tail_probability.hpp"
 
 namespace wheelwright::gap {
@@ -17,38 +12,15 @@ namespace {
 
 using Tracks = std::vector<const ResidualTrack*>;
 
-struct ChannelWords {
-  Channel channel;
-  std::string_view name;
-  bool angle;
-};
 constexpr std::array<ChannelWords, channel_count> channels{{{Channel::left, "left wheel", false},
                                                             {Channel::right, "right wheel", false},
                                                             {Channel::forward, "forward motion", false},
                                                             {Channel::aside, "sideways motion", false},
                                                             {Channel::turn, "heading", true}}};
 
-std::string in_words(double value, int digits = 3) {
-  std::ostringstream words;
-  words << std::setprecision(digits) << value;
-  return words.str();
-}
-
-std::string size_in_words(double size, bool angle) {
-  return in_words(1000.0 * size, 2) + (angle ? " mrad" : " mm");
-}
-
-bool is_visible(double size, Channel channel) {
-  if (channel == Channel::turn) return size >= visible_heading_rad;
-  const bool of_wheel = channel == Channel::left || channel == Channel::right;
-  return size >= (of_wheel ? visible_travel_m : visible_position_m);
-}
-
-// In milli-units.
-std::vector<std::pair<double, double>> in_milli(std::vector<std::pair<double, double>> points) {
-  for (auto& [x, y] : points) y *= 1000.0;
-  return points;
-}
+// Of sound robots, simulated and real ones.
+constexpr DriftPrior drift_of_travel{0.002, 0.55};
+constexpr DriftPrior drift_of_heading{0.003, 0.55};
 
 std::vector<std::vector<double>> times_of(const Tracks& tracks) {
   std::vector<std::vector<double>> at;
@@ -62,74 +34,29 @@ std::vector<std::vector<double>> travel_of(const GapProblem& problem, const Trac
   return at;
 }
 
-void add(std::vector<CheckStatistic>& all, const ChannelWords& of,
-         const std::optional<PeriodicResidual>& found) {
-  if (!found) return;
-  const bool over_time = found->over == PeriodicResidual::Over::time;
-  CheckStatistic statistic;
-  statistic.name =
-      std::string("periodic residual") + (over_time ? "" : " over travel") + ", " + std::string(of.name);
-  statistic.p_value = found->p_value;
-  statistic.size = found->amplitude;
-  statistic.visible = is_visible(found->amplitude, of.channel);
-  const std::string every =
-      over_time ? in_words(found->period) + " s" : in_words(1000.0 * found->period) + " mm of travel";
-  statistic.sentence = "the error of the " + std::string(of.name) + " swings every " + every + " by " +
-                       size_in_words(found->amplitude, of.angle);
-  statistic.regime = "a swing every " + every;
-  statistic.curve = {over_time ? "time within a period [s]" : "travel within a period [m]",
-                     "error of the " + std::string(of.name) + (of.angle ? " [mrad]" : " [mm]"),
-                     in_milli(found->folded)};
-  statistic.share_of_gap = found->share;
-  statistic.detail = {{over_time ? "period_s" : "period_m", found->period},
-                      {of.angle ? "amplitude_rad" : "amplitude_m", found->amplitude}};
-  all.push_back(std::move(statistic));
-}
-
-void add(std::vector<CheckStatistic>& all, const ChannelWords& of, const Covariate& covariate,
-         const std::optional<Dependence>& found) {
-  if (!found) return;
-  CheckStatistic statistic;
-  std::string quantity(covariate.name);
-  if (quantity.starts_with("the ")) quantity.erase(0, 4);
-  statistic.name = "dependence on " + quantity + ", " + std::string(of.name);
-  statistic.p_value = found->p_value;
-  statistic.size = found->size;
-  statistic.visible = is_visible(found->size, of.channel);
-  statistic.regime = quantity + " from " + in_words(found->from, 2) + " to " + in_words(found->to, 2) + " " +
-                     std::string(covariate.unit);
-  statistic.sentence = "the error of the " + std::string(of.name) + " depends on " +
-                       std::string(covariate.name) + " (" + size_in_words(found->size, of.angle) +
-                       " in 10 s, most with " + statistic.regime + ")";
-  statistic.share_of_time = found->share_of_time;
-  statistic.curve = {quantity + " [" + std::string(covariate.unit) + "]",
-                     "drift of the " + std::string(of.name) + (of.angle ? " [mrad/s]" : " [mm/s]"),
-                     in_milli(found->rates)};
-  statistic.share_of_gap = found->share;
-  statistic.detail = {
-      {"from", found->from}, {"to", found->to}, {of.angle ? "size_rad" : "size_m", found->size}};
-  all.push_back(std::move(statistic));
-}
-
-void add(std::vector<CheckStatistic>& all, const ChannelWords& of,
-         const std::optional<OffsetOverHeading>& found) {
-  if (!found) return;
-  CheckStatistic statistic;
-  statistic.name = "offset over heading, " + std::string(of.name);
-  statistic.p_value = found->p_value;
-  statistic.size = found->size;
-  statistic.visible = is_visible(found->size, of.channel);
-  const std::string often = found->harmonic == 1 ? "once" : "twice";
-  statistic.sentence = "the measured " + std::string(of.name) + " is off by " +
-                       size_in_words(found->size, of.angle) + ", " + often +
-                       " to and fro in a turn of the robot";
-  statistic.regime = "an offset that swings " + often + " in a turn of the robot";
-  statistic.curve = {"heading [rad]",
-                     "offset of the " + std::string(of.name) + (of.angle ? " [mrad]" : " [mm]"),
-                     in_milli(found->curve)};
-  statistic.detail = {{"swings_per_turn", static_cast<double>(found->harmonic)},
-                      {of.angle ? "amplitude_rad" : "amplitude_m", found->size}};
-  all.push_back(std::move(statistic));
+std::vector<CheckStatistic> statistics_of(const ChannelWords& of, const GapProblem& problem,
+                                          const Tracks& tracks, std::span<const std::vector<Pose>> poses) {
+  std::vector<CheckStatistic> all;
+  const bool of_wheel = tracks.front()->of_wheel();
+  if (const auto found = periodic_residual(tracks, times_of(tracks), PeriodicResidual::Over::time))
+    all.push_back(statistic_of(of, *found));
+  if (of_wheel) {
+    if (const auto found =
+            periodic_residual(tracks, travel_of(problem, tracks), PeriodicResidual::Over::travel))
+      all.push_back(statistic_of(of, *found));
+    if (const auto found = reversal_residual(problem, tracks)) all.push_back(statistic_of(of, *found));
+  }
+  for (const Covariate& covariate : covariates_for(problem, poses, tracks)) {
+    if (const auto found = dependence(tracks, covariate)) all.push_back(statistic_of(of, covariate, *found));
+    if (of_wheel || covariate.name != heading_name) continue;
+    if (const auto found = offset_over_heading(problem, tracks, covariate.value))
+      all.push_back(statistic_of(of, *found));
+  }
+  if (const auto found = intermittent_events(tracks, visible_size(of.channel)))
+    all.push_back(statistic_of(of, problem, *found));
+  if (const auto found = drift(tracks, of.angle ? drift_of_heading : drift_of_travel))
+    all.push_back(statistic_of(of, *found));
+  return all;
 }
 
 }  // namespace
@@ -144,26 +71,18 @@ PredictiveCheck predictive_check(const GapProblem& problem, const TrialModel& mo
       if (track.channel == of.channel) of_channel.push_back(&track);
     }
     if (of_channel.empty()) continue;
-    add(check.statistics, of,
-        periodic_residual(of_channel, times_of(of_channel), PeriodicResidual::Over::time));
-    if (of_channel.front()->of_wheel()) {
-      add(check.statistics, of,
-          periodic_residual(of_channel, travel_of(problem, of_channel), PeriodicResidual::Over::travel));
-    }
-    for (const Covariate& covariate : covariates_for(problem, poses, of_channel)) {
-      add(check.statistics, of, covariate, dependence(of_channel, covariate));
-      const bool is_heading = covariate.name == heading_name;
-      if (is_heading && !of_channel.front()->of_wheel())
-        add(check.statistics, of, offset_over_heading(problem, of_channel, covariate.value));
-    }
+    std::ranges::move(statistics_of(of, problem, of_channel, poses), std::back_inserter(check.statistics));
   }
-  std::ranges::sort(check.statistics, [](const CheckStatistic& one, const CheckStatistic& other) {
-    if (one.visible != other.visible) return one.visible;
-    return std::pair(one.p_value, -one.size) < std::pair(other.p_value, -other.size);
-  });
-  if (!check.statistics.empty() && check.statistics.front().visible) {
-    check.p_value =
-        smallest_of(check.statistics.front().p_value, static_cast<double>(check.statistics.size()));
+  const auto corrected = [&](const CheckStatistic& statistic) {
+    return smallest_of(statistic.p_value, static_cast<double>(check.statistics.size()));
+  };
+  const auto order = [&](const CheckStatistic& statistic) {
+    const bool says_when = statistic.predictable && corrected(statistic) < check_level;
+    return std::tuple(!statistic.visible, !says_when, statistic.p_value, -statistic.size);
+  };
+  std::ranges::sort(check.statistics, {}, order);
+  for (const CheckStatistic& statistic : check.statistics) {
+    if (statistic.visible) check.p_value = std::min(check.p_value, corrected(statistic));
   }
   check.passed = check.p_value >= check_level;
   return check;

@@ -8,6 +8,9 @@
 //   periodic residual, over time and over a wheel's travel      periodic_residual.hpp
 //   dependence on command, heading, place, time, and on the time since a change of command   dependence.hpp
 //   offset of measured headings and positions over heading      offset_over_heading.hpp
+//   intermittent events                                         intermittent_events.hpp
+//   residual after reversals of a wheel                         reversal_residual.hpp
+//   drift beyond that of sound robots                           drift.hpp
 #pragma once
 
 #include <string>
@@ -36,6 +39,7 @@ struct CheckStatistic {
   double p_value = 1.0;  // of this statistic by itself
   double size = 0.0;     // m or rad
   bool visible = false;
+  bool predictable = true;    // false where nothing in the runs says when it comes
   std::string sentence;       // "the heading error swings every 1.43 s by 35 mrad"
   std::string regime;         // where: "heading from 1.2 to 2.0 rad"
   double share_of_gap = 0.0;  // of the free-run error
@@ -46,8 +50,10 @@ struct CheckStatistic {
 
 struct PredictiveCheck {
   bool passed = true;
-  double p_value = 1.0;                    // of the smallest of the statistics that count
-  std::vector<CheckStatistic> statistics;  // the most surprising first, those that count before the others
+  double p_value = 1.0;  // of the smallest of the statistics that count
+  // Those that count before the others; of those by which the check fails, predictable ones first, which say
+  // more; then the most surprising first.
+  std::vector<CheckStatistic> statistics;
 };
 
 // `problem` holds the untouched runs, under the noise of the training.

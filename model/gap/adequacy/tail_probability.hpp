@@ -1,8 +1,9 @@
-// Tail of the chi-squared distribution.
+// Tails of the chi-squared and the Poisson distribution.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace wheelwright::gap {
 
@@ -17,6 +18,18 @@ inline double chi_squared_tail(double value, int degrees) {
     tail += std::exp(0.5 * k * std::log(half) - half - std::lgamma(0.5 * k + 1.0));
   }
   return std::min(tail, 1.0);
+}
+
+// P(N >= count) for N Poisson with this mean, from the terms themselves, so that small ones are exact.
+inline double poisson_tail(std::size_t count, double mean) {
+  const auto k = static_cast<double>(count);
+  double term = std::exp(k * std::log(mean) - mean - std::lgamma(k + 1.0));
+  double sum = 0.0;
+  for (double next = k + 1.0; term > 1e-17 * sum; ++next) {
+    sum += term;
+    term *= mean / next;
+  }
+  return std::min(sum, 1.0);
 }
 
 // Of the smallest of so many independent p-values.

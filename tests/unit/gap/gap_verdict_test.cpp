@@ -15,7 +15,7 @@ namespace {
 // `over_quick_noise`: in floors of the noise from reading to reading; by default as over that of seconds.
 Verdict verdict_of(GapAnalysis analysis, double over_quick_noise = 0.0) {
   const Excess left = what_is_left(analysis);
-  reach_verdict(analysis, {}, {{left.figure, std::max(left.times, over_quick_noise), left.closed}, {}, {}});
+  reach_verdict(analysis, {}, {{left.figure, std::max(left.times, over_quick_noise), left.closed}, {}});
   return analysis.verdict;
 }
 
@@ -56,90 +56,6 @@ TEST_CASE("A wheel that was held more than once is something for which the libra
   CHECK(verdict_of(analysis) == Verdict::nothing_missing);
   analysis.data_faults.push_back(held);
   CHECK(verdict_of(analysis) == Verdict::unnamed);
-}
-
-TEST_CASE("What was called noise is none where it comes at moments, and the moments are said") {
-  GapAnalysis analysis = analysis_with({}, position(1.0, 1.0));
-  analysis.verdict = Verdict::nothing_missing;
-  doubt_the_noise(analysis, {RandomMoments{{{"run2", 12.34}, {"run1", 4.5}}, 0.7, 0.012}, {}, {}});
-  CHECK(analysis.verdict == Verdict::unnamed);
-  CHECK_THAT(analysis.summary, ContainsSubstring("in 1.2 % of the time lies 70 %") &&
-                                   ContainsSubstring("run2 at 12.3 s, run1 at 4.5 s"));
-  REQUIRE(analysis.where.size() == 1);
-  CHECK(analysis.where.front().share_of_gap == 0.7);
-}
-
-TEST_CASE("What was called noise is none where it comes as wheels change direction") {
-  GapAnalysis analysis = analysis_with({}, position(1.0, 1.0));
-  analysis.verdict = Verdict::nothing_missing;
-  doubt_the_noise(analysis, {{}, {}, {}, {40, 1.5, 0.004, 0.2, 0.1}});
-  CHECK(analysis.verdict == Verdict::nothing_missing);
-  doubt_the_noise(analysis, {{}, {}, {}, {40, 3.2, 0.004, 0.4, 0.1}});
-  CHECK(analysis.verdict == Verdict::unnamed);
-  CHECK_THAT(analysis.summary, ContainsSubstring("changes direction") && ContainsSubstring("3.2 times"));
-  REQUIRE(analysis.where.size() == 1);
-  CHECK(analysis.where.front().share_of_gap == 0.4);
-}
-
-TEST_CASE("What was called noise is none where a robot wanders further than robots do") {
-  GapAnalysis analysis = analysis_with({}, position(1.0, 1.0));
-  analysis.verdict = Verdict::nothing_missing;
-  doubt_the_noise(analysis, {{}, {0.004, 0.009}, {}});
-  CHECK(analysis.verdict == Verdict::nothing_missing);
-  doubt_the_noise(analysis, {{}, {0.04, 0.0}, {}});
-  CHECK(analysis.verdict == Verdict::unnamed);
-  CHECK_THAT(analysis.summary, ContainsSubstring("40 mm within a second"));
-  analysis.verdict = Verdict::nothing_missing;
-  doubt_the_noise(analysis, {{}, {0.004, 0.06}, {}});
-  CHECK(analysis.verdict == Verdict::unnamed);
-  CHECK_THAT(analysis.summary, ContainsSubstring("60 mrad within a second"));
-}
-
-TEST_CASE("What was called noise is none where wheels stray far and their speeds do not scatter") {
-  const auto scatter = [](double value) {
-    Score score;
-    score.wheel_speed_rms_m_s = value;
-    return score;
-  };
-  for (const auto& [floor, verdict] :
-       {std::pair(0.018, Verdict::nothing_missing), std::pair(0.043, Verdict::unnamed)}) {
-    GapAnalysis analysis = analysis_with({}, {scatter(0.01), scatter(0.01), scatter(floor)});
-    analysis.verdict = Verdict::nothing_missing;
-    doubt_the_noise(analysis, {{}, {0.004, 0.009}, smoothness(analysis.train, analysis.test)});
-    CHECK(analysis.verdict == verdict);
-    analysis.test.floor.wheel_speed_rms_m_s = 0.01;
-    analysis.verdict = Verdict::nothing_missing;
-    doubt_the_noise(analysis, {{}, {0.004, 0.009}, smoothness(analysis.train, analysis.test)});
-    CHECK(analysis.verdict == Verdict::nothing_missing);
-  }
-}
-
-TEST_CASE("What was called noise is none where references sway and the robot is not carried along") {
-  const auto floors = [](double times) {
-    GapFigures figures = position(1.0, 1.0);
-    figures.floor.position_rms_m->value *= times;
-    return figures;
-  };
-  for (const auto& [times, verdict] :
-       {std::pair(2.1, Verdict::nothing_missing), std::pair(3.6, Verdict::unnamed)}) {
-    GapAnalysis analysis = analysis_with({}, floors(times));
-    analysis.verdict = Verdict::nothing_missing;
-    doubt_the_noise(analysis, {{}, {0.004, 0.009}, smoothness(analysis.train, analysis.test)});
-    CHECK(analysis.verdict == verdict);
-  }
-  GapAnalysis at_the_ends = analysis_with({}, floors(3.6));
-  for (GapFigures* figures : {&at_the_ends.train, &at_the_ends.test})
-    figures->after.position_rms_m->horizon_s = 60.0;
-  at_the_ends.verdict = Verdict::nothing_missing;
-  doubt_the_noise(at_the_ends, {{}, {0.004, 0.009}, smoothness(at_the_ends.train, at_the_ends.test)});
-  CHECK(at_the_ends.verdict == Verdict::nothing_missing);
-}
-
-TEST_CASE("Where something was said already, the noise is not doubted") {
-  GapAnalysis analysis = analysis_with({}, position(1.0, 1.0));
-  analysis.verdict = Verdict::not_testable;
-  doubt_the_noise(analysis, {{}, {0.04, 0.0}, {}});
-  CHECK(analysis.verdict == Verdict::not_testable);
 }
 
 TEST_CASE("A loss in one direction at one heading may be friction as well as a slope") {

@@ -1,0 +1,96 @@
+#include "model/gap/adequacy/intermittent_events.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+
+#include "model/gap/adequacy/tail_probability.hpp"
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr double window_s = 0.3;
+constexpr std::size_t min_windows = 50;
+constexpr double deviations = 5.0;
+constexpr double same_event_s = 1.0;
+constexpr double horizon_s = 10.0;
+
+struct Window {
+  std::size_t run = 0;
+  double time_s = 0.0;
+  double sum = 0.0;  // of innovations
+  double count = 0.0;
+  double change = 0.0;  // of the free-run error
+
+  double standardised() const { return sum / std::sqrt(count); }
+};
+
+std::vector<Window> windows_of(const ResidualTrack& track) {
+  std::vector<Window> windows;
+  for (std::size_t i = 1; i < track.innovation.size(); ++i) {
+    if (track.discontinuity[i] != 0) continue;
+    const double begin_s = window_s * std::floor(track.time_s[i] / window_s);
+    if (windows.empty() || windows.back().time_s != begin_s) windows.push_back({track.run, begin_s});
+    Window& window = windows.back();
+    window.sum += track.innovation[i];
+    window.count += 1.0;
+    window.change += track.error[i] - track.error[i - 1];
+  }
+  return windows;
+}
+
+// Of a normal distribution, by the median size.
+double deviation_of(const std::vector<Window>& windows) {
+  constexpr double deviations_of_median = 1.4826;
+  std::vector<double> sizes;
+  sizes.reserve(windows.size());
+  for (const Window& window : windows) sizes.push_back(std::abs(window.standardised()));
+  const auto middle = sizes.begin() + std::ssize(sizes) / 2;
+  std::ranges::nth_element(sizes, middle);
+  return deviations_of_median * *middle;
+}
+
+}  // namespace
+
+std::optional<IntermittentEvents> intermittent_events(std::span<const ResidualTrack* const> tracks,
+                                                      double visible) {
+  std::vector<Window> windows;
+  for (const ResidualTrack* track : tracks)
+    std::ranges::copy(windows_of(*track), std::back_inserter(windows));
+  if (windows.size() < min_windows) return std::nullopt;
+  const double limit = deviations * deviation_of(windows);
+  std::ranges::sort(windows, std::greater<>{},
+                    [](const Window& window) { return std::abs(window.standardised()); });
+
+  IntermittentEvents found;
+  double power = 0.0;
+  double of_events = 0.0;
+  double squared_changes = 0.0;
+  double with_event = 0.0;
+  for (const Window& window : windows) {
+    const double squared = window.standardised() * window.standardised();
+    power += squared;
+    if (std::abs(window.standardised()) <= limit || std::abs(window.change) < visible) continue;
+    of_events += squared;
+    squared_changes += window.change * window.change;
+    with_event += 1.0;
+    const bool is_known = std::ranges::any_of(found.events, [&](const IntermittentEvents::Event& event) {
+      return event.run == window.run && std::abs(event.time_s - window.time_s) < same_event_s;
+    });
+    if (!is_known) found.events.push_back({window.run, window.time_s});
+  }
+  if (found.events.empty()) return std::nullopt;
+  for (const Window& window : windows) {
+    if (window.run == found.events.front().run) found.changes.emplace_back(window.time_s, window.change);
+  }
+  std::ranges::sort(found.changes);
+  const auto count = static_cast<double>(windows.size());
+  found.share = of_events / power;
+  found.share_of_time = with_event / count;
+  found.size = std::sqrt(squared_changes * horizon_s / (count * window_s));
+  found.p_value = poisson_tail(found.events.size(), count * std::erfc(deviations / std::sqrt(2.0)));
+  return found;
+}
+
+}  // namespace wheelwright::gap
