@@ -198,9 +198,7 @@ void Analysis::conclude() {
         return effect.info->linear && !beyond_a_core(effect);
       });
   if ((nothing_closes || of_a_core) && leave_out_linear_effects()) return conclude();
-  if (nothing_closes ||
-      (any && (leaves_most_of_it(result_) || is_less_than_a_decoy_adds(result_) ||
-               is_the_smaller_part(result_, wandering_left()) || drives_runs_apart(result_)))) {
+  if (nothing_closes || (any && is_the_smaller_part(result_, wandering_left()))) {
     std::erase_if(result_.found, [](const Finding& found) { return found.setting.name != dropout_name; });
     result_.search.final = result_.search.baseline;
     size_up();

@@ -43,14 +43,6 @@ double excess(const GapFigures& figures, std::size_t which) {
   return *after / (*floor * allowance_for(figures, which));
 }
 
-double growth(const GapFigures& figures, std::size_t which) {
-  const auto before = values_of(figures.before).at(which);
-  const auto after = values_of(figures.after).at(which);
-  constexpr double of_consequence = 5.0;  // in negligible errors
-  if (!before || !after || *after <= of_consequence * negligible.at(which)) return 0.0;
-  return *after / *before;
-}
-
 std::optional<double> share_gone(const GapFigures& figures, std::size_t which) {
   const auto before = values_of(figures.before).at(which);
   const auto after = values_of(figures.after).at(which);
@@ -108,14 +100,6 @@ double largest_share_gone(const GapFigures& train, const GapFigures& test) {
     if (in_train && in_test) largest = std::max(largest.value_or(-1e9), std::min(*in_train, *in_test));
   }
   return largest.value_or(1.0);
-}
-
-bool some_figure_rises(const GapFigures& train, const GapFigures& test) {
-  constexpr double by_half = 1.5;
-  for (std::size_t i = first_integrated; i < figure_count; ++i) {
-    if (std::min(growth(train, i), growth(test, i)) > by_half) return true;
-  }
-  return false;
 }
 
 Score bounded_floor(const Score& floor, const Score& after) {

@@ -44,10 +44,6 @@ bool some_figure_above_noise(const GapFigures& figures);
 // each by the set of runs in which less is. One where there is no such figure.
 double largest_share_gone(const GapFigures& train, const GapFigures& test);
 
-// Whether any of distance, position and heading became half as large again, in both sets of runs. Up to 15 mm
-// of travel, 30 mm of position and 50 mrad of heading do not count.
-bool some_figure_rises(const GapFigures& train, const GapFigures& test);
-
 // The floor of a figure, or the figure after the analysis where that is smaller: noise is a part of what is
 // left, so a larger floor is an error of the noise model.
 Score bounded_floor(const Score& floor, const Score& after);

@@ -3,12 +3,9 @@
 #include <algorithm>
 
 #include "model/effect_library.hpp"
-#include "model/gap/decoys.hpp"
 
 namespace wheelwright::gap {
 namespace {
-
-constexpr double nowhere_near = 6.0;  // floors
 
 // Counts that stood still are found by the data gate, not by free runs.
 bool of_free_runs(const Finding& found) {
@@ -58,33 +55,6 @@ bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out) {
   return some_figure_falls(figures, least_fall, is_beyond_chance(analysis) ? 0.0 : 1.0);
 }
 
-bool is_less_than_a_decoy_adds(const GapAnalysis& analysis) {
-  const auto& left = analysis.search.rounds.back();
-  const auto& effects = analysis.search.final.model.effects;
-  const auto same = [](const TrialEffect& one, const TrialEffect& other) { return one.info == other.info; };
-  const bool beside_all = std::ranges::equal(left.without.model.effects, effects, same);
-  if (!beside_all || left.contenders.empty() || !is_decoy(*left.contenders.front().effect.info)) return false;
-  return std::ranges::all_of(analysis.search.checks, [&](const Round& check) {
-    return std::ranges::none_of(check.contenders, [&](const Contender& contender) {
-      return !is_decoy(*contender.effect.info) && contender.score >= left.contenders.front().score;
-    });
-  });
-}
-
-bool leaves_most_of_it(const GapAnalysis& analysis) {
-  constexpr double explains_a_lot_nats = 100.0;
-  constexpr double no_rival = 0.5;
-  const Excess left = what_is_left(analysis);
-  const auto of_runs = std::ranges::count_if(analysis.found, of_free_runs);
-  const auto stands = [&](const Finding& found) {
-    if (!of_free_runs(found)) return false;
-    const bool alone = of_runs == 1 && found.rival_share < no_rival && left.times < nowhere_near;
-    return found.heldout_gain_nats >= explains_a_lot_nats || alone;
-  };
-  if (of_runs == 0 || std::ranges::any_of(analysis.found, stands)) return false;
-  return left.times >= nowhere_near || (left.times >= far_above_noise && left.closed < 0.5);
-}
-
 bool beyond_noise(const Wandering& by, double times) {
   return by.m_per_sqrt_s > times * largest_noise.m_per_sqrt_s ||
          by.rad_per_sqrt_s > times * largest_noise.rad_per_sqrt_s;
@@ -112,10 +82,6 @@ bool is_the_smaller_part(const GapAnalysis& analysis, const Wandering& left) {
   const GapFigures& test = analysis.tail_held_out ? analysis.train : analysis.test;
   return !analysis.found.empty() && std::ranges::all_of(analysis.found, hangs_together) &&
          (beyond_noise(left, clearly) || largest_share_gone(analysis.train, test) < half);
-}
-
-bool drives_runs_apart(const GapAnalysis& analysis) {
-  return some_figure_rises(analysis.train, analysis.tail_held_out ? analysis.train : analysis.test);
 }
 
 }  // namespace wheelwright::gap

@@ -21,11 +21,6 @@ bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out);
 // believed to.
 bool is_beyond_chance(const GapAnalysis& analysis);
 
-// Whatever helps a little is not what is missing, where free runs stay far off all the same. What explains a
-// lot may stand although more is missing, and so may a single effect to which no other comes near, unless
-// free runs stay nowhere near the measured ones.
-bool leaves_most_of_it(const GapAnalysis& analysis);
-
 // Robots of which nothing is missing wander by 7 mm and 9 mrad at most, real Creates by 14 mm under a model
 // that lacks something.
 constexpr Wandering largest_noise{0.015, 0.025};
@@ -37,13 +32,5 @@ NoiseModel no_more_than_noise(const NoiseModel& noise);
 // as noise does not (`left`). Where a moment or a place decides, it may: little is wrong, and much of the run
 // with it.
 bool is_the_smaller_part(const GapAnalysis& analysis, const Wandering& left);
-
-// Whether free runs are further off with what was found than without it: it may follow what the noise that
-// was assumed has left of something else.
-bool drives_runs_apart(const GapAnalysis& analysis);
-
-// Whether a decoy beside all that was found explains more than any of it does in its own place: then the
-// names are shapes of something that the library does not hold.
-bool is_less_than_a_decoy_adds(const GapAnalysis& analysis);
 
 }  // namespace wheelwright::gap

@@ -1,7 +1,6 @@
 // When what was found is an answer: rules on evidence and on what free runs show.
 #include "model/gap/gap_standing.hpp"
 
-#include "model/gap/decoys.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gap_findings.hpp"
 
@@ -41,21 +40,6 @@ TEST_CASE("A delay alone has to show, however likely it is, since a larger core 
   CHECK(closes_the_gap(analysis_with({finding("transport_delay", 500.0)}, position(2.0, 1.5)), false));
 }
 
-TEST_CASE("What explains little is no answer where free runs stay far off, what explains a lot may be one") {
-  CHECK(leaves_most_of_it(analysis_with({finding("floor_slope", 30.0)}, position(8.0, 7.0))));
-  CHECK_FALSE(leaves_most_of_it(analysis_with({finding("floor_slope", 300.0)}, position(8.0, 7.0))));
-  CHECK_FALSE(leaves_most_of_it(analysis_with({finding("floor_slope", 30.0)}, position(8.0, 1.2))));
-}
-
-TEST_CASE("What drives free runs apart in training and held-out runs is no answer, however likely it is") {
-  const auto likely = finding("gain_curve", 4000.0);
-  CHECK(drives_runs_apart(analysis_with({likely}, position(2.0, 3.5))));
-  CHECK_FALSE(drives_runs_apart(analysis_with({likely}, position(2.0, 2.5))));
-  GapAnalysis held_out_only = analysis_with({likely}, position(2.0, 1.0));
-  held_out_only.test = position(2.0, 3.5);
-  CHECK_FALSE(drives_runs_apart(held_out_only));
-}
-
 TEST_CASE("A smooth effect is no answer where more than it explains is left and hangs together") {
   const auto deflated_by = [](const std::string& effect, double inflation) {
     Finding found = finding(effect, 400.0);
@@ -80,35 +64,4 @@ TEST_CASE("A smooth effect is no answer where more than it explains is left and 
   const Wandering far{0.02, 0.009};
   CHECK(is_the_smaller_part(analysis_with({deflated_by("gain_curve", 27.0)}, position(2.0, 1.3)), far));
   CHECK_FALSE(is_the_smaller_part(analysis_with({deflated_by("gain_curve", 2.0)}, position(2.0, 1.3)), far));
-}
-
-TEST_CASE("A single effect without a rival stands unless free runs stay nowhere near the measured ones") {
-  const auto alone = finding("floor_slope", 30.0, 1.0, 0.1);
-  const auto rivalled = finding("floor_slope", 30.0, 1.0, 0.9);
-  CHECK_FALSE(leaves_most_of_it(analysis_with({alone}, position(4.0, 3.0))));
-  CHECK(leaves_most_of_it(analysis_with({rivalled}, position(4.0, 3.0))));
-  CHECK(leaves_most_of_it(analysis_with({alone}, position(8.0, 7.0))));
-}
-
-TEST_CASE("A name beside which a decoy explains more than the name does is a shape of something else") {
-  const auto contender = [](const EffectInfo& info, double score) {
-    Contender result;
-    result.effect.info = &info;
-    result.score = score;
-    return result;
-  };
-  const auto decoy_beside = [&](double score) {
-    auto analysis = analysis_with({finding("gain_curve", 36.0)}, position(8.0, 5.0));
-    const auto& effects = analysis.search.final.model.effects;
-    analysis.search.rounds.back().without.model.effects = effects;
-    analysis.search.rounds.back().contenders = {contender(decoys().front(), score)};
-    analysis.search.checks.emplace_back();
-    analysis.search.checks.back().contenders = {contender(*effects.front().info, 90.0)};
-    return analysis;
-  };
-  CHECK(is_less_than_a_decoy_adds(decoy_beside(120.0)));
-  CHECK_FALSE(is_less_than_a_decoy_adds(decoy_beside(80.0)));
-  auto looked_at_before = decoy_beside(120.0);
-  looked_at_before.search.rounds.back().without.model.effects.clear();
-  CHECK_FALSE(is_less_than_a_decoy_adds(looked_at_before));
 }
