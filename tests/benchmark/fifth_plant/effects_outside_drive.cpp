@@ -53,7 +53,7 @@ std::string hide_loose_hub(const Setting& setting) {
 // The scale of one wheel wanders off within each run; motors and counters know nothing of it.
 std::string hide_leak(const Setting& setting) {
   WheelSpec& wheel = setting.robot().sides[right_side].wheel;
-  wheel.leak = setting.drawn(0.03, 0.045, 0.1, 0.16);
+  wheel.leak = setting.drawn(0.045, 0.06, 0.1, 0.16);
   wheel.leak_s = 45.0;
   return "the right tyre loses " + fixed(100.0 * wheel.leak, 1) + " % of its radius in 45 s";
 }
