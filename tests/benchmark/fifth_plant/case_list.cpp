@@ -54,7 +54,7 @@ std::vector<Untellable> untellable() {
       {"effective_track", {.programme = turning}},
       {"wheel_scale_mismatch", {.programme = teleoperation}},
       {"lever_arm", {.sensing = ticks_and_poses, .programme = straight_on}},
-      {"backlash", {.programme = straight_on, .drive = Drive::stiff}},
+      {"distance_scale", {.programme = docking}},
       {"direction_gain", {.sensing = ticks_and_poses, .programme = laps, .drive = Drive::soft}},
       {"saturation", {.programme = teleoperation}, below_the_limit},
       {"turn_scrub", {.sensing = ticks_and_poses, .programme = corridor, .drive = Drive::soft}},

@@ -9,7 +9,7 @@ namespace plants::fifth {
 namespace {
 
 std::string hide_scale_mismatch(const Setting& setting) {
-  const double share = setting.random.sign() * setting.drawn(0.008, 0.012, 0.03, 0.05);
+  const double share = setting.random.sign() * setting.drawn(0.01, 0.014, 0.03, 0.05);
   setting.robot().sides[left_side].wheel.radius_m *= 1.0 - 0.5 * share;
   setting.robot().sides[right_side].wheel.radius_m *= 1.0 + 0.5 * share;
   return "the right wheel is " + fixed(100.0 * share, 2) + " % larger";
@@ -38,7 +38,7 @@ std::string hide_slip(const Setting& setting) {
 std::string hide_slope(const Setting& setting) {
   Robot& robot = setting.robot();
   constexpr double gravity_m_s2 = 9.81;
-  const double loss_m_s = setting.drawn(0.008, 0.012, 0.03, 0.05);
+  const double loss_m_s = setting.drawn(0.01, 0.014, 0.03, 0.05);
   robot.floor.slope_rad = force_n(robot, loss_m_s) / (robot.mass_kg * gravity_m_s2);
   robot.floor.uphill_rad = setting.random.uniform(-std::numbers::pi, std::numbers::pi);
   return "the floor rises by " + fixed(1000.0 * robot.floor.slope_rad, 1) + " mrad, which takes " +
