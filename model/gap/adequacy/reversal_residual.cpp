@@ -152,10 +152,10 @@ std::optional<ReversalResidual> reversal_residual(const GapProblem& problem,
   found.p_value = rank_sum_p_value(all.after_reversal, all.elsewhere);
   const double power_elsewhere = median_of(all.elsewhere, &Window::power);
   if (power_elsewhere > 0.0) found.ratio = median_of(all.after_reversal, &Window::power) / power_elsewhere;
-  const double excess_m2 = median_of(all.after_reversal, &Window::squared_span_m2) -
-                           median_of(all.elsewhere, &Window::squared_span_m2);
+  const double excess = found.ratio > 1.0 ? 1.0 - 1.0 / found.ratio : 0.0;
+  const double excess_m2 = excess * median_of(all.after_reversal, &Window::squared_span_m2);
   const auto reversals = static_cast<double>(all.after_reversal.size());
-  found.size = std::sqrt(std::max(0.0, excess_m2) * reversals * horizon_s / all.duration_s);
+  found.size = std::sqrt(excess_m2 * reversals * horizon_s / all.duration_s);
   const double after = squares_of(all.after_reversal);
   const double power = after + squares_of(all.elsewhere);
   if (power > 0.0) found.share = after / power;

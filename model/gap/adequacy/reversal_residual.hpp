@@ -13,10 +13,11 @@ namespace wheelwright::gap {
 
 struct ReversalResidual {
   double p_value = 1.0;
-  double ratio = 1.0;          // median power of the windows after a reversal over that elsewhere
-  double size = 0.0;           // root mean square of what reversals add to a free run in 10 s, m
-  double share = 0.0;          // of the power
-  double share_of_time = 0.0;  // of the windows after a reversal
+  double ratio = 1.0;  // median power of the windows after a reversal over that elsewhere
+  double size = 0.0;   // root mean square of what reversals add to a free run in 10 s, m: of the change of
+                       // its error in a window, the share of the power that is beyond that elsewhere
+  double share = 0.0;  // of the power
+  double share_of_time = 0.0;                    // of the windows after a reversal
   std::vector<std::pair<double, double>> power;  // time since a reversal, s, and mean squared innovation
 };
 

@@ -1,0 +1,36 @@
+// Drives of a model of this library, with noise: what a method must get right by itself before other robots
+// can try it.
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <string>
+
+#include "model/drive_log.hpp"
+#include "model/robot_model.hpp"
+
+namespace wheelwright::calibration {
+
+// Standard deviations. Wandering is that of each wheel on the floor, seen by the counts too.
+struct DriveNoise {
+  double reference_m = 0.001;
+  double reference_rad = 0.002;
+  double wander_m_per_sqrt_s = 0.0008;
+};
+
+struct DriveProgram {
+  double duration_s = 60.0;
+  double period_s = 0.018;
+  double largest_m_s = 0.25;  // of a wheel
+};
+
+using Random = std::mt19937_64;
+
+// Commands that hold for 0.4 to 2.5 s: straight on, backwards, arcs, turns on the spot, stops and ramps.
+DriveLog random_commands(const DriveProgram& program, const std::string& name, Random& random);
+
+// The same drive with what encoders and a reference measure while the model, with noise, follows the
+// commands.
+DriveLog measured_drive(const RobotModel& model, DriveLog commands, const DriveNoise& noise, Random& random);
+
+}  // namespace wheelwright::calibration
