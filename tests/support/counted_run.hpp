@@ -5,8 +5,8 @@
 #include <functional>
 #include <string>
 
-#include "model/gap/gap_run.hpp"
-#include "model/gap/trial_model.hpp"
+#include "model/gap/fit/trial_model.hpp"
+#include "model/gap/runs/run.hpp"
 
 namespace wheelwright::test {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/effect_library.hpp"
-#include "model/gap/gap_analysis.hpp"
+#include "model/gap/analysis.hpp"
 
 namespace wheelwright::gap {
 

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "model/gap/whitening.hpp"
+#include "model/gap/noise/whitening.hpp"
 
 namespace wheelwright::test {
 

@@ -5,7 +5,7 @@
 
 #include "config/load/model_file.hpp"
 #include "config/load/text_format.hpp"
-#include "model/gap/data_gate.hpp"
+#include "model/gap/data_checks/data_gate.hpp"
 #include "model/identification/fir_fit.hpp"
 #include "model/identification/run_scales.hpp"
 #include "tools/wheelwright/commands.hpp"

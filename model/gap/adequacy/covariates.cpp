@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "model/gap/gap_errors.hpp"
+#include "model/gap/fit/free_run_errors.hpp"
 
 namespace wheelwright::gap {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "model/gap/adequacy/dependence.hpp"
-#include "model/gap/gap_problem.hpp"
+#include "model/gap/fit/problem.hpp"
 
 namespace wheelwright::gap {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "model/gap/noise_fit.hpp"
+#include "model/gap/noise/noise_fit.hpp"
 
 namespace wheelwright::gap {
 namespace {

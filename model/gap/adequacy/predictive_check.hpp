@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
-#include "model/gap/gap_problem.hpp"
-#include "model/gap/trial_model.hpp"
+#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/trial_model.hpp"
 
 namespace wheelwright::gap {
 

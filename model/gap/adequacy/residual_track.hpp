@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "model/gap/gap_problem.hpp"
-#include "model/gap/trial_model.hpp"
+#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/trial_model.hpp"
 
 namespace wheelwright::gap {
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "model/gap/gap_problem.hpp"
+#include "model/gap/fit/problem.hpp"
 
 namespace wheelwright::gap {
 

@@ -9,7 +9,7 @@
 
 #include "model/effect_library.hpp"
 #include "model/gap/adequacy/variance_ratio.hpp"
-#include "model/gap/parameter_intervals.hpp"
+#include "model/gap/fit/parameter_intervals.hpp"
 
 namespace wheelwright::gap {
 namespace {

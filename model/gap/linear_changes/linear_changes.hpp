@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "model/gap/gap_problem.hpp"
+#include "model/gap/fit/problem.hpp"
 #include "model/gap/linear_changes/command_correction.hpp"
 #include "model/robot_model.hpp"
 

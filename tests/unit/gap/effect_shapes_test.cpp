@@ -3,9 +3,9 @@
 
 #include "model/drive_log.hpp"
 #include "model/effect_library.hpp"
-#include "model/gap/gap_figures.hpp"
-#include "model/gap/testability.hpp"
-#include "model/gap/trial_model.hpp"
+#include "model/gap/candidates/testability.hpp"
+#include "model/gap/figures/figures.hpp"
+#include "model/gap/fit/trial_model.hpp"
 #include "model/model_simulation.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gap_plant/gap_case.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "config/load/drive_log_file.hpp"
-#include "model/gap/gap_analysis.hpp"
+#include "model/gap/analysis.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/create2_logs.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "config/load/mrclam_files.hpp"
-#include "model/gap/gap_analysis.hpp"
+#include "model/gap/analysis.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/mrclam_logs.hpp"
 

@@ -1,6 +1,6 @@
 // What a gap analysis asks for next is a drive that the robot comes to the end of.
 #include "daemon/virtual_run.hpp"
-#include "model/gap/manoeuvres.hpp"
+#include "model/gap/next_experiment/manoeuvres.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/simulated_run.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "model/gap/gap_analysis.hpp"
+#include "model/gap/analysis.hpp"
 #include "tools/wheelwright/evaluation/learning_drives.hpp"
 #include "tools/wheelwright/gap/side_by_side.hpp"
 

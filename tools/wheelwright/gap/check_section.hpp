@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "model/gap/gap_analysis.hpp"
+#include "model/gap/analysis.hpp"
 
 namespace wheelwright::tools {
 

@@ -4,8 +4,8 @@
 #include <iosfwd>
 #include <string>
 
-#include "model/gap/gap_analysis.hpp"
-#include "model/gap/next_experiment.hpp"
+#include "model/gap/analysis.hpp"
+#include "model/gap/next_experiment/next_experiment.hpp"
 
 namespace wheelwright::tools {
 

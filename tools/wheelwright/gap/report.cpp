@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "model/gap/data_gate.hpp"
-#include "model/gap/gap_run.hpp"
-#include "model/gap/noted_references.hpp"
-#include "model/gap/residual_table.hpp"
+#include "model/gap/data_checks/data_gate.hpp"
+#include "model/gap/error_sources/residual_table.hpp"
+#include "model/gap/fit/reference_alignment.hpp"
+#include "model/gap/runs/run.hpp"
 #include "model/open_loop_runs.hpp"
 #include "tools/wheelwright/gap/check_section.hpp"
 #include "tools/wheelwright/gap/gap_text.hpp"

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "model/drive_log.hpp"
-#include "model/gap/gap_analysis.hpp"
-#include "model/gap/next_experiment.hpp"
+#include "model/gap/analysis.hpp"
+#include "model/gap/next_experiment/next_experiment.hpp"
 
 namespace wheelwright::tools {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "model/effect_library.hpp"
-#include "model/gap/decoys.hpp"
+#include "model/gap/candidates/decoys.hpp"
 #include "tools/wheelwright/gap/check_section.hpp"
 #include "tools/wheelwright/gap/gap_text.hpp"
 #include "tools/wheelwright/report/html.hpp"

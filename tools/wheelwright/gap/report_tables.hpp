@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "model/gap/gap_analysis.hpp"
-#include "model/gap/residual_table.hpp"
+#include "model/gap/analysis.hpp"
+#include "model/gap/error_sources/residual_table.hpp"
 
 namespace wheelwright::tools {
 

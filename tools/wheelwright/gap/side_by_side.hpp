@@ -1,7 +1,7 @@
 // Work on all cores of the machine.
 #pragma once
 
-#include "model/gap/gap_problem.hpp"
+#include "model/gap/fit/problem.hpp"
 
 namespace wheelwright::tools {
 

@@ -8,8 +8,8 @@
 #include <map>
 
 #include "model/effect_library.hpp"
-#include "model/gap/gap_analysis.hpp"
-#include "model/gap/trial_model.hpp"
+#include "model/gap/analysis.hpp"
+#include "model/gap/fit/trial_model.hpp"
 #include "tests/benchmark/gap/calibration/hidden_setting.hpp"
 
 namespace wheelwright::calibration {

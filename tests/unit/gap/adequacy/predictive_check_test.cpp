@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/gap/gap_analysis.hpp"
+#include "model/gap/analysis.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gap_plant/gap_case.hpp"
 

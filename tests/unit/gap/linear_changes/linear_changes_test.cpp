@@ -1,7 +1,7 @@
 // A given model whose linear part is wrong.
 #include <algorithm>
 
-#include "model/gap/gap_analysis.hpp"
+#include "model/gap/analysis.hpp"
 #include "model/gap/linear_changes/command_correction.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gap_plant/gap_case.hpp"

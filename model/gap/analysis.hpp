@@ -1,0 +1,31 @@
+// The gap workflow: where simulation and measurement disagree, what is missing, how sure that is, and how
+// much of the gap closes on runs that were not used (GAP.md, the recipe).
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include <tl/expected.hpp>
+
+#include "model/drive_log.hpp"
+#include "model/gap/conclusion/analysis_result.hpp"
+#include "model/gap/data_checks/dataset.hpp"
+#include "model/gap/fit/problem.hpp"
+#include "model/robot_model.hpp"
+
+namespace wheelwright::gap {
+
+struct GapOptions {
+  std::optional<RobotModel>
+      model;  // whose gap is looked for; without it, that of the linear model fitted here
+  SearchLimits limits;
+};
+
+// `test` may be empty: then the last runs of `train` are held out whole, or the last third of a single run.
+// Where a gap shows in several runs but in none of those held out, one of the several is held out instead.
+// Refuses logs that do not belong together and logs too short to hold anything out.
+tl::expected<GapAnalysis, GapRefusal> analyse_gap(std::span<const DriveLog> train,
+                                                  std::span<const DriveLog> test, const GapOptions& options,
+                                                  const ForEach& for_each, const Progress& progress);
+
+}  // namespace wheelwright::gap

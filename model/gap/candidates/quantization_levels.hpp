@@ -1,0 +1,27 @@
+// The step in which commands act, where they do: found by what rounding leaves in the wheels' speeds.
+//
+// A step that is half a percent off rounds large commands the other way, so that a fit finds the right one
+// only from very near. Whole fits at that many steps would take minutes; but what rounding changes is small
+// and passes the linear core like any command. So the core's answer is turned round once (correlation of the
+// residual speeds with the core's impulse response), and then each step costs a sum of products.
+#pragma once
+
+#include <optional>
+
+#include "model/gap/fit/problem.hpp"
+
+namespace wheelwright::gap {
+
+// Commands act as multiples of a step; at `rises_at` of a step beyond one, they act as the next.
+struct CommandSteps {
+  double step_m_s;
+  double rises_at;
+};
+
+// The step that stands out of all that were tried, and where it rises; nothing where none does, or where
+// these runs show no speeds (no counts, and poses only now and then). `fit` is the model without the effect,
+// `info` is command_quantization.
+std::optional<TrialEffect> find_command_steps(const GapProblem& train, const GapFit& fit,
+                                              const EffectInfo& info, const ForEach& for_each);
+
+}  // namespace wheelwright::gap

@@ -1,0 +1,125 @@
+#include "model/gap/candidates/quantization_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "model/gap/candidates/quantization_levels.hpp"
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr int most_moves = 3;          // of a rise, up or down
+constexpr double widest_apart = 0.06;  // of a step, two places of a rise that are tried
+constexpr double closest_apart = 0.002;
+constexpr double widest_to_centre = 0.04;
+constexpr double closest_to_centre = 0.003;
+constexpr double usual_inflation = 10.0;  // of a likelihood, by correlation
+
+// The speeds that the steps stand for stay as they are: the core answers less to what is larger.
+TrialModel with_steps(TrialModel model, std::size_t place, const CommandSteps& steps) {
+  auto& parameters = model.effects[place].parameters;
+  const double times = steps.step_m_s / parameters[0];
+  parameters = {steps.step_m_s, std::clamp(steps.rises_at, 0.0, 1.0)};
+  const std::size_t per_wheel = model.shape.per_wheel();
+  for (std::size_t i = 0; i < model.shape.of_responses(); ++i) {
+    const std::size_t of_wheel = i % per_wheel;
+    if (of_wheel >= model.shape.poles && of_wheel < model.shape.poles + model.shape.weights) {
+      model.core[i] /= times;
+    }
+  }
+  return model;
+}
+
+std::vector<double> squares_of_all(const GapProblem& train, const std::vector<TrialModel>& models,
+                                   const ForEach& for_each) {
+  const Part part = train.part_of(EffectStage::command);
+  std::vector<double> squares(models.size());
+  for_each(models.size(), [&](std::size_t i) { squares[i] = squares_of(train.residuals(models[i], part)); });
+  return squares;
+}
+
+std::optional<std::size_t> place_of_steps(const TrialModel& model) {
+  const auto effect = std::ranges::find_if(
+      model.effects, [](const TrialEffect& present) { return present.info->name == "command_quantization"; });
+  if (effect == model.effects.end()) return std::nullopt;
+  return static_cast<std::size_t>(effect - model.effects.begin());
+}
+
+double fastest_command_m_s(const GapProblem& problem) {
+  double fastest_m_s = 0.0;
+  for (const auto& run : problem.runs()) {
+    for (const auto& u : run.commands_m_s) {
+      fastest_m_s = std::max({fastest_m_s, std::abs(u.left), std::abs(u.right)});
+    }
+  }
+  return fastest_m_s;
+}
+
+// All that differ in the commands at which it rises first and, at the fastest command, last: `apart` is a
+// share of a step.
+std::vector<TrialModel> with_moved_rises(const TrialModel& model, std::size_t place, double fastest_m_s,
+                                         double apart) {
+  const CommandSteps middle{model.effects[place].parameters[0], model.effects[place].parameters[1]};
+  const double steps_between = std::max(1.0, std::floor(fastest_m_s / middle.step_m_s - middle.rises_at));
+  std::vector<TrialModel> all;
+  for (int first = -most_moves; first <= most_moves; ++first) {
+    for (int last = -most_moves; last <= most_moves; ++last) {
+      const double step_m_s = middle.step_m_s * (1.0 + apart * (last - first) / steps_between);
+      const double first_m_s = middle.step_m_s * (middle.rises_at + apart * first);
+      all.push_back(with_steps(model, place, {step_m_s, first_m_s / step_m_s}));
+    }
+  }
+  return all;
+}
+
+// Of all models, by their likelihood.
+CommandSteps mean_steps(const std::vector<TrialModel>& models, const std::vector<double>& squares,
+                        double least, std::size_t place) {
+  CommandSteps mean{0.0, 0.0};
+  double sum = 0.0;
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const auto& parameters = models[i].effects[place].parameters;
+    const double weight = std::exp(-0.5 * (squares[i] - least) / usual_inflation);
+    mean.step_m_s += weight * parameters[0];
+    mean.rises_at += weight * parameters[1];
+    sum += weight;
+  }
+  return {mean.step_m_s / sum, mean.rises_at / sum};
+}
+
+}  // namespace
+
+TrialModel with_steps_tuned(const GapProblem& train, TrialModel model, const ForEach& for_each) {
+  const auto place = place_of_steps(model);
+  if (!place) return model;
+  const double fastest_m_s = fastest_command_m_s(train);
+  double least = squares_of(train.residuals(model, train.part_of(EffectStage::command)));
+  for (double apart = widest_apart; apart > closest_apart; apart *= 0.5) {
+    const std::vector<TrialModel> tried = with_moved_rises(model, *place, fastest_m_s, apart);
+    const std::vector<double> squares = squares_of_all(train, tried, for_each);
+    const auto best = std::ranges::min_element(squares);
+    if (*best >= least) continue;
+    least = *best;
+    model = tried[static_cast<std::size_t>(best - squares.begin())];
+  }
+  return model;
+}
+
+TrialModel with_steps_centred(const GapProblem& train, TrialModel model, const ForEach& for_each) {
+  const auto place = place_of_steps(model);
+  if (!place) return model;
+  const Part part = train.part_of(EffectStage::command);
+  const double fastest_m_s = fastest_command_m_s(train);
+  for (double apart = widest_to_centre; apart > closest_to_centre; apart *= 0.5) {
+    const std::vector<TrialModel> tried = with_moved_rises(model, *place, fastest_m_s, apart);
+    const std::vector<double> squares = squares_of_all(train, tried, for_each);
+    const double least = *std::ranges::min_element(squares);
+    const TrialModel centred = with_steps(model, *place, mean_steps(tried, squares, least, *place));
+    if (squares_of(train.residuals(centred, part)) < least + 2.0 * usual_inflation) model = centred;
+  }
+  return model;
+}
+
+}  // namespace wheelwright::gap

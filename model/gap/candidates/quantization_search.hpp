@@ -1,0 +1,16 @@
+// The steps in which commands act, to within the commands that were given: a command close to a rise goes up
+// or not, so that there is no slope for a fit to follow, and every place is tried.
+#pragma once
+
+#include "model/gap/fit/problem.hpp"
+
+namespace wheelwright::gap {
+
+// `model` with its command_quantization, if it has one, where its free runs are best.
+TrialModel with_steps_tuned(const GapProblem& train, TrialModel model, const ForEach& for_each);
+
+// `model` with its command_quantization, if it has one, in the middle of all that explain these runs as well:
+// between two commands that were given, a rise may lie anywhere.
+TrialModel with_steps_centred(const GapProblem& train, TrialModel model, const ForEach& for_each);
+
+}  // namespace wheelwright::gap

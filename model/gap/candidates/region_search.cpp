@@ -1,0 +1,192 @@
+#include "model/gap/candidates/region_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr std::array steps_m{0.4, 0.15, 0.05};
+constexpr int most_moves = 12;        // of each size
+constexpr double worth_a_move = 0.2;  // of the sum of squares: a tenth of a nat
+
+// Parameters of surface_patch, in their order.
+enum : std::size_t { change, x, y, length, width, heading };
+
+std::optional<std::size_t> region_in(const TrialModel& model) {
+  for (std::size_t i = 0; i < model.effects.size(); ++i) {
+    if (model.effects[i].info->name == "surface_patch") return i;
+  }
+  return std::nullopt;
+}
+
+std::vector<double> with(std::vector<double> region, std::initializer_list<std::size_t> parameters,
+                         double by) {
+  for (const std::size_t parameter : parameters) region[parameter] += by;
+  return region;
+}
+
+// One edge goes out or in, the opposite one stays.
+std::vector<double> with_edge_moved(std::vector<double> region, std::size_t side, double direction,
+                                    double by_m) {
+  const double angle = region[heading] + (side == width ? 0.5 * std::numbers::pi : 0.0);
+  region[side] += by_m;
+  region[x] += 0.5 * direction * by_m * std::cos(angle);
+  region[y] += 0.5 * direction * by_m * std::sin(angle);
+  return region;
+}
+
+// Variants of surface_patch: behind the encoder or before it, times under the middle or under each wheel,
+// times rectangle or ellipse.
+constexpr std::size_t under_each = 2;
+constexpr std::size_t an_ellipse = 4;
+
+// Of the other shape and the same area.
+TrialEffect reshaped(TrialEffect region) {
+  const double wider = 2.0 * std::numbers::inv_sqrtpi;  // of a disc than of a square
+  region.variant ^= an_ellipse;
+  for (const std::size_t side : {length, width}) {
+    const double size_m =
+        region.parameters[side] * ((region.variant & an_ellipse) != 0 ? wider : 1.0 / wider);
+    const ParameterInfo& size = region.parameter_info(side);
+    region.parameters[side] = std::clamp(size_m, size.lower, size.upper);
+  }
+  return region;
+}
+
+// By steps, and by half of the region at once: one that reaches over what two runs passed may have to be cut
+// a long way before it fits again. What lies on a floor is mostly as long as wide.
+std::vector<TrialEffect> moved(const TrialEffect& present, double step_m) {
+  std::vector<TrialEffect> all;
+  const auto add = [&](std::vector<double> region) {
+    for (const std::size_t side : {length, width}) {
+      const ParameterInfo& size = present.parameter_info(side);
+      if (region[side] < size.lower || region[side] > size.upper) return;
+    }
+    region[heading] = std::remainder(region[heading], std::numbers::pi);  // it looks the same turned by half
+    all.push_back(present);
+    all.back().parameters = std::move(region);
+  };
+  const std::vector<double>& region = present.parameters;
+  for (const std::size_t side : {length, width}) {
+    for (const double by_m : {step_m, -step_m, -0.5 * region[side]}) {
+      for (const double direction : {1.0, -1.0}) add(with_edge_moved(region, side, direction, by_m));
+    }
+  }
+  for (const double by_m : {step_m, -step_m}) {
+    for (const std::size_t parameter : {x, y, heading}) add(with(region, {parameter}, by_m));
+    add(with(region, {length, width}, by_m));
+  }
+  std::vector<double> square = region;
+  square[length] = square[width] = 0.5 * (region[length] + region[width]);
+  add(std::move(square));
+  all.push_back(present);
+  all.back().variant ^= under_each;
+  return all;
+}
+
+// Discs around where the region is.
+std::vector<TrialEffect> discs_near(const TrialEffect& region) {
+  std::vector<TrialEffect> all;
+  constexpr double apart_m = 0.3;
+  for (const double diameter_m : {0.5, 0.8, 1.2, 1.8}) {
+    for (int i = -3; i <= 3; ++i) {
+      for (int j = -3; j <= 3; ++j) {
+        TrialEffect disc = region;
+        disc.variant |= an_ellipse;
+        disc.parameters[x] += apart_m * i;
+        disc.parameters[y] += apart_m * j;
+        disc.parameters[length] = disc.parameters[width] = diameter_m;
+        disc.parameters[heading] = 0.0;
+        all.push_back(std::move(disc));
+      }
+    }
+  }
+  return all;
+}
+
+struct Tuned {
+  TrialEffect region;
+  double squares = 0.0;
+};
+
+// Tunes the region at one place of a model.
+class RegionTuning {
+ public:
+  RegionTuning(const GapProblem& train, const TrialModel& model, std::size_t place, const ForEach& for_each)
+      : train_(train),
+        model_(model),
+        place_(place),
+        part_(train.part_of(model.effects[place])),
+        for_each_(for_each) {}
+
+  Tuned best_of(const std::vector<TrialEffect>& regions) const {
+    std::vector<double> squares(regions.size());
+    for_each_(regions.size(), [&](std::size_t i) {
+      TrialModel tried = model_;
+      tried.effects[place_] = regions[i];
+      squares[i] = squares_of(train_.residuals(tried, part_));
+    });
+    const auto least = std::ranges::min_element(squares);
+    return {regions[static_cast<std::size_t>(least - squares.begin())], *least};
+  }
+
+  Tuned moved_while_better(Tuned best) const {
+    for (const double step_m : steps_m) {
+      for (int move = 0; move < most_moves; ++move) {
+        Tuned next = best_of(moved(best.region, step_m));
+        if (next.squares > best.squares - worth_a_move) break;
+        best = std::move(next);
+      }
+    }
+    return best;
+  }
+
+  // Whether the best of others leads to a better one.
+  Tuned better_of(const Tuned& tuned, const std::vector<TrialEffect>& others) const {
+    Tuned other = moved_while_better(best_of(others));
+    return other.squares < tuned.squares ? other : tuned;
+  }
+
+ private:
+  const GapProblem& train_;
+  const TrialModel& model_;
+  std::size_t place_;
+  Part part_;
+  const ForEach& for_each_;
+};
+
+}  // namespace
+
+bool has_region(const TrialModel& model) {
+  return region_in(model).has_value();
+}
+
+// No step by step leads from one shape to another: the best rectangle is seldom as good an ellipse before
+// that has found its own place.
+TrialModel with_region_tuned(const GapProblem& train, TrialModel model, const ForEach& for_each) {
+  const auto place = region_in(model);
+  if (!place) return model;
+  const RegionTuning tuning(train, model, *place, for_each);
+  Tuned best = tuning.moved_while_better(tuning.best_of({model.effects[*place]}));
+  best = tuning.better_of(best, {reshaped(best.region)});
+  model.effects[*place] = best.region;
+  return model;
+}
+
+// What two regions have in common may be all of them that the runs passed over.
+TrialModel with_region_found(const GapProblem& train, TrialModel model, const ForEach& for_each) {
+  model = with_region_tuned(train, model, for_each);
+  const auto place = region_in(model);
+  if (!place) return model;
+  const RegionTuning tuning(train, model, *place, for_each);
+  const Tuned tuned = tuning.best_of({model.effects[*place]});
+  model.effects[*place] = tuning.better_of(tuned, discs_near(tuned.region)).region;
+  return model;
+}
+
+}  // namespace wheelwright::gap

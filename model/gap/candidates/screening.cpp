@@ -1,0 +1,251 @@
+#include "model/gap/candidates/screening.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "model/gap/candidates/decoys.hpp"
+#include "model/gap/candidates/screening_pairs.hpp"
+#include "model/gap/candidates/screening_probes.hpp"
+
+namespace wheelwright::gap {
+namespace {
+
+// An orthonormal basis of what the model's own parameters could take up.
+Eigen::MatrixXd basis_of(const Eigen::MatrixXd& columns) {
+  Eigen::MatrixXd scaled = columns;
+  for (Eigen::Index c = 0; c < scaled.cols(); ++c) {
+    const double norm = scaled.col(c).norm();
+    if (norm > 0.0) scaled.col(c) /= norm;
+  }
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(scaled);
+  return qr.householderQ() * Eigen::MatrixXd::Identity(scaled.rows(), qr.rank());
+}
+
+// For effects with one size: the response need not be linear in it, so only some stretching is believed, and
+// none beyond the next sizes that are tried themselves.
+struct Stretch {
+  double least = 0.25;
+  double most = 3.0;
+};
+
+Stretch stretch_of(const TrialEffect& effect) {
+  Stretch stretch;
+  for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
+    const ParameterInfo& parameter = effect.parameter_info(i);
+    if (!parameter.scales_effect || effect.parameters[i] == 0.0) continue;
+    for (const double size : parameter.sizes) {
+      const double ratio = size / effect.parameters[i];
+      if (ratio > 0.0 && ratio < 1.0) stretch.least = std::max(stretch.least, ratio);
+      if (ratio > 1.0) stretch.most = std::min(stretch.most, ratio);
+    }
+  }
+  return stretch;
+}
+
+// Whatever is below this of a change, rounding alone may be.
+constexpr double least_share_left = 1e-10;
+
+Common common_of(const Eigen::MatrixXd& changes, const Eigen::MatrixXd& basis, const Eigen::VectorXd& left) {
+  const Eigen::MatrixXd taken_up = basis.transpose() * changes;
+  Common common{changes.transpose() * changes, changes.transpose() * left};
+  const Eigen::VectorXd whole = common.products.diagonal();
+  common.products -= taken_up.transpose() * taken_up;
+  for (Eigen::Index i = 0; i < whole.size(); ++i) {
+    if (common.products(i, i) > least_share_left * whole(i)) continue;
+    common.products.row(i).setZero();
+    common.products.col(i).setZero();
+    common.with_left(i) = 0.0;
+  }
+  return common;
+}
+
+Screened judged(const Probe& probe, const Common& common) {
+  Screened result{{probe.info, probe.variant, probe.points[0]}, 0.0};
+  if (!(common.products.diagonal().minCoeff() > 1e-12)) return result;  // invisible in these channels
+  if (probe.points.size() > 1) {
+    const Eigen::VectorXd amounts = common.products.colPivHouseholderQr().solve(-common.with_left);
+    result.gain_nats = -0.5 * amounts.dot(common.with_left);
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < result.start.parameters.size(); ++i) {
+      const ParameterInfo& parameter = result.start.parameter_info(i);
+      if (!parameter.scales_effect) continue;
+      result.start.parameters[i] = std::clamp(amounts(static_cast<Eigen::Index>(k)) * parameter.sizes.front(),
+                                              parameter.lower, parameter.upper);
+      ++k;
+    }
+    return result;
+  }
+  const double power = common.products(0, 0);
+  const auto [least, most] = stretch_of(result.start);
+  const double stretch = std::clamp(-common.with_left(0) / power, least, most);
+  result.gain_nats = -stretch * (common.with_left(0) + 0.5 * stretch * power);
+  for (std::size_t i = 0; i < result.start.parameters.size(); ++i) {
+    const ParameterInfo& parameter = result.start.parameter_info(i);
+    if (!parameter.scales_effect || !vanishes_at_zero(parameter)) continue;
+    result.start.parameters[i] =
+        std::clamp(stretch * result.start.parameters[i], parameter.lower, parameter.upper);
+  }
+  return result;
+}
+
+Eigen::VectorXd vector_of(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+// What effects of one part change of its residuals, and what that has to do with what the fit leaves there.
+class PartResponses {
+ public:
+  PartResponses(const GapProblem& problem, const GapFit& fit, const Eigen::MatrixXd& columns, Part part)
+      : problem_(problem), fit_(fit), part_(part), rows_(rows_of(problem, part)) {
+    basis_ = basis_of(columns(rows_, Eigen::all));
+    without_ = vector_of(fit.residuals)(rows_);
+    left_ = without_ - basis_ * (basis_.transpose() * without_);
+  }
+
+  Common common(std::span<const TrialEffect> effects, const ForEach& for_each) const {
+    Eigen::MatrixXd changes(without_.size(), static_cast<Eigen::Index>(effects.size()));
+    for_each(effects.size(),
+             [&](std::size_t i) { changes.col(static_cast<Eigen::Index>(i)) = change_by(effects[i]); });
+    return common_of(changes, basis_, left_);
+  }
+
+ private:
+  static std::vector<Eigen::Index> rows_of(const GapProblem& problem, Part part) {
+    std::vector<Eigen::Index> rows;
+    for (std::size_t i = 0; i < problem.readings(); ++i) {
+      if (problem.in_part(i, part)) rows.push_back(static_cast<Eigen::Index>(i));
+    }
+    return rows;
+  }
+
+  Eigen::VectorXd change_by(const TrialEffect& effect) const {
+    TrialModel with = fit_.model;
+    with.effects.push_back(effect);
+    return vector_of(problem_.residuals(with, part_))(rows_) - without_;
+  }
+
+  const GapProblem& problem_;
+  const GapFit& fit_;
+  Part part_;
+  std::vector<Eigen::Index> rows_;
+  Eigen::MatrixXd basis_;
+  Eigen::VectorXd without_;
+  Eigen::VectorXd left_;
+};
+
+// Of effects of both parts.
+class Responses {
+ public:
+  Responses(const GapProblem& problem, const GapFit& fit) : problem_(problem) {
+    const Eigen::MatrixXd columns = problem.jacobian(fit.model, fit.residuals);
+    for (const Part part : {Part::all, Part::wheels, Part::motion}) {
+      if ((part == Part::all) == problem.parts_touch())
+        parts_.emplace(part, PartResponses(problem, fit, columns, part));
+    }
+  }
+
+  Common common(std::span<const TrialEffect> effects, const ForEach& for_each) const {
+    const auto count = static_cast<Eigen::Index>(effects.size());
+    Common all{Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count)};
+    for (const auto& [part, responses] : parts_) {
+      std::vector<TrialEffect> own;
+      std::vector<Eigen::Index> places;
+      for (std::size_t i = 0; i < effects.size(); ++i) {
+        if (problem_.part_of(effects[i]) != part) continue;
+        own.push_back(effects[i]);
+        places.push_back(static_cast<Eigen::Index>(i));
+      }
+      if (own.empty()) continue;
+      const Common common = responses.common(own, for_each);
+      all.products(places, places) = common.products;
+      all.with_left(places) = common.with_left;
+    }
+    return all;
+  }
+
+ private:
+  const GapProblem& problem_;
+  std::map<Part, PartResponses> parts_;
+};
+
+struct Judgement {
+  Screened screened;
+  double nats = 0.0;  // that leaving it out would cost
+};
+
+// Some probes at a time: so many columns are multiplied by the basis at once.
+void judge_some(std::span<const Probe> probes, const Responses& responses, std::span<Judgement> judgements) {
+  std::vector<TrialEffect> effects;
+  for (const Probe& probe : probes) {
+    for (const auto& point : probe.points) effects.push_back({probe.info, probe.variant, point});
+  }
+  const Common common = responses.common(effects, for_each_in_turn);
+  Eigen::Index first = 0;
+  for (std::size_t p = 0; p < probes.size(); ++p) {
+    const auto count = static_cast<Eigen::Index>(probes[p].points.size());
+    const Common of_probe = common.of(first, count);
+    judgements[p] = {judged(probes[p], of_probe), 0.5 * of_probe.products.sum()};
+    first += count;
+  }
+}
+
+std::vector<Judgement> judge_all(const std::vector<Probe>& probes, const Responses& responses,
+                                 const ForEach& for_each) {
+  constexpr std::size_t at_a_time = 8;
+  std::vector<Judgement> judgements(probes.size());
+  for_each((probes.size() + at_a_time - 1) / at_a_time, [&](std::size_t i) {
+    const std::size_t first = i * at_a_time;
+    const std::size_t count = std::min(at_a_time, probes.size() - first);
+    judge_some(std::span(probes).subspan(first, count), responses,
+               std::span(judgements).subspan(first, count));
+  });
+  return judgements;
+}
+
+std::vector<Screened> best_of_each_variant(const std::vector<Judgement>& judgements) {
+  std::vector<Screened> best;
+  for (const Judgement& judgement : judgements) {
+    const Screened& screened = judgement.screened;
+    const auto same = std::ranges::find_if(best, [&](const Screened& other) {
+      return other.start.info == screened.start.info && other.start.variant == screened.start.variant;
+    });
+    if (same == best.end()) {
+      best.push_back(screened);
+    } else if (screened.gain_nats > same->gain_nats) {
+      *same = screened;
+    }
+  }
+  std::ranges::sort(best, std::greater<>{}, &Screened::gain_nats);
+  return best;
+}
+
+}  // namespace
+
+Screening screen(const GapProblem& problem, const GapFit& fit, std::span<const EffectInfo* const> candidates,
+                 const ForEach& for_each) {
+  const std::vector<Probe> probes = probes_of(candidates, problem, fit.model);
+  const Responses responses(problem, fit);
+  const std::vector<Judgement> judgements = judge_all(probes, responses, for_each);
+
+  Screening result;
+  for (std::size_t p = 0; p < probes.size(); ++p) {
+    result.visibility.push_back(
+        {{probes[p].info, probes[p].variant, probes[p].points[0]}, judgements[p].nats});
+  }
+  result.best = best_of_each_variant(judgements);
+  std::vector<Screened> named;
+  std::vector<TrialEffect> effects;
+  for (const auto& screened : result.best) {
+    if (is_decoy(*screened.start.info)) continue;
+    named.push_back(screened);
+    effects.push_back(screened.start);
+  }
+  const Common common = responses.common(effects, for_each);
+  result.pair = telling_pair(named, common);
+  if (!result.pair) result.pair = hidden_pair(named, common);
+  return result;
+}
+
+}  // namespace wheelwright::gap

@@ -1,0 +1,103 @@
+#include "model/gap/candidates/threshold_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr std::string_view dead_zone = "dead_zone";
+constexpr std::string_view stiction = "stiction";
+
+// Of stiction.
+constexpr std::size_t breakaway = 0;
+constexpr std::size_t sticking_speed = 3;
+
+// The sizes of all commands up to `largest_m_s`, each once.
+std::vector<double> command_sizes_m_s(const GapProblem& problem, double largest_m_s) {
+  std::vector<double> sizes{0.0};
+  for (const auto& run : problem.runs()) {
+    for (const auto& u : run.commands_m_s) {
+      for (const double size : {std::abs(u.left), std::abs(u.right)}) {
+        if (size <= largest_m_s) sizes.push_back(size);
+      }
+    }
+  }
+  std::ranges::sort(sizes);
+  sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
+  return sizes;
+}
+
+std::vector<double> between_commands(const GapProblem& train, double threshold_m_s) {
+  constexpr double most_times = 3.0;  // of the threshold as it is
+  constexpr std::size_t most_tried = 40;
+  const std::vector<double> sizes = command_sizes_m_s(train, most_times * threshold_m_s);
+  const std::size_t stride = 1 + sizes.size() / most_tried;
+  std::vector<double> middles;
+  for (std::size_t i = stride; i < sizes.size(); i += stride) {
+    middles.push_back(0.5 * (sizes[i - 1] + sizes[i]));
+  }
+  return middles;
+}
+
+// From `value / most` to `value * most`, each by the same factor more than the one before.
+std::vector<double> around(double value, double most, int each_side) {
+  std::vector<double> values;
+  for (int i = -each_side; i <= each_side; ++i) {
+    if (i != 0) values.push_back(value * std::pow(most, static_cast<double>(i) / each_side));
+  }
+  return values;
+}
+
+class Tuning {
+ public:
+  Tuning(const GapProblem& train, TrialModel& model)
+      : train_(train), model_(model), least_(squares_of(train.residuals(model))) {}
+
+  // Leaves the parameter where the free runs are best.
+  void choose(std::size_t effect, std::size_t parameter, const std::vector<double>& values) {
+    TrialModel tried = model_;
+    const auto& info = tried.effects[effect].parameter_info(parameter);
+    for (const double value : values) {
+      tried.effects[effect].parameters[parameter] = std::clamp(value, info.lower, info.upper);
+      const double squares = squares_of(train_.residuals(tried));
+      if (squares >= least_) continue;
+      least_ = squares;
+      model_.effects[effect].parameters = tried.effects[effect].parameters;
+    }
+  }
+
+ private:
+  const GapProblem& train_;
+  TrialModel& model_;
+  double least_;
+};
+
+}  // namespace
+
+bool has_threshold(const EffectInfo& info) {
+  return info.name == dead_zone || info.name == stiction;
+}
+
+TrialModel with_thresholds_tuned(const GapProblem& train, TrialModel model) {
+  const auto with_one = std::ranges::find_if(
+      model.effects, [](const TrialEffect& effect) { return has_threshold(*effect.info); });
+  if (with_one == model.effects.end()) return model;
+  Tuning tuning(train, model);
+  for (std::size_t i = 0; i < model.effects.size(); ++i) {
+    const auto value = [&](std::size_t parameter) { return model.effects[i].parameters[parameter]; };
+    if (model.effects[i].info->name == dead_zone) {
+      tuning.choose(i, 0, between_commands(train, value(0)));
+    } else if (model.effects[i].info->name == stiction) {
+      for (const double most : {1.3, 1.04}) {
+        tuning.choose(i, breakaway, around(value(breakaway), most, 12));
+        tuning.choose(i, sticking_speed, around(value(sticking_speed), most * most, 4));
+      }
+    }
+  }
+  return model;
+}
+
+}  // namespace wheelwright::gap

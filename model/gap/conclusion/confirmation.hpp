@@ -1,0 +1,25 @@
+// The accepted model on runs that nothing was chosen by: looked at once, after the search has ended.
+#pragma once
+
+#include <vector>
+
+#include "model/gap/adequacy/predictive_check.hpp"
+#include "model/gap/fit/problem.hpp"
+#include "model/gap/runs/run_set.hpp"
+#include "model/gap/selection/search.hpp"
+
+namespace wheelwright::gap {
+
+struct Confirmation {
+  PredictiveCheck check;
+  // Of each effect of the accepted model, in its order, where the runs are untouched: gain of log likelihood
+  // over the model refitted without it, divided by the variance ratio of sums over 2 s.
+  std::vector<double> effect_nats;
+};
+
+// The noise is what the accepted model leaves of the training runs. Where an effect hangs on the angle of the
+// wheels, each run shows that at which its wheels began: it is found first, and noted in the logs.
+Confirmation confirm(const GapProblem& train, const GapSearch& search, RunSet& runs, bool untouched,
+                     const ForEach& for_each);
+
+}  // namespace wheelwright::gap

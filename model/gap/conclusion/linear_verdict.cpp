@@ -1,0 +1,78 @@
+#include "model/gap/conclusion/linear_verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr std::string_view delay_effect = "transport_delay";
+
+const LinearChange* longer_delay(const std::vector<LinearChange>& changes) {
+  const auto found = std::ranges::find_if(
+      changes, [](const LinearChange& change) { return change.what == "delay" && change.value > 0.0; });
+  return found == changes.end() ? nullptr : &*found;
+}
+
+bool lag_changed(const std::vector<LinearChange>& changes) {
+  return std::ranges::any_of(changes, [](const LinearChange& change) { return change.what == "lag"; });
+}
+
+Finding finding_of(const LinearChange& delay, double heldout_gain_nats) {
+  Finding found;
+  found.setting = {std::string(delay_effect), "", {delay.value}};
+  found.intervals = {{std::max(0.0, delay.interval.lower), delay.interval.upper}};
+  found.heldout_gain_nats = heldout_gain_nats;
+  found.p_value = std::exp(-std::min(heldout_gain_nats, 600.0));
+  found.posterior = 1.0 - found.p_value;
+  return found;
+}
+
+void scale(std::vector<double>& weights, double gain) {
+  for (double& weight : weights) weight *= gain;
+}
+
+// The given model with corrected gains and the delay as an effect.
+RobotModel corrected_model(const RobotModel& given, const CommandCorrection& correction, const Finding& delay,
+                           const std::vector<std::string>& source) {
+  RobotModel model = given;
+  for (WheelResponse* response : {&model.core.left, &model.core.right}) {
+    scale(response->from_left, correction.gain.left);
+    scale(response->from_right, correction.gain.right);
+  }
+  AddedEffect effect;
+  effect.setting = delay.setting;
+  effect.intervals = delay.intervals;
+  effect.source = source;
+  effect.heldout_gain_nats = delay.heldout_gain_nats;
+  effect.p_value = delay.p_value;
+  model.effects.insert(model.effects.begin(), std::move(effect));
+  return model;
+}
+
+}  // namespace
+
+void add_linear_changes(GapAnalysis& analysis, const LinearChanges& found, const RobotModel& given) {
+  analysis.linear_changes = found.changes;
+  if (found.changes.empty()) return;
+  const std::string words = in_words(found.changes);
+  if (analysis.verdict != Verdict::nothing_missing) {
+    analysis.summary += " The linear part of the given model is off: " + words + ".";
+    return;
+  }
+  const LinearChange* delay = longer_delay(found.changes);
+  if (delay == nullptr) {
+    analysis.verdict = Verdict::unnamed;
+    analysis.summary = "No effect is missing, but the linear part of the given model is off: " + words +
+                       ". The model that was written has it refitted.";
+    return;
+  }
+  analysis.verdict = Verdict::named;
+  analysis.summary = "Missing: transport_delay. The linear part of the given model is off: " + words + ".";
+  analysis.found.push_back(finding_of(*delay, found.heldout_gain_nats));
+  if (!lag_changed(found.changes)) {
+    analysis.after = corrected_model(given, found.correction, analysis.found.back(), analysis.after.source);
+  }
+}
+
+}  // namespace wheelwright::gap

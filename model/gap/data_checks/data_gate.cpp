@@ -1,0 +1,235 @@
+#include "model/gap/data_checks/data_gate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iomanip>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "model/gap/data_checks/contradictions.hpp"
+#include "model/gap/data_checks/encoder_dropout.hpp"
+#include "model/gap/data_checks/frozen_reference.hpp"
+#include "model/gap/data_checks/gate_state.hpp"
+#include "model/identification/known_stretches.hpp"
+#include "model/identification/run_scales.hpp"
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr double impossible_command_m_s = 3.0;  // no wheel that is counted in these logs goes that fast
+constexpr double garbage_over_usual = 4.0;      // a few commands so far above all others are garbage
+constexpr std::size_t few_rows = 3;
+constexpr double forgetting_s = 1.0;  // until a command from before is of no consequence
+
+double size_of(const WheelPair& command) {
+  return std::max(std::abs(command.left), std::abs(command.right));
+}
+
+void remove_garbage_commands(GateState& gate) {
+  auto& samples = gate.result.log.samples;
+  std::vector<double> sizes;
+  sizes.reserve(samples.size());
+  for (const auto& sample : samples) sizes.push_back(size_of(sample.command_m_s));
+  std::ranges::sort(sizes);
+  const double usual = sizes[sizes.size() * 98 / 100];
+  const double limit =
+      usual > 0.0 ? std::min(impossible_command_m_s, garbage_over_usual * usual) : impossible_command_m_s;
+  const auto above =
+      static_cast<std::size_t>(std::ranges::count_if(sizes, [&](double size) { return size > limit; }));
+  if (above == 0) return;
+  if (above > few_rows) {
+    if (usual > impossible_command_m_s) {
+      gate.fault(
+          0,
+          "commands are up to " + in_digits(sizes.back(), 3) + " m/s; are they in mm/s? the format wants m/s",
+          true);
+    }
+    return;
+  }
+  std::vector<DriveSample> kept;
+  std::vector<std::size_t> lines;  // not yet gate.lines: faults are still told by the rows as they were
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (size_of(samples[i].command_m_s) > limit) {
+      gate.fault(i, "a command of " + in_digits(size_of(samples[i].command_m_s), 4) +
+                        " m/s where no other is above " + in_digits(usual, 3) + " m/s; the row was left out");
+      gate.result.faults.back().distorts = true;
+    } else {
+      kept.push_back(samples[i]);
+      lines.push_back(gate.result.log.first_line + i);
+    }
+  }
+  for (auto& column : gate.result.log.extra_columns) column = {column.name, {}, {}};
+  samples = std::move(kept);
+  gate.lines = std::move(lines);
+}
+
+// Whether a counter that was switched off and on meanwhile tells of a way that no command asks for.
+bool counts_begin_anew(const GateState& gate, const LogHole& hole) {
+  constexpr double beyond_what_was_asked = 1.5;
+  const DriveLog& log = gate.result.log;
+  if (!log.samples[hole.row].ticks || !log.samples[hole.row - 1].ticks) return false;
+  double fastest_m_s = 0.0;
+  for (const auto& sample : log.samples) fastest_m_s = std::max(fastest_m_s, size_of(sample.command_m_s));
+  const double farthest_m = beyond_what_was_asked * fastest_m_s * hole.duration_s + 0.05;
+  return std::ranges::any_of(std::array{true, false}, [&](bool left) {
+    return std::abs(gate.travel(hole.row, left) - gate.travel(hole.row - 1, left)) > farthest_m;
+  });
+}
+
+// The robot went on, with commands that no row tells: what it does until they are forgotten is no model's
+// fault.
+void leave_out_holes(GateState& gate) {
+  const auto& samples = gate.result.log.samples;
+  for (const auto& hole : find_holes(gate.result.log)) {
+    const bool anew = counts_begin_anew(gate, hole);
+    gate.fault(hole.row, "no rows for " + in_digits(hole.duration_s, 4) + " s" +
+                             (anew ? ", and the counts begin anew behind them" : "") +
+                             "; the first second behind them was left out");
+    gate.result.faults.back().distorts = anew;
+    const double known_s = samples[hole.row].t_s + forgetting_s;
+    for (std::size_t i = hole.row; i < samples.size() && samples[i].t_s < known_s; ++i) {
+      gate.result.flags.counts[i] = 1;
+      gate.result.flags.restart[i] = 1;
+    }
+  }
+}
+
+// From where it was last told, each of place and heading by itself.
+struct Leap {
+  double moved_m = 0.0;
+  double turned_rad = 0.0;
+  double duration_s = 0.0;
+  bool impossible = false;
+};
+
+class LastReference {
+ public:
+  Leap leap_to(const DriveSample& sample) const {
+    Leap leap;
+    if (place_ != nullptr && tells_place(sample)) {
+      leap.duration_s = sample.t_s - place_->t_s;
+      leap.moved_m = std::hypot(*sample.reference_x_m - *place_->reference_x_m,
+                                *sample.reference_y_m - *place_->reference_y_m);
+      leap.impossible = leap.moved_m > impossible_speed_m_s * leap.duration_s + 0.05;
+    }
+    if (heading_ != nullptr && sample.reference_theta_rad) {
+      leap.duration_s = sample.t_s - heading_->t_s;
+      leap.turned_rad = std::abs(wrap_angle(*sample.reference_theta_rad - *heading_->reference_theta_rad));
+      leap.impossible |= leap.turned_rad > 12.0 * leap.duration_s + 0.3;
+    }
+    return leap;
+  }
+  void is(const DriveSample& sample) {
+    if (tells_place(sample)) place_ = &sample;
+    if (sample.reference_theta_rad) heading_ = &sample;
+  }
+  static bool tells_place(const DriveSample& sample) { return sample.reference_x_m && sample.reference_y_m; }
+
+ private:
+  const DriveSample* place_ = nullptr;
+  const DriveSample* heading_ = nullptr;
+};
+
+// A reference that leaps and comes back was never there.
+void remove_reference_jumps(GateState& gate) {
+  constexpr std::size_t longest_leap = 5;
+  auto& samples = gate.result.log.samples;
+  LastReference last;
+  std::size_t in_a_row = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    DriveSample& sample = samples[i];
+    if (!LastReference::tells_place(sample) && !sample.reference_theta_rad) continue;
+    const Leap leap = last.leap_to(sample);
+    if (leap.impossible && in_a_row < longest_leap) {
+      if (in_a_row == 0) {
+        gate.fault(i, "the reference jumps by " + in_digits(leap.moved_m, 3) + " m and " +
+                          in_digits(leap.turned_rad, 3) + " rad in " + in_digits(leap.duration_s, 3) +
+                          " s; the row was left out");
+      }
+      ++in_a_row;
+      sample.reference_x_m.reset();
+      sample.reference_y_m.reset();
+      sample.reference_theta_rad.reset();
+      continue;
+    }
+    in_a_row = 0;
+    last.is(sample);
+  }
+}
+
+// So that no figure is taken across lost counts.
+void mark_counts_anew(GatedLog& gated) {
+  auto& samples = gated.log.samples;
+  bool lost = false;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples[i].counts_anew = lost || gated.flags.counts[i] != 0 || gated.flags.restart[i] != 0;
+    lost = gated.flags.counts[i] != 0 || !samples[i].ticks;
+  }
+}
+
+GatedLog gate_beside(const DriveLog& log, std::size_t frozen_elsewhere) {
+  GateState state{{log, {}, {}, {}}, {}, frozen_elsewhere};
+  remove_garbage_commands(state);
+  const std::size_t rows = state.result.log.samples.size();
+  state.result.flags = {std::vector<char>(rows, 0), std::vector<char>(rows, 0)};
+  if (state.result.log.has_ticks()) {
+    leave_out_holes(state);
+    find_jumps(state);
+    find_dropouts(state);
+    check_sides_and_signs(state);
+  }
+  remove_frozen_reference(state);
+  remove_reference_jumps(state);
+  check_reference(state);
+  check_gyro(state);
+  mark_counts_anew(state.result);
+  return std::move(state.result);
+}
+
+}  // namespace
+
+std::string in_digits(double value, int digits) {
+  std::ostringstream text;
+  text << std::setprecision(digits) << value;
+  return text.str();
+}
+
+GatedLog gate(const DriveLog& log) {
+  return gate_beside(log, 0);
+}
+
+namespace {
+
+void find_other_scale(std::span<const DriveLog> logs, std::vector<GatedLog>& gated) {
+  const auto outlier = find_scale_outlier(logs);
+  if (!outlier) return;
+  const DriveLog& run = logs[outlier->run];
+  gated[outlier->run].faults.push_back({run.name, run.first_line,
+                                        "ticks_left and ticks_right go " + in_digits(outlier->factor, 3) +
+                                            " times as far for their commands as those of " +
+                                            logs[outlier->other].name + " (line " +
+                                            std::to_string(logs[outlier->other].first_line) +
+                                            "): other firmware, other wheels, or another scale",
+                                        false, true, false});
+}
+
+}  // namespace
+
+std::vector<GatedLog> gate_together(std::span<const DriveLog> logs) {
+  std::vector<GatedLog> gated;
+  std::size_t frozen = 0;
+  for (const DriveLog& log : logs) {
+    gated.push_back(gate(log));
+    frozen += gated.back().surely_frozen;
+  }
+  for (std::size_t i = 0; i < logs.size(); ++i) {
+    const std::size_t elsewhere = frozen - gated[i].surely_frozen;
+    if (elsewhere > 0) gated[i] = gate_beside(logs[i], elsewhere);
+  }
+  find_other_scale(logs, gated);
+  return gated;
+}
+
+}  // namespace wheelwright::gap

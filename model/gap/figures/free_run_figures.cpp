@@ -1,0 +1,174 @@
+#include "model/gap/figures/free_run_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <random>
+#include <vector>
+
+#include "model/free_run.hpp"
+#include "model/gap/data_checks/encoder_dropout.hpp"
+#include "model/identification/known_stretches.hpp"
+#include "model/open_loop_runs.hpp"
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr int draws = 3;
+
+// Noise of one channel, reading by reading.
+class Wander {
+ public:
+  Wander(const TravelNoise& noise, std::mt19937_64& random) : noise_(noise), random_(random) {
+    if (lasts()) speed_ = std::sqrt(wander_speed_variance(noise)) * normal_(random_);
+  }
+  double walk(double duration_s) {
+    const WanderStep step(noise_, duration_s);
+    const double deviation = std::sqrt(std::max(0.0, step.travel_variance));
+    const double chance = normal_(random_);
+    at_ = step.kept * at_ + step.carry_s * speed_ + deviation * chance;
+    if (lasts()) {
+      const double along = deviation > 0.0 ? step.covariance / deviation : 0.0;
+      const double beside = std::sqrt(std::max(0.0, step.speed_variance - along * along));
+      speed_ = step.decay * speed_ + along * chance + beside * normal_(random_);
+    }
+    return at_;
+  }
+  // What a reading errs beyond being rounded to whole steps.
+  double reading(double step) {
+    const double beyond = noise_.reading * noise_.reading - step * step / 12.0;
+    return std::sqrt(std::max(0.0, beyond)) * normal_(random_);
+  }
+  double at() const { return at_; }
+
+ private:
+  bool lasts() const { return noise_.lasts_s > 0.0; }
+
+  TravelNoise noise_;
+  std::mt19937_64& random_;
+  std::normal_distribution<double> normal_;
+  double at_ = 0.0;
+  double speed_ = 0.0;
+};
+
+// What readings of a tracker err, by themselves and alike.
+class Tracker {
+ public:
+  Tracker(const TravelNoise& noise, std::mt19937_64& random) : noise_(noise), random_(random) {
+    if (noise_.tracker > 0.0) alike_ = noise_.tracker * normal_(random_);
+  }
+  void go_on(double duration_s) {
+    if (noise_.tracker <= 0.0) return;
+    const double kept = noise_.tracker_kept(duration_s);
+    alike_ = kept * alike_ + noise_.tracker * std::sqrt(1.0 - kept * kept) * normal_(random_);
+  }
+  double error() { return alike_ + noise_.reading * normal_(random_); }
+
+ private:
+  TravelNoise noise_;
+  std::mt19937_64& random_;
+  std::normal_distribution<double> normal_;
+  double alike_ = 0.0;
+};
+
+const TravelNoise& of(const NoiseModel& noise, Channel channel) {
+  return noise.channel[static_cast<std::size_t>(channel)];
+}
+
+// A log in which the model's own motion, with noise, stands in the place of what was measured.
+DriveLog with_noise(const std::vector<PredictedMotion>& motion, const DriveLog& log, const NoiseModel& noise,
+                    std::mt19937_64& random) {
+  DriveLog noisy = log;
+  const bool counted = log.has_ticks();
+  Wander left(counted ? of(noise, Channel::left) : TravelNoise{0.0, 0.0}, random);
+  Wander right(counted ? of(noise, Channel::right) : TravelNoise{0.0, 0.0}, random);
+  Wander forward(of(noise, Channel::forward), random);
+  Wander turn(of(noise, Channel::turn), random);
+  Tracker x(of(noise, Channel::forward), random);
+  Tracker y(of(noise, Channel::forward), random);
+  Tracker theta(of(noise, Channel::turn), random);
+  Pose pose = motion.front().pose;
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    if (i > 0) {
+      const double duration = motion[i].t_s - motion[i - 1].t_s;
+      for (Tracker* tracker : {&x, &y, &theta}) tracker->go_on(duration);
+      const Pose step = relative_to(motion[i - 1].pose, motion[i].pose);
+      const WheelPair wheels_before{left.at(), right.at()};
+      const double forward_before = forward.at();
+      const double turn_before = turn.at();
+      const double slipped_left = left.walk(duration) - wheels_before.left;
+      const double slipped_right = right.walk(duration) - wheels_before.right;
+      const double along =
+          step.x_m + 0.5 * (slipped_left + slipped_right) + forward.walk(duration) - forward_before;
+      const double turned = step.theta_rad + (slipped_right - slipped_left) / log.wheel_base_m +
+                            turn.walk(duration) - turn_before;
+      const double middle = pose.theta_rad + 0.5 * turned;
+      pose = {pose.x_m + along * std::cos(middle) - step.y_m * std::sin(middle),
+              pose.y_m + along * std::sin(middle) + step.y_m * std::cos(middle), pose.theta_rad + turned};
+    }
+    DriveSample& sample = noisy.samples[i];
+    if (sample.ticks) {
+      const WheelPair& tick = *log.metres_per_tick;
+      sample.ticks->left =
+          std::llround((motion[i].distance_m.left + left.at() + left.reading(tick.left)) / tick.left);
+      sample.ticks->right =
+          std::llround((motion[i].distance_m.right + right.at() + right.reading(tick.right)) / tick.right);
+    }
+    if (sample.reference_x_m) sample.reference_x_m = pose.x_m + x.error();
+    if (sample.reference_y_m) sample.reference_y_m = pose.y_m + y.error();
+    if (sample.reference_theta_rad) sample.reference_theta_rad = pose.theta_rad + theta.error();
+  }
+  return noisy;
+}
+
+}  // namespace
+
+Score gap_size(const RobotModel& model, std::span<const DriveLog> logs) {
+  ScoreSums sums;
+  for (const auto& log : logs) add_open_loop(model, log, sums);
+  return sums.score();
+}
+
+Score gap_size_with_lost_counts(const RobotModel& model, std::span<const DriveLog> logs) {
+  std::vector<DriveLog> as_counted;
+  std::ranges::transform(logs, std::back_inserter(as_counted), with_lost_counts);
+  return gap_size(model, as_counted);
+}
+
+Score noise_floor(const RobotModel& model, std::span<const DriveLog> logs, const NoiseModel& noise,
+                  std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  ScoreSums sums;
+  for (const auto& log : logs) {
+    const auto motion = free_run(model, log);
+    for (int draw = 0; draw < draws; ++draw) {
+      add_known_stretches(motion, with_noise(motion, log, noise, random), log.period_s, sums);
+    }
+  }
+  return sums.score();
+}
+
+NoiseModel with_slow_noise(const GapProblem& problem, const TrialModel& model, double most_apart_s) {
+  NoiseModel noise = problem.noise();
+  for (const double far_apart_s : {half_a_second_apart_s, two_seconds_apart_s}) {
+    if (far_apart_s > most_apart_s) continue;
+    const NoiseModel slow = problem.noise_left_by(model, far_apart_s, no_lasting_s);
+    for (std::size_t c = 0; c < channel_count; ++c) {
+      if (slow.channel[c].walk_per_sqrt_s <= noise.channel[c].walk_per_sqrt_s) continue;
+      noise.channel[c].walk_per_sqrt_s = slow.channel[c].walk_per_sqrt_s;
+      noise.channel[c].returns_s = slow.channel[c].returns_s;
+    }
+  }
+  return noise;
+}
+
+Wandering wandering_by(const GapProblem& problem, const NoiseModel& noise) {
+  const auto walk = [&](Channel channel) {
+    const bool there =
+        std::ranges::any_of(problem.runs(), [channel](const GapRun& run) { return !run[channel].empty(); });
+    return there ? noise.channel[static_cast<std::size_t>(channel)].walk_per_sqrt_s : 0.0;
+  };
+  return {std::max({walk(Channel::left), walk(Channel::right), walk(Channel::forward)}), walk(Channel::turn)};
+}
+
+}  // namespace wheelwright::gap

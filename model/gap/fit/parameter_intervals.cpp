@@ -1,0 +1,77 @@
+#include "model/gap/fit/parameter_intervals.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "model/gap/fit/block_bootstrap.hpp"
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr double block_s = 3.0;         // longer than what is left hangs together
+constexpr double fewest_blocks = 20.0;  // shorter blocks rather than fewer
+constexpr double most_blocks = 200.0;   // longer ones rather than more
+constexpr std::size_t draws = 1000;
+constexpr std::uint64_t seed = 1;
+constexpr double two_sided_95 = 1.96;
+
+double length_of_blocks_s(const GapProblem& problem) {
+  double total_s = 0.0;
+  for (const GapRun& run : problem.runs()) total_s += run.duration_s();
+  return std::clamp(block_s, total_s / most_blocks, total_s / fewest_blocks);
+}
+
+std::vector<BlockSums> sums_of_blocks(const GapProblem& problem, const Eigen::MatrixXd& columns,
+                                      const std::vector<double>& residuals) {
+  const double length_s = length_of_blocks_s(problem);
+  std::map<std::pair<std::size_t, std::size_t>, BlockSums> blocks;
+  const auto& places = problem.places();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double time_s = problem.runs()[places[i].run].period_s * static_cast<double>(places[i].period);
+    BlockSums& block = blocks[{places[i].run, static_cast<std::size_t>(time_s / length_s)}];
+    if (block.gradient.size() == 0) {
+      block = {Eigen::MatrixXd::Zero(columns.cols(), columns.cols()), Eigen::VectorXd::Zero(columns.cols())};
+    }
+    const Eigen::VectorXd row = columns.row(static_cast<Eigen::Index>(i)).transpose();
+    block.information.noalias() += row * row.transpose();
+    block.gradient += residuals[i] * row;
+  }
+  std::vector<BlockSums> result;
+  result.reserve(blocks.size());
+  for (auto& [key, block] : blocks) result.push_back(std::move(block));
+  return result;
+}
+
+}  // namespace
+
+std::vector<ParameterInterval> deviation_intervals(const GapProblem& problem, const Eigen::MatrixXd& columns,
+                                                   const std::vector<double>& residuals) {
+  const auto blocks = sums_of_blocks(problem, columns, residuals);
+  const Bootstrap bootstrap = block_bootstrap(blocks, draws, seed);
+  std::vector<ParameterInterval> intervals;
+  for (Eigen::Index i = 0; i < columns.cols(); ++i) {
+    std::vector<double> sorted(bootstrap.deviations.row(i).begin(), bootstrap.deviations.row(i).end());
+    std::ranges::sort(sorted);
+    const double white = two_sided_95 * bootstrap.white_deviations(i);
+    const auto tail = static_cast<std::size_t>(0.025 * static_cast<double>(draws));
+    intervals.push_back({std::min(sorted[tail], -white), std::max(sorted[draws - 1 - tail], white)});
+  }
+  return intervals;
+}
+
+std::vector<ParameterInterval> parameter_intervals(const GapProblem& problem, const GapFit& fit) {
+  const Eigen::MatrixXd columns = problem.jacobian(fit.model, fit.residuals);
+  auto intervals = deviation_intervals(problem, columns, fit.residuals);
+  for (std::size_t i = 0; i < intervals.size(); ++i) {
+    const double value = fit.model.parameter(i);
+    ParameterInterval& interval = intervals[i];
+    interval = {value + interval.lower, value + interval.upper};
+    if (const ParameterInfo* info = fit.model.parameter_info(i)) {
+      interval = {std::max(interval.lower, info->lower), std::min(interval.upper, info->upper)};
+    }
+  }
+  return intervals;
+}
+
+}  // namespace wheelwright::gap

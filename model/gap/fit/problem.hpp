@@ -1,0 +1,142 @@
+// Runs, their noise, and the fit of a whole model to them: core and effects together, in free run.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "model/gap/fit/free_run_errors.hpp"
+#include "model/gap/fit/trial_model.hpp"
+#include "model/gap/noise/noise_fit.hpp"
+#include "model/gap/noise/whitening.hpp"
+#include "model/gap/runs/run.hpp"
+
+namespace wheelwright::gap {
+
+// Calls a job for 0 .. count-1, in any order, perhaps side by side; returns when all are done. How is the
+// caller's affair: nothing here knows of threads.
+using ForEach = std::function<void(std::size_t count, const std::function<void(std::size_t)>& job)>;
+
+// One after the other.
+void for_each_in_turn(std::size_t count, const std::function<void(std::size_t)>& job);
+
+// Noise of each channel, and of a stretch between far references.
+struct NoiseModel {
+  std::array<TravelNoise, channel_count> channel;
+  double stretch = 1.0;  // by which the usual noise of a stretch is multiplied
+};
+
+double squares_of(const std::vector<double>& values);
+
+struct GapFit {
+  TrialModel model;
+  double squares = 0.0;  // sum of squared innovations: minus twice the log likelihood
+  std::vector<double> residuals;
+  Eigen::MatrixXd information;  // of all parameters, at the solution; zero rows where nothing is learned
+};
+
+class GapProblem {
+ public:
+  // The runs must be made with one period and wheel base.
+  GapProblem(std::vector<GapRun> runs, std::vector<WheelPair> metres_per_tick, ForEach for_each);
+
+  const std::vector<GapRun>& runs() const { return runs_; }
+  bool has_counts() const;
+  bool has_motion() const;  // references, near or far
+  std::size_t readings() const { return size_; }
+
+  // The noise under which what a model leaves is most likely, judged by readings so far apart.
+  NoiseModel noise_left_by(const TrialModel& model, double least_apart_s = 0.0,
+                           double longest_lasting_s = lasting_of_motors_s) const;
+  void set_noise(const NoiseModel& noise);
+  const NoiseModel& noise() const { return noise_; }
+
+  // The part of the readings that a parameter of this stage can change; all where some run has no counts.
+  Part part_of(EffectStage stage) const;
+  Part part_of(const TrialEffect& effect) const;
+  bool in_part(std::size_t residual, Part part) const;
+  // Whether some run has no counts, which ties wheels and motion together: then there is no part but all.
+  bool parts_touch() const { return parts_touch_; }
+
+  // Innovations of all channels of all runs, one after the other; zero for those that do not belong to the
+  // part.
+  std::vector<double> residuals(const TrialModel& model, Part part = Part::all) const;
+  // The same of errors that are there already, one set for each run.
+  std::vector<double> residuals(std::span<const RunErrors> errors) const;
+  // What one residual belongs to.
+  struct Place {
+    std::size_t run;
+    std::optional<Channel> channel;  // nothing for a stretch
+    std::size_t reading;
+    std::size_t period;  // grid time
+  };
+  const std::vector<Place>& places() const { return places_; }
+
+  // What errors in one channel of a run come to among the residuals, and where they stand there; nothing for
+  // a channel that the run does not have.
+  struct Innovations {
+    std::size_t first_residual = 0;
+    std::vector<double> values;
+  };
+  std::optional<Innovations> innovations(std::size_t run, Channel channel,
+                                         std::span<const double> errors) const;
+
+  // The least that a reading of a channel can err, m or rad: of counts, by rounding.
+  double smallest_reading(std::size_t channel) const;
+
+  // Sets where the wheels of each run stood at its start.
+  void set_rolled_before(std::span<const WheelPair> rolled_m);
+
+  // One column per parameter, of the residuals; zero for parameters that do not belong to the part.
+  Eigen::MatrixXd jacobian(const TrialModel& model, const std::vector<double>& residuals,
+                           Part part = Part::all) const;
+
+  // Levenberg-Marquardt from `start`, over the parameters of one part. Stops early where nothing is gained.
+  GapFit fit(const TrialModel& start, int most_steps, Part part = Part::all) const;
+
+ private:
+  struct Block {  // one channel of one run in the vector of residuals
+    std::size_t run;
+    std::size_t channel;
+    std::size_t offset;
+    std::vector<double> times_s;
+  };
+  struct StretchBlock {
+    std::size_t run;
+    std::size_t stretch;
+    std::size_t offset;
+    Eigen::Matrix3d whitening;
+  };
+
+  // A parameter that is moved to see what follows; `shows_in` where it can show in one channel only.
+  struct Moved {
+    std::size_t parameter;
+    std::optional<Channel> shows_in;
+  };
+  using MovedAtOnce = std::vector<Moved>;
+
+  std::vector<double> whitened(std::size_t run, const RunErrors& errors) const;
+  void fill_columns(const TrialModel& model, const std::vector<double>& residuals, const MovedAtOnce& at_once,
+                    std::size_t run, Eigen::MatrixXd& columns) const;
+  bool shows_only_in(const Eigen::MatrixXd& columns, std::size_t column, Channel channel) const;
+  static bool is_of(Part part, const std::optional<Channel>& channel);
+  Part part_of_parameter(const TrialModel& model, std::size_t parameter) const;
+
+  std::vector<GapRun> runs_;
+  std::vector<WheelPair> metres_per_tick_;  // of each run; zero without counts
+  ForEach for_each_;
+  NoiseModel noise_;
+  std::vector<Block> blocks_;
+  std::vector<StretchBlock> stretches_;
+  std::vector<Whitener> whiteners_;                             // one per block
+  std::vector<std::pair<std::size_t, std::size_t>> run_range_;  // of each run in the vector of residuals
+  std::vector<Place> places_;
+  std::size_t size_ = 0;
+  bool parts_touch_ = false;  // a run without counts ties wheels and motion together
+};
+
+}  // namespace wheelwright::gap

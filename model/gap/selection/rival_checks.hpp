@@ -1,0 +1,41 @@
+// What was accepted, looked at once more: would another effect do better in the place of each, now that the
+// others are there, and is each of them needed?
+#pragma once
+
+#include "model/gap/selection/candidate_evaluation.hpp"
+#include "model/gap/selection/search.hpp"
+
+namespace wheelwright::gap {
+
+class GapChecks {
+ public:
+  GapChecks(const GapProblem& train, const Contest& contest, GapLook& look, const SearchLimits& limits,
+            const FreeRuns& free_runs)
+      : train_(train), contest_(contest), look_(look), limits_(limits), free_runs_(free_runs) {}
+
+  // Puts another effect in the place of one, or none, as long as the whole model gets better by it; leaves
+  // the checks of what is there then.
+  void swap_while_better(GapSearch& result);
+  // Only looks, and leaves the checks.
+  void check(GapSearch& result);
+  // Takes one effect out that is not needed. False where all are; the checks must be those of the result, and
+  // are not afterwards.
+  bool drop_idle(GapSearch& result);
+
+ private:
+  enum class Swaps { made, only_looked_at };
+  bool improve_by_swaps(GapSearch& result, Swaps swaps);
+  void leave_out_decoys_of_something_else(Round& check, const TrialEffect& present) const;
+  void leave_out_rivals_of_something_else(Round& check, const EffectInfo* than) const;
+  bool stands_for_itself(const Round& check, const EffectInfo* info, double nats, double largest) const;
+  GapFit in_place(const Contender& contender, std::size_t place) const;
+  void try_in_place(Round& check, std::size_t place) const;
+
+  const GapProblem& train_;
+  const Contest& contest_;
+  GapLook& look_;
+  SearchLimits limits_;
+  const FreeRuns& free_runs_;
+};
+
+}  // namespace wheelwright::gap

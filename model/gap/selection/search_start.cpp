@@ -1,0 +1,56 @@
+#include "model/gap/selection/search_start.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/effect_library.hpp"
+
+namespace wheelwright::gap {
+namespace {
+
+CoreShape shape_for(const GapProblem& train) {
+  CoreShape shape;
+  shape.shared = !train.has_counts();
+  // First and last references alone, at rest, tell of any moment.
+  constexpr std::size_t while_it_drives = 10;
+  shape.reference_lag = std::ranges::all_of(train.runs(), [](const GapRun& run) {
+    return run.has_counts && (run.by_gyro || run.references.size() > while_it_drives);
+  });
+  shape.gyro_scaled = std::ranges::any_of(train.runs(), &GapRun::by_gyro);
+  // A core that reaches back 90 ms holds what delay is usual of a serial line and a motor; more of it is an
+  // effect.
+  const double period_s = train.runs().front().period_s;
+  shape.weights = static_cast<std::size_t>(std::clamp(std::lround(0.09 / period_s) + 1, 3L, 10L));
+  return shape;
+}
+
+std::vector<TrialEffect> known_effects(const RobotModel* given) {
+  std::vector<TrialEffect> effects;
+  if (given == nullptr) return effects;
+  for (const auto& effect : given->effects) {
+    const EffectInfo* info = find_effect(effect.setting.name);
+    effects.push_back({info, variant_index(*info, effect.setting.variant), effect.setting.parameters});
+  }
+  return effects;
+}
+
+}  // namespace
+
+TrialModel search_start(GapProblem& train, const RobotModel* given) {
+  const GapRun& run = train.runs().front();
+  TrialModel best;
+  double least = 0.0;
+  for (const double lag_s : {0.06, 0.15}) {
+    TrialModel guess = first_guess(shape_for(train), run.period_s, run.wheel_base_m, lag_s, 0.036);
+    guess.effects = known_effects(given);
+    train.set_noise({});
+    const GapFit fit = train.fit(guess, 8);
+    if (best.core.empty() || fit.squares < least) {
+      best = fit.model;
+      least = fit.squares;
+    }
+  }
+  return best;
+}
+
+}  // namespace wheelwright::gap

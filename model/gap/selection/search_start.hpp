@@ -1,0 +1,13 @@
+// Where a search begins: a short linear core, and the effects that the robot's model is known to have.
+#pragma once
+
+#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/trial_model.hpp"
+#include "model/robot_model.hpp"
+
+namespace wheelwright::gap {
+
+// Roughly fitted; `given` may be null. The noise of the problem is forgotten.
+TrialModel search_start(GapProblem& train, const RobotModel* given);
+
+}  // namespace wheelwright::gap

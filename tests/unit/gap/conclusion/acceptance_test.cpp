@@ -1,0 +1,67 @@
+// When what was found is an answer: rules on evidence and on what free runs show.
+#include "model/gap/conclusion/acceptance.hpp"
+
+#include "tests/support/catch.hpp"
+#include "tests/support/gap_findings.hpp"
+
+using namespace wheelwright;
+using namespace wheelwright::gap;
+
+TEST_CASE("An effect closes the gap where a figure above the noise falls by it") {
+  CHECK(closes_the_gap(analysis_with({finding("turn_scrub", 12.0)}, position(2.0, 1.5)), false));
+  CHECK_FALSE(closes_the_gap(analysis_with({finding("turn_scrub", 12.0)}, position(2.0, 1.99)), false));
+}
+
+TEST_CASE(
+    "A figure that falls within the noise may do so by chance, and then more has to speak for an effect") {
+  CHECK_FALSE(closes_the_gap(analysis_with({finding("turn_scrub", 18.0)}, position(0.9, 0.8)), false));
+  CHECK(closes_the_gap(analysis_with({finding("turn_scrub", 30.0)}, position(0.9, 0.8)), false));
+  CHECK_FALSE(closes_the_gap(analysis_with({finding("turn_scrub", 90.0)}, position(0.9, 0.9)), false));
+  CHECK(closes_the_gap(analysis_with({finding("turn_scrub", 120.0)}, position(0.9, 0.9)), false));
+}
+
+TEST_CASE("What is not sure, or explains no more than chance may, is not beyond chance") {
+  CHECK_FALSE(is_beyond_chance(analysis_with({finding("caster_kick", 10.0)}, position(1.1, 0.9))));
+  CHECK(is_beyond_chance(
+      analysis_with({finding("caster_kick", 10.0), finding("turn_scrub", 40.0)}, position(1.1, 0.9))));
+  Finding doubtful = finding("turn_scrub", 40.0);
+  doubtful.posterior = 0.6;
+  CHECK_FALSE(is_beyond_chance(analysis_with({doubtful}, position(1.1, 0.9))));
+}
+
+TEST_CASE("What makes a figure of free runs worse needs to be beyond doubt") {
+  CHECK(closes_the_gap(analysis_with({finding("turn_speed_loss", 44.0)}, position(1.5, 1.5)), false));
+  CHECK_FALSE(closes_the_gap(analysis_with({finding("turn_speed_loss", 44.0)}, position(1.5, 1.8)), false));
+  CHECK(closes_the_gap(analysis_with({finding("turn_speed_loss", 144.0)}, position(1.5, 1.8)), false));
+}
+
+TEST_CASE("A delay alone has to show, however likely it is, since a larger core could be as good") {
+  CHECK_FALSE(closes_the_gap(analysis_with({finding("transport_delay", 500.0)}, position(1.1, 0.9)), false));
+  CHECK(closes_the_gap(analysis_with({finding("transport_delay", 500.0)}, position(2.0, 1.5)), false));
+}
+
+TEST_CASE("A smooth effect is no answer where more than it explains is left and hangs together") {
+  const auto deflated_by = [](const std::string& effect, double inflation) {
+    Finding found = finding(effect, 400.0);
+    found.inflation = inflation;
+    return found;
+  };
+  const Wandering calm{0.004, 0.009};
+  CHECK(is_the_smaller_part(analysis_with({deflated_by("gain_curve", 27.0)}, position(2.0, 1.6)), calm));
+  CHECK_FALSE(
+      is_the_smaller_part(analysis_with({deflated_by("gain_curve", 27.0)}, position(2.0, 1.3)), calm));
+  CHECK_FALSE(is_the_smaller_part(analysis_with({deflated_by("gain_curve", 2.0)}, position(2.0, 1.6)), calm));
+  CHECK_FALSE(is_the_smaller_part(analysis_with({deflated_by("stiction", 27.0)}, position(2.0, 1.6)), calm));
+  CHECK_FALSE(is_the_smaller_part(
+      analysis_with({deflated_by("gain_curve", 27.0), deflated_by("yaw_bias", 2.0)}, position(2.0, 1.6)),
+      calm));
+  Finding little = deflated_by("caster_kick", 27.0);
+  CHECK_FALSE(is_the_smaller_part(
+      analysis_with({deflated_by("gain_curve", 27.0), little}, position(2.0, 1.6)), calm));
+  little.heldout_gain_nats = 30.0;
+  CHECK(is_the_smaller_part(analysis_with({deflated_by("gain_curve", 27.0), little}, position(2.0, 1.6)),
+                            calm));
+  const Wandering far{0.02, 0.009};
+  CHECK(is_the_smaller_part(analysis_with({deflated_by("gain_curve", 27.0)}, position(2.0, 1.3)), far));
+  CHECK_FALSE(is_the_smaller_part(analysis_with({deflated_by("gain_curve", 2.0)}, position(2.0, 1.3)), far));
+}

@@ -1,0 +1,98 @@
+#include "model/gap/noise/noise_fit.hpp"
+
+#include <cmath>
+#include <random>
+
+#include "tests/support/catch.hpp"
+#include "tests/support/known_errors.hpp"
+
+using namespace wheelwright::gap;
+using wheelwright::test::known_errors;
+using wheelwright::test::KnownErrors;
+using wheelwright::test::wandering_errors;
+using wheelwright::test::with_tracker;
+
+namespace {
+
+constexpr TravelNoise noise{2e-4, 3e-3};
+
+// A tracker that smooths its readings: they err alike for some periods.
+KnownErrors with_smooth_readings(KnownErrors known, double deviation, double smooth_s, std::uint64_t seed) {
+  const double kept = std::exp(-wheelwright::test::reading_step_s / smooth_s);
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  double first = 0.0;
+  double second = 0.0;
+  for (double& error : known.errors) {
+    first = kept * first + (1.0 - kept) * normal(random);
+    second = kept * second + (1.0 - kept) * first;
+    error += deviation / (1.0 - kept) * second;
+  }
+  return known;
+}
+
+}  // namespace
+
+TEST_CASE("The noise of a series is found from the series") {
+  const auto known = known_errors(noise, 20000, 7);
+  const std::vector<NoiseSample> samples{{known.times_s, known.restarts, known.errors}};
+  const TravelNoise found = noise_of(samples, {1e-6, lasting_of_motors_s});
+  // Walk over reading is looked for in steps of a quarter of a decade.
+  const double step = std::pow(10.0, 0.25);
+  CHECK(found.walk_per_sqrt_s / found.reading < step * noise.walk_per_sqrt_s / noise.reading);
+  CHECK(found.walk_per_sqrt_s / found.reading > noise.walk_per_sqrt_s / noise.reading / step);
+  CHECK_THAT(found.walk_per_sqrt_s, WithinRel(noise.walk_per_sqrt_s, step - 1.0));
+}
+
+TEST_CASE("How long a speed lasts, and that travel comes back, is found from the series") {
+  const TravelNoise truth{1e-4, 4e-3, 0.12, 3.0};
+  const auto known = wandering_errors(truth, 20000, 9);
+  const std::vector<NoiseSample> samples{{known.times_s, known.restarts, known.errors}};
+  const TravelNoise found = noise_of(samples, {1e-6, lasting_of_motors_s});
+  CHECK(found.lasts_s == truth.lasts_s);
+  CHECK(found.returns_s == truth.returns_s);
+  CHECK_THAT(found.walk_per_sqrt_s, WithinRel(truth.walk_per_sqrt_s, 0.4));
+}
+
+TEST_CASE("A random walk is not taken for a speed that lasts, nor for travel that comes back") {
+  for (const std::uint64_t seed : {10U, 11U, 12U, 13U}) {
+    const auto known = known_errors(noise, 20000, seed);
+    const std::vector<NoiseSample> samples{{known.times_s, known.restarts, known.errors}};
+    const TravelNoise found = noise_of(samples, {1e-6, lasting_of_motors_s});
+    CHECK(found.lasts_s == 0.0);
+    CHECK(std::isinf(found.returns_s));
+  }
+}
+
+TEST_CASE("References that are smoothed do not make noise come to more over seconds than it does") {
+  for (const std::uint64_t seed : {14U, 15U, 16U}) {
+    const auto known = with_smooth_readings(known_errors({4e-4, 1e-2}, 20000, seed), 8e-3, 0.12, seed + 10);
+    const std::vector<NoiseSample> samples{{known.times_s, known.restarts, known.errors}};
+    const TravelNoise found = noise_of(samples, {1e-6, lasting_of_motors_s, true});
+    CHECK(found.walk_per_sqrt_s <
+          2.0 * 1e-2);  // noise that lasts would come to three times as much as there is
+  }
+}
+
+TEST_CASE("What readings of a tracker err alike is told from the travel that wanders") {
+  struct Truth {
+    double reading, walk, tracker, lasts_s;
+  };
+  const auto truth =
+      GENERATE(Truth{1e-3, 1e-3, 1e-3, 0.1}, Truth{1e-3, 4e-3, 3e-3, 0.2}, Truth{2e-4, 1e-3, 3e-3, 0.1});
+  const auto known =
+      with_tracker(known_errors({truth.reading, truth.walk}, 20000, 17), truth.tracker, truth.lasts_s, 18);
+  const std::vector<NoiseSample> samples{{known.times_s, known.restarts, known.errors}};
+  const TravelNoise found = noise_of(samples, {1e-6, lasting_of_motors_s, true});
+  CHECK_THAT(found.tracker, WithinRel(truth.tracker, 0.25));
+  CHECK_THAT(found.walk_per_sqrt_s, WithinRel(truth.walk, 0.25));
+  CHECK(found.tracker_lasts_s == truth.lasts_s);
+}
+
+TEST_CASE("White readings and a walk are not taken for a tracker") {
+  for (const std::uint64_t seed : {19U, 20U, 21U}) {
+    const auto known = known_errors(noise, 20000, seed);
+    const std::vector<NoiseSample> samples{{known.times_s, known.restarts, known.errors}};
+    CHECK(noise_of(samples, {1e-6, lasting_of_motors_s, true}).tracker == 0.0);
+  }
+}
