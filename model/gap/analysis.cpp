@@ -31,6 +31,8 @@ class Analysis {
   void search();
   void note_references_by(const TrialModel& model);
   void conclude();
+  void take_back_names();
+  void judge();
   void describe_where();
   void size_up();
   void show_gap_with_lost_counts();
@@ -41,10 +43,10 @@ class Analysis {
   void put_slow_noise_into_floors();
   bool closes_the_gap() const;
   bool leave_out_linear_effects();
-  Wandering wandering_left() const;
   std::vector<std::size_t> runs_off_by_more_than_noise() const;
   void hold_out_others();
   void compare_linear_part();
+  void meet_test_runs();
   void check_on_test_runs();
   void show_untouched_figures();
   void bound_floors();
@@ -198,11 +200,17 @@ void Analysis::conclude() {
         return effect.info->linear && !beyond_a_core(effect);
       });
   if ((nothing_closes || of_a_core) && leave_out_linear_effects()) return conclude();
-  if (nothing_closes || (any && is_the_smaller_part(result_, wandering_left()))) {
-    std::erase_if(result_.found, [](const Finding& found) { return found.setting.name != dropout_name; });
-    result_.search.final = result_.search.baseline;
-    size_up();
-  }
+  if (nothing_closes) take_back_names();
+  judge();
+}
+
+void Analysis::take_back_names() {
+  std::erase_if(result_.found, [](const Finding& found) { return found.setting.name != dropout_name; });
+  result_.search.final = result_.search.baseline;
+  size_up();
+}
+
+void Analysis::judge() {
   Leftovers leftovers{what_is_left(result_), {}, train_problem_->has_counts()};
   put_slow_noise_into_floors();
   leftovers.gain_changes = changed_gains(result_, *train_problem_, *test_problem_);
@@ -268,12 +276,6 @@ void Analysis::hold_out_others() {
   }
 }
 
-// By what the model found leaves, were it noise.
-Wandering Analysis::wandering_left() const {
-  return wandering_by(*train_problem_,
-                      with_slow_noise(*train_problem_, result_.search.final.model, two_seconds_apart_s));
-}
-
 // The search fits a linear part of its own: what the given one lacks would go unsaid.
 void Analysis::compare_linear_part() {
   constexpr double same_period = 0.02;
@@ -303,7 +305,7 @@ void Analysis::compare_linear_part() {
 
 // What was accepted meets the runs that nothing was chosen by; where there are none, those that were held
 // out.
-void Analysis::check_on_test_runs() {
+void Analysis::meet_test_runs() {
   RunSet& untouched = gathered_.untouched;
   result_.untouched = !untouched.runs.empty();
   RunSet& test = result_.untouched ? untouched : gathered_.test;
@@ -318,6 +320,25 @@ void Analysis::check_on_test_runs() {
     const auto found = std::ranges::find_if(
         result_.found, [&](const Finding& one) { return one.setting.name == effects[i].info->name; });
     if (found != result_.found.end()) found->test_gain_nats = confirmation.effect_nats[i];
+  }
+  show_untouched_figures();
+}
+
+// Names that do not pass there are taken back, and the model without them meets the same runs.
+void Analysis::check_on_test_runs() {
+  meet_test_runs();
+  if (result_.linear_changes.empty() && explains_the_smaller_part(result_)) {
+    const std::string part = part_in_words(result_);
+    take_back_names();
+    judge();
+    meet_test_runs();
+    apply_check(result_);
+    if (result_.verdict == Verdict::nothing_missing) {
+      result_.verdict = Verdict::unnamed;
+      result_.summary = "Something is missing that no effect of the library explains.";
+    }
+    result_.summary += part;
+    return;
   }
   apply_check(result_);
 }
@@ -361,7 +382,6 @@ tl::expected<GapAnalysis, GapRefusal> Analysis::run(std::span<const DriveLog> tr
   hold_out_others();
   compare_linear_part();
   check_on_test_runs();
-  show_untouched_figures();
   bound_floors();
   return result_;
 }

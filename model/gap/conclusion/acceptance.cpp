@@ -12,16 +12,6 @@ bool of_free_runs(const Finding& found) {
   return found.setting.name != dropout_name;
 }
 
-// A smooth effect after which what is left hangs together, or a sudden one that explains little beside it.
-bool leaves_what_hangs_together(const Finding& found, double largest_nats) {
-  constexpr double inflation_of_noise = 15.0;
-  constexpr double little = 0.2;
-  const EffectInfo* info = find_effect(found.setting.name);
-  if (info == nullptr || !of_free_runs(found)) return false;
-  return info->sudden ? found.heldout_gain_nats < little * largest_nats
-                      : found.inflation > inflation_of_noise;
-}
-
 bool some_is_sure_by(const GapAnalysis& analysis, double nats) {
   return std::ranges::any_of(analysis.found, [nats](const Finding& found) {
     return found.heldout_gain_nats > nats && found.posterior > sure;
@@ -55,33 +45,25 @@ bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out) {
   return some_figure_falls(figures, least_fall, is_beyond_chance(analysis) ? 0.0 : 1.0);
 }
 
-bool beyond_noise(const Wandering& by, double times) {
-  return by.m_per_sqrt_s > times * largest_noise.m_per_sqrt_s ||
-         by.rad_per_sqrt_s > times * largest_noise.rad_per_sqrt_s;
-}
-
 NoiseModel no_more_than_noise(const NoiseModel& noise) {
   NoiseModel limited = noise;
   for (const Channel channel :
        {Channel::left, Channel::right, Channel::forward, Channel::aside, Channel::turn}) {
     double& walk = limited.channel[static_cast<std::size_t>(channel)].walk_per_sqrt_s;
     walk =
-        std::min(walk, channel == Channel::turn ? largest_noise.rad_per_sqrt_s : largest_noise.m_per_sqrt_s);
+        std::min(walk, channel == Channel::turn ? largest_drift_rad_per_sqrt_s : largest_drift_m_per_sqrt_s);
   }
   return limited;
 }
 
-bool is_the_smaller_part(const GapAnalysis& analysis, const Wandering& left) {
+bool explains_the_smaller_part(const GapAnalysis& analysis) {
   constexpr double half = 0.5;
-  constexpr double clearly = 1.15;  // real Creates wander by 26 mrad after what was named
-  double largest_nats = 0.0;
-  for (const Finding& found : analysis.found) largest_nats = std::max(largest_nats, found.heldout_gain_nats);
-  const auto hangs_together = [&](const Finding& found) {
-    return leaves_what_hangs_together(found, largest_nats);
-  };
+  const auto is_sudden = [](const Finding& found) { return find_effect(found.setting.name)->sudden; };
+  const bool any_name = std::ranges::any_of(analysis.found, of_free_runs);
+  const bool any_sudden = std::ranges::any_of(
+      analysis.found, [&](const Finding& found) { return of_free_runs(found) && is_sudden(found); });
   const GapFigures& test = analysis.tail_held_out ? analysis.train : analysis.test;
-  return !analysis.found.empty() && std::ranges::all_of(analysis.found, hangs_together) &&
-         (beyond_noise(left, clearly) || largest_share_gone(analysis.train, test) < half);
+  return any_name && !analysis.check.passed && largest_share_gone(test) < (any_sudden ? 0.0 : half);
 }
 
 }  // namespace wheelwright::gap

@@ -1,5 +1,7 @@
 #include "model/gap/conclusion/check_verdict.hpp"
 
+#include <cmath>
+
 namespace wheelwright::gap {
 
 void apply_check(GapAnalysis& analysis) {
@@ -15,9 +17,21 @@ void apply_check(GapAnalysis& analysis) {
     return;
   }
   const bool has_names = !analysis.found.empty();
-  analysis.summary += has_names ? " And something else: " : " In the held-out runs, ";
+  const std::string runs = analysis.untouched ? " In the untouched runs, " : " In the held-out runs, ";
+  analysis.summary += has_names ? " And something else: " : runs;
   analysis.summary += failed.sentence + ".";
   if (analysis.verdict == Verdict::unnamed && analysis.where.empty()) analysis.where = {regime};
+}
+
+std::string part_in_words(const GapAnalysis& analysis) {
+  const double share = largest_share_gone(analysis.tail_held_out ? analysis.train : analysis.test);
+  const long percent = std::lround(100.0 * share);
+  if (percent <= 0) return "";
+  std::string names;
+  for (const Finding& found : analysis.found) {
+    if (found.setting.name != dropout_name) names += (names.empty() ? " " : " and ") + found.setting.name;
+  }
+  return names + " would explain " + std::to_string(percent) + " % of it at most.";
 }
 
 }  // namespace wheelwright::gap

@@ -11,8 +11,8 @@ namespace wheelwright::gap {
 namespace {
 
 constexpr double smallest_p = 1e-300;  // a chance of zero is never claimed
-// Assumed, not measured: each one lacks ten counts or more (encoder_dropout.cpp), so that what is left of doubt is
-// whether the wheel turned.
+// Assumed, not measured: each one lacks ten counts or more (encoder_dropout.cpp), so that what is left of
+// doubt is whether the wheel turned.
 constexpr double nats_of_a_dropout = 5.0;
 
 // Probability of each name in the place of an accepted effect, the others being there.

@@ -92,12 +92,10 @@ bool some_figure_above_noise(const GapFigures& figures) {
   return false;
 }
 
-double largest_share_gone(const GapFigures& train, const GapFigures& test) {
+double largest_share_gone(const GapFigures& figures) {
   std::optional<double> largest;
   for (std::size_t i = first_integrated; i < figure_count; ++i) {
-    const auto in_train = share_gone(train, i);
-    const auto in_test = share_gone(test, i);
-    if (in_train && in_test) largest = std::max(largest.value_or(-1e9), std::min(*in_train, *in_test));
+    if (const auto share = share_gone(figures, i)) largest = std::max(largest.value_or(*share), *share);
   }
   return largest.value_or(1.0);
 }

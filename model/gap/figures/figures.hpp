@@ -41,8 +41,8 @@ std::optional<Excess> held_out_alone(const GapFigures& train, const GapFigures& 
 bool some_figure_above_noise(const GapFigures& figures);
 
 // Of the mean square of distance, position or heading before, how much is gone after: the most of the three,
-// each by the set of runs in which less is. One where there is no such figure.
-double largest_share_gone(const GapFigures& train, const GapFigures& test);
+// negative where all rise. One where there is no such figure.
+double largest_share_gone(const GapFigures& figures);
 
 // The floor of a figure, or the figure after the analysis where that is smaller: noise is a part of what is
 // left, so a larger floor is an error of the noise model.

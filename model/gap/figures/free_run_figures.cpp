@@ -162,13 +162,4 @@ NoiseModel with_slow_noise(const GapProblem& problem, const TrialModel& model, d
   return noise;
 }
 
-Wandering wandering_by(const GapProblem& problem, const NoiseModel& noise) {
-  const auto walk = [&](Channel channel) {
-    const bool there =
-        std::ranges::any_of(problem.runs(), [channel](const GapRun& run) { return !run[channel].empty(); });
-    return there ? noise.channel[static_cast<std::size_t>(channel)].walk_per_sqrt_s : 0.0;
-  };
-  return {std::max({walk(Channel::left), walk(Channel::right), walk(Channel::forward)}), walk(Channel::turn)};
-}
-
 }  // namespace wheelwright::gap

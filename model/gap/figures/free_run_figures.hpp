@@ -28,11 +28,4 @@ constexpr double half_a_second_apart_s = 0.5;
 constexpr double two_seconds_apart_s = 2.0;
 NoiseModel with_slow_noise(const GapProblem& problem, const TrialModel& model, double most_apart_s);
 
-// How far by this noise a wheel or the body wanders, and how far the body turns, within a second.
-struct Wandering {
-  double m_per_sqrt_s = 0.0;  // the furthest of the channels there are
-  double rad_per_sqrt_s = 0.0;
-};
-Wandering wandering_by(const GapProblem& problem, const NoiseModel& noise);
-
 }  // namespace wheelwright::gap

@@ -61,7 +61,9 @@ void MotorDrive::pass_current(double driven_v) {
   current_a_ +=
       (target_a - current_a_) * -std::expm1(-fine_step_s * motor.resistance_ohm / motor.inductance_h);
   current_a_ = std::clamp(current_a_, -spec_.driver.limit_a, spec_.driver.limit_a);
-  if (!spec_.driver.brakes && current_a_ * speed_rad_s_ < 0.0) current_a_ = 0.0;
+  constexpr double stands_rad_s = 0.3;  // a bridge that cannot brake drives either way from rest
+  const bool turns = std::abs(speed_rad_s_) > stands_rad_s;
+  if (!spec_.driver.brakes && turns && current_a_ * speed_rad_s_ < 0.0) current_a_ = 0.0;
 }
 
 double MotorDrive::drag_n_m() const {
