@@ -46,6 +46,7 @@ class Analysis {
   std::vector<std::size_t> runs_off_by_more_than_noise() const;
   void hold_out_others();
   void compare_linear_part();
+  RunSet every_run() const;
   void meet_test_runs();
   void check_on_test_runs();
   void show_untouched_figures();
@@ -305,6 +306,14 @@ void Analysis::compare_linear_part() {
 
 // What was accepted meets the runs that nothing was chosen by; where there are none, those that were held
 // out.
+RunSet Analysis::every_run() const {
+  RunSet all = gathered_.train;
+  for (const RunSet* more : {&gathered_.test, &gathered_.untouched}) {
+    for (std::size_t r = 0; r < more->runs.size(); ++r) all.add(more->runs[r], more->logs[r]);
+  }
+  return all;
+}
+
 void Analysis::meet_test_runs() {
   RunSet& untouched = gathered_.untouched;
   result_.untouched = !untouched.runs.empty();
@@ -312,9 +321,14 @@ void Analysis::meet_test_runs() {
   for (std::size_t r = 0; r < test.logs.size(); ++r) {
     note_references(test.logs[r], test.runs[r], result_.search.final.model);
   }
+  const bool any_effect = !result_.search.final.model.effects.empty();
+  RunSet all = any_effect ? RunSet{} : every_run();
   const Confirmation confirmation =
-      confirm(*train_problem_, result_.search, test, result_.untouched, for_each_);
+      confirm(*train_problem_, result_.search, any_effect ? test : all, result_.untouched, for_each_);
   result_.check = confirmation.check;
+  result_.checked = !any_effect         ? CheckedRuns::all
+                    : result_.untouched ? CheckedRuns::untouched
+                                        : CheckedRuns::held_out;
   const auto& effects = result_.search.final.model.effects;
   for (std::size_t i = 0; i < confirmation.effect_nats.size(); ++i) {
     const auto found = std::ranges::find_if(

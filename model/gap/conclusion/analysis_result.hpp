@@ -19,6 +19,10 @@ namespace wheelwright::gap {
 enum class Verdict { named, nothing_missing, unnamed, ambiguous, not_testable, bad_data };
 std::string_view verdict_name(Verdict verdict);
 
+// Which runs the predictive check is made on: untouched ones where there are some; all, where no effect was
+// accepted, so that none was chosen by any run.
+enum class CheckedRuns { untouched, held_out, all };
+
 struct GapAnalysis {
   Verdict verdict = Verdict::nothing_missing;
   std::string summary;  // one or two sentences for a person
@@ -39,8 +43,9 @@ struct GapAnalysis {
   std::vector<std::string> tested;           // names of those of `test` and `check`: held out, or untouched
   bool untouched = false;                    // whether these took no part in any choice
   std::vector<LinearChange> linear_changes;  // of the model that was given
-  PredictiveCheck check;                     // of the accepted model, on the held-out runs
-  bool tail_held_out = false;                // a single run: its last third stands in for a run of its own
+  PredictiveCheck check;                     // of the accepted model
+  CheckedRuns checked = CheckedRuns::held_out;
+  bool tail_held_out = false;  // a single run: its last third stands in for a run of its own
 };
 
 }  // namespace wheelwright::gap

@@ -17,8 +17,7 @@ void apply_check(GapAnalysis& analysis) {
     return;
   }
   const bool has_names = !analysis.found.empty();
-  const std::string runs = analysis.untouched ? " In the untouched runs, " : " In the held-out runs, ";
-  analysis.summary += has_names ? " And something else: " : runs;
+  analysis.summary += has_names ? " And something else: " : " What stands out most: ";
   analysis.summary += failed.sentence + ".";
   if (analysis.verdict == Verdict::unnamed && analysis.where.empty()) analysis.where = {regime};
 }

@@ -39,10 +39,40 @@ std::string test_runs_text(const gap::GapAnalysis& analysis) {
   return analysis.untouched ? "untouched" : "held out";
 }
 
+std::string checked_text(gap::CheckedRuns checked) {
+  switch (checked) {
+    case gap::CheckedRuns::untouched:
+      return "untouched";
+    case gap::CheckedRuns::held_out:
+      return "held-out";
+    case gap::CheckedRuns::all:
+      break;
+  }
+  return "all";
+}
+
+namespace {
+
+std::string role_text(gap::CheckedRuns checked) {
+  switch (checked) {
+    case gap::CheckedRuns::untouched:
+      return "These runs took no part in any choice.";
+    case gap::CheckedRuns::held_out:
+      return "These runs also decided which effects were accepted: there were too few to keep some "
+             "untouched, and the "
+             "answer is not confirmed on untouched data.";
+    case gap::CheckedRuns::all:
+      break;
+  }
+  return "No effect was accepted, so that every run can speak against that.";
+}
+
+}  // namespace
+
 std::string check_text(const gap::GapAnalysis& analysis) {
   const gap::PredictiveCheck& check = analysis.check;
   if (check.statistics.empty()) return "";
-  std::string text = "check on " + std::string(analysis.untouched ? "untouched" : "held-out") + " runs: ";
+  std::string text = "check on " + checked_text(analysis.checked) + " runs: ";
   if (check.passed) return text + "passed (" + p_text(check.p_value) + ")";
   return text + "failed (" + p_text(check.p_value) + "): " + check.statistics.front().sentence;
 }
@@ -55,13 +85,9 @@ std::string check_section(const gap::GapAnalysis& analysis) {
     if (rows.size() == max_rows) break;
     rows.push_back({statistic.name, p_text(statistic.p_value), statistic.visible ? "yes" : "no"});
   }
-  const std::string data =
-      analysis.untouched ? "These runs took no part in any choice."
-                         : "These runs also decided which effects were accepted: there were too few to keep "
-                           "some untouched, and the answer is not confirmed on untouched data.";
   std::string text = html::element("h2", "Is the model enough?");
-  text += html::element(
-      "p", std::string(check.passed ? "Yes" : "No") + ", by the " + check_text(analysis) + ". " + data);
+  text += html::element("p", std::string(check.passed ? "Yes" : "No") + ", by the " + check_text(analysis) +
+                                 ". " + role_text(analysis.checked));
   if (!check.passed) text += curve_of(check.statistics.front());
   text += html::table({"statistic of the innovations", "p-value", "large enough to be seen"}, rows);
   return text +

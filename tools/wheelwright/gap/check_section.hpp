@@ -17,6 +17,9 @@ std::string linear_changes_section(const gap::GapAnalysis& analysis);
 // What the runs of the test figures are: "untouched" or "held out".
 std::string test_runs_text(const gap::GapAnalysis& analysis);
 
+// "untouched", "held-out" or "all".
+std::string checked_text(gap::CheckedRuns checked);
+
 // As in "check on untouched runs: passed (p = 0.31)"; empty where nothing was checked.
 std::string check_text(const gap::GapAnalysis& analysis);
 

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/effect_library.hpp"
+#include "tools/wheelwright/gap/check_section.hpp"
 #include "tools/wheelwright/json_text.hpp"
 
 namespace wheelwright::tools {
@@ -99,8 +100,10 @@ ordered_json rounds_to_json(const std::vector<gap::Round>& rounds) {
   return list;
 }
 
-ordered_json check_to_json(const gap::PredictiveCheck& check) {
-  ordered_json json = {{"passed", check.passed}, {"p_value", check.p_value}};
+ordered_json check_to_json(const gap::GapAnalysis& analysis) {
+  const gap::PredictiveCheck& check = analysis.check;
+  ordered_json json = {
+      {"passed", check.passed}, {"p_value", check.p_value}, {"runs", checked_text(analysis.checked)}};
   ordered_json all = ordered_json::array();
   for (const auto& statistic : check.statistics) {
     ordered_json detail = ordered_json::object();
@@ -174,7 +177,7 @@ std::string gap_to_json(const gap::GapAnalysis& analysis, const std::optional<ga
   }
   json["linear_changes"] = linear_changes_to_json(analysis.linear_changes);
   json["data"] = data_to_json(analysis);
-  if (!analysis.check.statistics.empty()) json["check"] = check_to_json(analysis.check);
+  if (!analysis.check.statistics.empty()) json["check"] = check_to_json(analysis);
   json["next_experiment"] = nullptr;
   if (next) json["next_experiment"] = experiment_to_json(*next, next_file);
   json["search"] = {{"rounds", rounds_to_json(analysis.search.rounds)},

@@ -99,3 +99,19 @@ TEST_CASE("Of one wheel alone the check says what it depends on by the wheel's o
   for (const CheckStatistic& statistic : analysis.check.statistics)
     CHECK_THAT(statistic.name, !ContainsSubstring("turning command"));
 }
+
+TEST_CASE("Where no effect was accepted every run is checked, else those alone that chose nothing") {
+  const auto clean = analysed(clean_runs(45));
+  REQUIRE(clean.search.final.model.effects.empty());
+  CHECK(clean.checked == CheckedRuns::all);
+
+  test::GapCaseSpec spec;
+  spec.name = "dead_zone";
+  spec.severity = test::Severity::large;
+  spec.seed = 46;
+  spec.runs = 3;
+  spec.seconds = 35.0;
+  const auto with_effect = analysed(test::make_gap_case(spec).runs);
+  REQUIRE(with_effect.verdict == Verdict::named);
+  CHECK(with_effect.checked == CheckedRuns::held_out);
+}
