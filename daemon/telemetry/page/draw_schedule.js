@@ -25,14 +25,16 @@ class DrawSchedule {
     setTimeout(() => (this.due().length ? requestAnimationFrame(() => this.draw()) : this.draw()), wait_ms);
   }
 
-  due() {
+  // What changed and was last drawn so long ago, as a share of its own time.
+  due(share = 1) {
     const now = performance.now();
-    return [...this.parts.values()].filter(part => part.dirty && now >= part.drawn_ms + part.every_ms - tolerance_ms);
+    return [...this.parts.values()].filter(part => part.dirty && now >= part.drawn_ms + share * part.every_ms - tolerance_ms);
   }
 
+  // What is due soon is drawn with what is due: each picture costs the browser much, whatever is new in it.
   draw() {
     this.planned = false;
-    for (const part of this.due()) {
+    for (const part of this.due().length ? this.due(0.75) : []) {
       part.dirty = false;
       part.drawn_ms = performance.now();
       part.draw();

@@ -237,11 +237,11 @@ function showLegend() {
 // Often enough for the eye, and no more: most of the cost is the browser's, for each picture anew.
 const schedule = new DrawSchedule({
   floor: { every_ms: 100, draw: () => floor.draw() },
-  wheels: { every_ms: 160, draw: () => {
+  wheels: { every_ms: 200, draw: () => {
     drawSpeeds(at('wheel-left'), wheels.left, wheelSeries);
     drawSpeeds(at('wheel-right'), wheels.right, wheelSeries);
   } },
-  texts: { every_ms: 250, draw: showTexts },
+  texts: { every_ms: 300, draw: showTexts },
   bumper: { every_ms: 200, draw: showBumper },
   legend: { every_ms: 500, draw: showLegend },
   lateness: { every_ms: 500, draw: () => { showLateness(); drawLateness(at('lateness'), lateness, state?.period_s); } },
