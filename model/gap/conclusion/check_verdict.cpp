@@ -24,13 +24,13 @@ void apply_check(GapAnalysis& analysis) {
 
 std::string part_in_words(const GapAnalysis& analysis) {
   const double share = largest_share_gone(analysis.tail_held_out ? analysis.train : analysis.test);
-  const long percent = std::lround(100.0 * share);
-  if (percent <= 0) return "";
   std::string names;
   for (const Finding& found : analysis.found) {
     if (found.setting.name != dropout_name) names += (names.empty() ? " " : " and ") + found.setting.name;
   }
-  return names + " would explain " + std::to_string(percent) + " % of it at most.";
+  const long percent = std::lround(100.0 * share);
+  if (percent > 0) return names + " would explain " + std::to_string(percent) + " % of it at most.";
+  return names + " fits the other runs, and brings these no closer.";
 }
 
 }  // namespace wheelwright::gap

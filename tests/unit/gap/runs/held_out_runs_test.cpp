@@ -21,6 +21,14 @@ std::vector<DriveLog> runs_with(const std::string& name, int count) {
   return runs;
 }
 
+// The same drive in another room.
+DriveLog elsewhere(DriveLog run) {
+  for (DriveSample& sample : run.samples) {
+    if (sample.reference_x_m) *sample.reference_x_m += 20.0;
+  }
+  return run;
+}
+
 GapAnalysis analysed(const std::vector<DriveLog>& train, const std::vector<DriveLog>& test) {
   auto analysis = analyse_gap(train, test, {}, for_each_in_turn, [](const std::string&, double) {});
   REQUIRE(analysis);
@@ -32,8 +40,8 @@ GapAnalysis analysed(const std::vector<DriveLog>& train, const std::vector<Drive
 TEST_CASE("What no held-out run could show is confirmed on one of the others in which it shows") {
   auto train = runs_with("surface_patch", 3);
   const auto clean = runs_with("clean", 2);
-  train.push_back(clean[0]);
-  const auto analysis = analysed(train, {clean[1]});
+  train.push_back(elsewhere(clean[0]));
+  const auto analysis = analysed(train, {elsewhere(clean[1])});
   INFO(analysis.summary);
   REQUIRE_FALSE(analysis.found.empty());
   CHECK(analysis.found.front().setting.name == "surface_patch");
@@ -42,6 +50,16 @@ TEST_CASE("What no held-out run could show is confirmed on one of the others in 
   CHECK_THAT(analysis.summary, ContainsSubstring("was held out in their place"));
   CHECK(analysis.train_runs == 3);
   CHECK(analysis.untouched);
+}
+
+TEST_CASE("A name that takes untouched runs further away is taken back, and the summary says so") {
+  const auto train = runs_with("surface_patch", 3);
+  const auto analysis = analysed(train, {runs_with("clean", 2).back()});
+  INFO(analysis.summary);
+  CHECK(analysis.verdict == Verdict::unnamed);
+  CHECK(analysis.found.empty());
+  CHECK(analysis.after.effects.empty());
+  CHECK_THAT(analysis.summary, ContainsSubstring("surface_patch fits the other runs"));
 }
 
 TEST_CASE("Test runs beside three training runs take no part in the choice, and the figures are theirs") {
