@@ -1,0 +1,268 @@
+#include "tools/wheelwright/export/c/c_header.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <ranges>
+#include <utility>
+
+#include "config/load/text_format.hpp"
+#include "model/effect_library.hpp"
+#include "tools/wheelwright/export/c/c_core.hpp"
+#include "tools/wheelwright/export/c/c_fragment.hpp"
+
+namespace wheelwright::tools {
+namespace {
+
+// An effect of the model, and where it is in the header.
+struct Placed {
+  const AddedEffect* effect;
+  const CFragment* fragment;
+  EffectStage stage;
+  std::size_t variant;  // that of the fragment
+  bool at_the_wheels;   // it acts on the body, and the wheels feel it
+  std::string state;    // the member that holds it; empty without one
+  std::string numbers;  // the array of its parameters
+};
+
+struct Header {
+  std::vector<Placed> placed;  // in the order in which they act
+  std::vector<Unsaid> unsaid;
+};
+
+Placed place(const AddedEffect& effect, const CFragment& fragment, std::size_t number) {
+  const EffectInfo& info = *find_effect(effect.setting.name);
+  const std::size_t variant = variant_index(info, effect.setting.variant);
+  const std::size_t own = info.may_load_wheels ? info.variants.size() / 2 : info.variants.size();
+  const std::string name = "effect_" + std::to_string(number);
+  return {&effect,       &fragment,      info.variants[variant].stage,
+          variant % own, variant >= own, fragment.has("reset") ? name : std::string(),
+          "ww_" + name};
+}
+
+Header arrange(const RobotModel& model) {
+  Header header;
+  for (const AddedEffect& effect : model.effects) {
+    const CFragment* fragment = find_c_fragment(effect.setting.name);
+    if (fragment == nullptr) {
+      header.unsaid.push_back({effect.setting.name, "nobody has written it in C yet"});
+    } else if (std::string reason = fragment->remark("Not said:"); !reason.empty()) {
+      header.unsaid.push_back({effect.setting.name, std::move(reason)});
+    } else {
+      header.placed.push_back(place(effect, *fragment, header.placed.size() + 1));
+    }
+  }
+  return header;
+}
+
+std::string in_comment(std::string text) {
+  for (std::size_t at = text.find("*/"); at != std::string::npos; at = text.find("*/", at))
+    text.insert(at + 1, " ");
+  for (std::size_t at = text.find("/*"); at != std::string::npos; at = text.find("/*", at))
+    text.insert(at + 1, " ");
+  return text;
+}
+
+std::string head(const RobotModel& model, const Header& header) {
+  std::string text =
+      "/* wheelwright_c_header: 1\n   " + in_comment(origin_of(model)) +
+      "\n\n   Units are metres, seconds and radians; commands are those of the model's logs. Periods of "
+      "the model last " +
+      config::plain_number(model.core.period_s) +
+      " s.\n"
+      "   Use: wheelwright_init once; wheelwright_step once per period, with the commands of both "
+      "wheels;\n"
+      "   wheelwright_commands_for says what to send so that the robot moves as told.\n";
+  for (const Placed& placed : header.placed) {
+    text += "\n   " + full_name(placed.effect->setting) + ": " + in_comment(with_intervals(*placed.effect)) +
+            "\n     Inverse: " + placed.fragment->remark("Inverse:");
+  }
+  for (const Unsaid& unsaid : header.unsaid) {
+    text += "\n   " + unsaid.effect + ": cannot be said in this format: " + unsaid.reason;
+  }
+  return text + "\n*/\n";
+}
+
+std::string fragments_of(const Header& header) {
+  std::vector<const CFragment*> used;
+  std::string text;
+  for (const Placed& placed : header.placed) {
+    if (std::ranges::find(used, placed.fragment) != used.end()) continue;
+    used.push_back(placed.fragment);
+    text += "\n" + std::string(placed.fragment->text);
+  }
+  return text;
+}
+
+std::string numbers_of(const Header& header) {
+  std::string text;
+  for (const Placed& placed : header.placed) {
+    text += "/* " + full_name(placed.effect->setting) + ":";
+    for (const ParameterInfo& parameter : parameters_of(placed.effect->setting)) text += " " + parameter.name;
+    text += " */\n" + c_array(placed.numbers, placed.effect->setting.parameters);
+  }
+  return text;
+}
+
+std::string arguments_of(const Placed& placed, const std::string& around, const std::string& what) {
+  return "(" + (placed.state.empty() ? "" : "&m->" + placed.state + ", ") + placed.numbers + ", " +
+         std::to_string(placed.variant) + ", " + around + ", " + what + ")";
+}
+
+// One effect on `speed` or, of the body, on `twist`.
+std::string call(const Placed& placed, const std::string& what) {
+  const std::string name(placed.fragment->name);
+  if (placed.at_the_wheels) {
+    return "  at = *around;\n  at.next_speed = speed;\n"
+           "  twist = ww_twist_of(speed, around->wheel_base_m);\n  " +
+           name + "_body" + arguments_of(placed, "&at", "&twist") +
+           ";\n  speed = ww_wheels_of(twist, around->wheel_base_m);\n";
+  }
+  const std::string function = what == "twist" ? "_body" : "_wheels";
+  return "  " + name + function + arguments_of(placed, "around", "&" + what) + ";\n";
+}
+
+std::string calls(const Header& header, EffectStage stage, const std::string& what) {
+  std::string text;
+  for (const Placed& placed : header.placed) {
+    if (placed.stage == stage) text += call(placed, what);
+  }
+  return text;
+}
+
+std::string undo_call(const Placed& placed, const std::string& what) {
+  const std::string name(placed.fragment->name);
+  const bool of_body = placed.at_the_wheels || what == "twist";
+  if (!placed.fragment->has(of_body ? "undo_body" : "undo_wheels")) return "";
+  if (placed.at_the_wheels) {
+    return "  twist = ww_twist_of(speed, around->wheel_base_m);\n  reached &= " + name + "_undo_body" +
+           arguments_of(placed, "around", "&twist") +
+           ";\n  speed = ww_wheels_of(twist, around->wheel_base_m);\n";
+  }
+  return "  reached &= " + name + (of_body ? "_undo_body" : "_undo_wheels") +
+         arguments_of(placed, "around", "&" + what) + ";\n";
+}
+
+std::string undo_calls(const Header& header, EffectStage stage, const std::string& what) {
+  std::string text;
+  for (const Placed& placed : std::views::reverse(header.placed)) {
+    if (placed.stage == stage) text += undo_call(placed, what);
+  }
+  return text;
+}
+
+std::string model_type(const Header& header) {
+  std::string text = R"c(
+/* The caller owns it. Between two steps, `around.pose` and `around.battery_v` may be set. */
+typedef struct {
+  ww_around around;
+  ww_pair wheel_speed; /* as the encoders see it */
+  ww_pair floor_speed; /* as the wheels roll on the floor */
+  ww_twist twist;      /* of the middle of the axle */
+  ww_linear_state linear;
+)c";
+  for (const Placed& placed : header.placed) {
+    if (!placed.state.empty())
+      text += "  " + std::string(placed.fragment->name) + "_state " + placed.state + ";\n";
+  }
+  return text + "} wheelwright_model;\n";
+}
+
+std::string init_function(const RobotModel& model, const Header& header) {
+  std::string text = R"c(
+/* To rest, at x = y = theta = 0. */
+static inline void wheelwright_init(wheelwright_model* m) {
+  static const ww_around at_rest = {0.0, 0.0, 0.0, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0};
+  m->around = at_rest;
+  m->wheel_speed = m->floor_speed = at_rest.speed;
+  m->twist.v = m->twist.w = 0.0;
+  ww_linear_reset(&m->linear);
+)c";
+  text += "  m->around.period_s = " + config::plain_number(model.core.period_s) + ";\n";
+  text += "  m->around.wheel_base_m = " + config::plain_number(model.core.wheel_base_m) + ";\n";
+  for (const Placed& placed : header.placed) {
+    if (placed.state.empty()) continue;
+    text += "  " + std::string(placed.fragment->name) + "_reset(&m->" + placed.state + ", " + placed.numbers +
+            ", " + std::to_string(placed.variant) + ");\n";
+  }
+  return text + "}\n";
+}
+
+std::string step_function(const Header& header) {
+  const bool loads_wheels = std::ranges::any_of(header.placed, &Placed::at_the_wheels);
+  return R"c(
+/* One period with these commands in force. Speeds, twist and pose are in the model afterwards. */
+static inline void wheelwright_step(wheelwright_model* m, double left_command, double right_command) {
+  ww_around* around = &m->around;
+)c" + std::string(loads_wheels ? "  ww_around at;\n" : "") +
+         R"c(  ww_pair command, speed;
+  ww_twist twist;
+  command.left = left_command;
+  command.right = right_command;
+  around->command = command;
+)c" + calls(header, EffectStage::command, "command") +
+         "  speed = ww_linear_step(&m->linear, command);\n" + calls(header, EffectStage::wheel, "speed") +
+         "  m->wheel_speed = around->next_speed = speed;\n" + calls(header, EffectStage::floor, "speed") +
+         "  m->floor_speed = speed;\n  twist = ww_twist_of(speed, around->wheel_base_m);\n" +
+         calls(header, EffectStage::body, "twist") +
+         R"c(  m->twist = twist;
+  around->pose = ww_moved(around->pose, twist, around->period_s);
+  around->speed = m->wheel_speed;
+  around->distance.left += m->wheel_speed.left * around->period_s;
+  around->distance.right += m->wheel_speed.right * around->period_s;
+  around->time_s += around->period_s;
+}
+)c";
+}
+
+std::string observed_function(const Header& header) {
+  std::string text = R"c(
+/* The pose of the point that an outside reference measures. */
+static inline ww_pose wheelwright_observed(const wheelwright_model* m) {
+  ww_pose pose = m->around.pose;
+)c";
+  for (const Placed& placed : header.placed) {
+    if (placed.stage != EffectStage::observation) continue;
+    text += "  pose = " + std::string(placed.fragment->name) + "_observed(" + placed.numbers + ", pose);\n";
+  }
+  return text + "  return pose;\n}\n";
+}
+
+std::string inverse_function(const RobotModel& model, const Header& header) {
+  const auto core = c_core_inverse(model.core);
+  if (!core) return "\n/* No inverse: no commands of this model set both wheels' speeds. */\n";
+  return "\n" + *core + R"c(
+/* What to send so that the robot settles at v (m/s) and w (rad/s), from where the model stands now: heading, time and
+   battery count. 1 where it gets there; 0 where it does not, by what stands at the top of each effect. */
+static inline int wheelwright_commands_for(const wheelwright_model* m, double v, double w, double* left_command,
+                                           double* right_command) {
+  const ww_around* around = &m->around;
+  int reached = 1;
+  ww_twist twist;
+  ww_pair speed, command;
+  twist.v = v;
+  twist.w = w;
+)c" + undo_calls(header, EffectStage::body, "twist") +
+         "  speed = ww_wheels_of(twist, around->wheel_base_m);\n" +
+         undo_calls(header, EffectStage::floor, "speed") + undo_calls(header, EffectStage::wheel, "speed") +
+         "  command = ww_linear_undo(speed);\n" + undo_calls(header, EffectStage::command, "command") +
+         R"c(  *left_command = command.left;
+  *right_command = command.right;
+  return reached;
+}
+)c";
+}
+
+}  // namespace
+
+ModelText to_c(const RobotModel& model) {
+  Header header = arrange(model);
+  std::string text = head(model, header) +
+                     "#ifndef WHEELWRIGHT_MODEL_H\n#define WHEELWRIGHT_MODEL_H\n\n#include <math.h>\n\n" +
+                     std::string(c_prelude()) + "\n" + c_core(model.core) + fragments_of(header) + "\n" +
+                     numbers_of(header) + model_type(header) + init_function(model, header) +
+                     step_function(header) + observed_function(header) + inverse_function(model, header) +
+                     "\n#endif\n";
+  return {std::move(text), std::move(header.unsaid)};
+}
+
+}  // namespace wheelwright::tools
