@@ -33,6 +33,10 @@ enum class OutputKind {
   lateness,
   truth,
   cable_faults,
+  c_header,  // of `wheelwright export --to`, as the three below
+  ros2_control,
+  sdf,
+  mujoco,
 };
 
 struct OutputFile {

@@ -83,6 +83,14 @@ bool is_of_kind(OutputKind kind, string_view head) {
       return has_line(head, "# wheelwright_truth:");
     case OutputKind::cable_faults:
       return has_line(head, "# wheelwright_cable_faults:");
+    case OutputKind::c_header:
+      return head.starts_with("/* wheelwright_c_header:");
+    case OutputKind::ros2_control:
+      return has_line(head, "# wheelwright_ros2_control:");
+    case OutputKind::sdf:
+      return head.starts_with("<!-- wheelwright_sdf:");
+    case OutputKind::mujoco:
+      return head.starts_with("<!-- wheelwright_mujoco:");
   }
   return false;
 }

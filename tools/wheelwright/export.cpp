@@ -1,4 +1,4 @@
-// wheelwright export: a run to what other tools read.
+// wheelwright export: a run, or a model, to what other tools read.
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -8,6 +8,7 @@
 #include "daemon/mcap/robot_recording.hpp"
 #include "tools/option_checks.hpp"
 #include "tools/wheelwright/commands.hpp"
+#include "tools/wheelwright/export/model_export.hpp"
 #include "tools/wheelwright/export/plain_csv.hpp"
 #include "tools/wheelwright/export/recorded_run.hpp"
 #include "tools/wheelwright/export/tum.hpp"
@@ -23,6 +24,7 @@ struct ExportOptions {
   std::string mcap;
   std::string csv;
   TumChoice choice;
+  ModelExport model;
   bool json = false;
 };
 
@@ -52,9 +54,14 @@ void check_all(std::vector<config::OutputFile> outputs, const RecordedRun& run) 
 }
 
 ExitStatus run_export(const ExportOptions& options, Streams streams) {
-  if (options.tum.empty() && options.mcap.empty() && options.csv.empty()) {
-    throw UsageError("nothing to write; add --mcap OUT, --tum OUT or --csv OUT");
+  const bool of_run = !options.tum.empty() || !options.mcap.empty() || !options.csv.empty();
+  if (options.model.is_asked_for()) {
+    if (of_run)
+      throw UsageError("--to takes a model, and --mcap, --tum and --csv a run; give one or the other");
+    return export_model(options.log, options.model, options.json, streams);
   }
+  if (!of_run)
+    throw UsageError("nothing to write; add --mcap OUT, --tum OUT or --csv OUT, or --to for a model");
   const RecordedRun run = load_recorded_run(options.log);
   const config::OutputFile mcap{options.mcap, config::OutputKind::mcap};
   const config::OutputFile tum{options.tum, config::OutputKind::trajectory};
@@ -77,8 +84,11 @@ ExitStatus run_export(const ExportOptions& options, Streams streams) {
 
 Action add_export(CLI::App& app) {
   const auto options = std::make_shared<ExportOptions>();
-  CLI::App* command = app.add_subcommand("export", "A drive or pose log to what other tools read");
-  command->add_option("LOG", options->log, "Folder of a run, or a drive log, or a pose log")->required();
+  CLI::App* command = app.add_subcommand("export", "A run or a model to what other tools read");
+  command
+      ->add_option("LOG", options->log,
+                   "Folder of a run, or a drive log, or a pose log; with --to, a model file")
+      ->required();
   command->add_option("--mcap", options->mcap, "MCAP file to write, for Foxglove, Lichtblick, PlotJuggler");
   command->add_option("--tum", options->tum, "Trajectory to write, for evo: timestamp x y z qx qy qz qw");
   command->add_option("--csv", options->csv, "CSV to write, for pandas and PlotJuggler: header row first");
@@ -93,8 +103,11 @@ Action add_export(CLI::App& app) {
       ->default_str("best");
   command->add_option("--during", options->choice.during,
                       "With --tum: only of this activity, as 'route'; poses begin anew there");
+  add_model_options(*command, options->model);
   command->add_flag("--json", options->json, "The files that were written, as JSON");
-  command->footer("Example: wheelwright export runs/2026-11-21T06-48-44Z --mcap run.mcap");
+  command->footer(
+      "Example: wheelwright export runs/2026-11-21T06-48-44Z --mcap run.mcap\n"
+      "         wheelwright export robot.yaml --to c -o robot.h");
   return [options](Streams streams) { return run_export(*options, streams); };
 }
 

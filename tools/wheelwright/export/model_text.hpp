@@ -19,6 +19,9 @@ struct ModelText {
   std::vector<Unsaid> unsaid;
 };
 
+// With nine digits: no parameter of a robot is known better.
+std::string short_number(double value);
+
 // "coulomb_friction", or "surface_patch (wheel_round)".
 std::string full_name(const EffectSetting& setting);
 

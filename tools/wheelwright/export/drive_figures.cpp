@@ -1,0 +1,161 @@
+#include "tools/wheelwright/export/drive_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "config/load/printable_text.hpp"
+#include "model/effect_library.hpp"
+
+namespace wheelwright::tools {
+namespace {
+
+using Map = std::function<double(double)>;
+
+std::string source_of(const RobotModel& model, const AddedEffect& effect) {
+  const std::string& date = effect.created.empty() ? model.created : effect.created;
+  return full_name(effect.setting) + (date.empty() ? "" : " of " + config::printable(date));
+}
+
+// One parameter of an effect, through a monotonic map.
+Figure figure_of(const RobotModel& model, const AddedEffect& effect, std::size_t parameter, const Map& map) {
+  Figure figure{map(effect.setting.parameters[parameter]), {}, source_of(model, effect)};
+  if (parameter < effect.intervals.size()) {
+    const auto [lower, upper] =
+        std::minmax(map(effect.intervals[parameter].lower), map(effect.intervals[parameter].upper));
+    figure.interval = {lower, upper};
+  }
+  return figure;
+}
+
+// Intervals are added as those of independent errors.
+Figure product(const Figure& one, const Figure& other) {
+  Figure both{one.value * other.value,
+              {},
+              one.from + (one.from.empty() || other.from.empty() ? "" : ", ") + other.from};
+  if (!one.interval && !other.interval) return both;
+  const auto relative = [](const Figure& figure, bool upper) {
+    if (!figure.interval) return 0.0;
+    return (upper ? figure.interval->upper : figure.interval->lower) / figure.value - 1.0;
+  };
+  both.interval = {both.value * (1.0 - std::hypot(relative(one, false), relative(other, false))),
+                   both.value * (1.0 + std::hypot(relative(one, true), relative(other, true)))};
+  return both;
+}
+
+// The time by which the step response is late on average.
+double lag_s(const LinearModel& core, bool left) {
+  constexpr std::size_t longest = 2000;
+  const TwistResponse response = twist_response(core, longest);
+  const auto& v = left ? response.v_from_left : response.v_from_right;
+  const auto& w = left ? response.w_from_left : response.w_from_right;
+  double sum = 0.0;
+  double moment = 0.0;
+  for (std::size_t k = 0; k < longest; ++k) {
+    const WheelPair speed = wheels_of_twist({v[k], w[k]}, core.wheel_base_m);
+    const double own = left ? speed.left : speed.right;
+    sum += own;
+    moment += own * static_cast<double>(k);
+  }
+  return sum == 0.0 ? 0.0 : core.period_s * moment / sum;
+}
+
+// Of two that limit, the tighter one.
+void take(std::optional<Figure>& kept, Figure figure, bool smaller) {
+  if (!kept || (smaller ? figure.value < kept->value : figure.value > kept->value)) kept = std::move(figure);
+}
+
+void add_scale(const RobotModel& model, const AddedEffect& effect, DriveFigures& figures) {
+  const auto times = [&](Figure& multiplier, const Map& map) {
+    multiplier = product(multiplier, figure_of(model, effect, 0, map));
+  };
+  if (effect.setting.name == "distance_scale") {
+    times(figures.left_radius_multiplier, [](double change) { return 1.0 + change; });
+    times(figures.right_radius_multiplier, [](double change) { return 1.0 + change; });
+  } else if (effect.setting.name == "wheel_scale_mismatch") {
+    const double of_left = effect.setting.variant == "left_wheel"    ? 1.0
+                           : effect.setting.variant == "right_wheel" ? 0.0
+                                                                     : 0.5;
+    times(figures.left_radius_multiplier, [of_left](double mismatch) { return 1.0 - of_left * mismatch; });
+    times(figures.right_radius_multiplier,
+          [of_left](double mismatch) { return 1.0 + (1.0 - of_left) * mismatch; });
+  } else if (effect.setting.name == "effective_track") {
+    const double base = figures.wheel_separation_m;
+    times(figures.separation_multiplier, [base](double excess) { return (base + excess) / base; });
+  }
+}
+
+void add_limit(const RobotModel& model, const AddedEffect& effect, DriveFigures& figures) {
+  const double gain = 0.5 * (figures.gain.left + figures.gain.right);
+  const double of_speed = effect.setting.variant == "command" ? gain : 1.0;
+  const auto same = [](double value) { return value; };
+  const auto to_speed = [of_speed](double value) { return of_speed * value; };
+  const auto to_command = [gain](double value) { return value / gain; };
+  const std::string& name = effect.setting.name;
+  if (name == "saturation") take(figures.largest_speed_m_s, figure_of(model, effect, 0, to_speed), true);
+  if (name == "rate_limit") take(figures.largest_change_m_s2, figure_of(model, effect, 0, to_speed), true);
+  if (name == "dead_zone") take(figures.smallest_command_m_s, figure_of(model, effect, 0, same), false);
+  if (name == "coulomb_friction") {
+    take(figures.smallest_command_m_s, figure_of(model, effect, 0, to_command), false);
+    take(figures.friction_loss_m_s, figure_of(model, effect, 0, same), false);
+  }
+  if (name == "stiction") {
+    const double sliding = effect.setting.parameters[1];
+    take(figures.smallest_command_m_s,
+         figure_of(model, effect, 0, [&](double excess) { return to_command(excess + sliding); }), false);
+    take(figures.friction_loss_m_s, figure_of(model, effect, 1, same), false);
+  }
+}
+
+}  // namespace
+
+DriveFigures drive_figures(const RobotModel& model) {
+  DriveFigures figures;
+  figures.wheel_separation_m = model.core.wheel_base_m;
+  figures.separation_multiplier.value = 1.0;
+  figures.left_radius_multiplier.value = 1.0;
+  figures.right_radius_multiplier.value = 1.0;
+  figures.gain = {dc_gain(model.core.left).from_left, dc_gain(model.core.right).from_right};
+  figures.lag_s = {lag_s(model.core, true), lag_s(model.core, false)};
+  for (const AddedEffect& effect : model.effects) {
+    add_scale(model, effect, figures);
+    add_limit(model, effect, figures);
+  }
+  return figures;
+}
+
+std::string value_of(const Figure& figure) {
+  return short_number(figure.value);
+}
+
+std::string remark_of(const Figure& figure) {
+  if (figure.from.empty()) return "no effect of the model changes it";
+  if (!figure.interval) return "no interval; " + figure.from;
+  return "95 % interval " + short_number(figure.interval->lower) + " to " +
+         short_number(figure.interval->upper) + "; " + figure.from;
+}
+
+Figure scaled(const Figure& figure, double factor) {
+  Figure result{figure.value * factor, {}, figure.from};
+  if (figure.interval) {
+    const auto [lower, upper] = std::minmax(figure.interval->lower * factor, figure.interval->upper * factor);
+    result.interval = {lower, upper};
+  }
+  return result;
+}
+
+std::vector<Unsaid> unsaid_of(const RobotModel& model, std::span<const std::string_view> put,
+                              std::span<const UnsaidReason> reasons) {
+  std::vector<Unsaid> unsaid;
+  for (const AddedEffect& effect : model.effects) {
+    const std::string& name = effect.setting.name;
+    if (std::ranges::find(put, name) != put.end()) continue;
+    const auto known = std::ranges::find(reasons, name, &UnsaidReason::effect);
+    unsaid.push_back({full_name(effect.setting), known == reasons.end()
+                                                     ? "nobody has found a place for it there yet"
+                                                     : std::string(known->reason)});
+  }
+  return unsaid;
+}
+
+}  // namespace wheelwright::tools
