@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "config/load/text_format.hpp"
 #include "model/effect_library.hpp"
@@ -168,17 +169,18 @@ std::string main_of(std::size_t count) {
 }
 
 std::string rows_text() {
-  std::string text = "static const double rows[][3] = {\n";
+  std::ostringstream text;
+  text << "static const double rows[][3] = {\n";
   for (int k = 0; k < periods; ++k) {
     const WheelPair command = command_at(k);
-    text += "{" + config::plain_number(command.left) + ", " + config::plain_number(command.right) + ", " +
-            config::plain_number(battery_at(k)) + "},\n";
+    text << "{" << config::plain_number(command.left) << ", " << config::plain_number(command.right) << ", "
+         << config::plain_number(battery_at(k)) << "},\n";
   }
-  text += "};\nstatic const double wanted[][2] = {\n";
-  for (const Twist& twist : wanted()) {
-    text += "{" + config::plain_number(twist.v_m_s) + ", " + config::plain_number(twist.w_rad_s) + "},\n";
-  }
-  return text + "};\n";
+  text << "};\nstatic const double wanted[][2] = {\n";
+  for (const Twist& twist : wanted())
+    text << "{" << config::plain_number(twist.v_m_s) << ", " << config::plain_number(twist.w_rad_s) << "},\n";
+  text << "};\n";
+  return text.str();
 }
 
 bool has_c_compiler() {

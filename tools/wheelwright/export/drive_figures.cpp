@@ -22,7 +22,7 @@ Figure figure_of(const RobotModel& model, const AddedEffect& effect, std::size_t
   Figure figure{map(effect.setting.parameters[parameter]), {}, source_of(model, effect)};
   if (parameter < effect.intervals.size()) {
     const auto [lower, upper] =
-        std::minmax(map(effect.intervals[parameter].lower), map(effect.intervals[parameter].upper));
+        std::minmax({map(effect.intervals[parameter].lower), map(effect.intervals[parameter].upper)});
     figure.interval = {lower, upper};
   }
   return figure;
@@ -138,7 +138,8 @@ std::string remark_of(const Figure& figure) {
 Figure scaled(const Figure& figure, double factor) {
   Figure result{figure.value * factor, {}, figure.from};
   if (figure.interval) {
-    const auto [lower, upper] = std::minmax(figure.interval->lower * factor, figure.interval->upper * factor);
+    const auto [lower, upper] =
+        std::minmax({figure.interval->lower * factor, figure.interval->upper * factor});
     result.interval = {lower, upper};
   }
   return result;

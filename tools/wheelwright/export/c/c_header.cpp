@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <ranges>
 #include <utility>
 
 #include "config/load/text_format.hpp"
@@ -144,8 +143,8 @@ std::string undo_call(const Placed& placed, const std::string& what) {
 
 std::string undo_calls(const Header& header, EffectStage stage, const std::string& what) {
   std::string text;
-  for (const Placed& placed : std::views::reverse(header.placed)) {
-    if (placed.stage == stage) text += undo_call(placed, what);
+  for (auto placed = header.placed.rbegin(); placed != header.placed.rend(); ++placed) {
+    if (placed->stage == stage) text += undo_call(*placed, what);
   }
   return text;
 }
