@@ -145,7 +145,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "What was measured of a wheel's drift becomes the covariance of odometry; without it there is none") {
+    "What was measured of a wheel's drift becomes the covariance of odometry, and without it there is none") {
   RobotModel model = linear_model();
   CHECK_FALSE(YAML::Load(tools::to_ros2_control(model, radius_m)
                              .text)["diff_drive_controller"]["ros__parameters"]["pose_covariance_diagonal"]);
