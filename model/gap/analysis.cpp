@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/effect_library.hpp"
 #include "model/gap/conclusion/acceptance.hpp"
 #include "model/gap/conclusion/check_verdict.hpp"
 #include "model/gap/conclusion/confirmation.hpp"
@@ -212,10 +211,10 @@ void Analysis::take_back_names() {
 }
 
 void Analysis::judge() {
-  Leftovers leftovers{what_is_left(result_), {}, train_problem_->has_counts()};
+  ResidualDiagnostics residual{what_is_left(result_), {}, train_problem_->has_counts()};
   put_slow_noise_into_floors();
-  leftovers.gain_changes = changed_gains(result_, *train_problem_, *test_problem_);
-  reach_verdict(result_, options_.limits, leftovers);
+  residual.gain_changes = changed_gains(result_, *train_problem_, *test_problem_);
+  reach_verdict(result_, options_.limits, residual);
   describe_where();
   const auto dropout = [](const Finding& found) { return found.setting.name == dropout_name; };
   if (std::ranges::any_of(result_.found, dropout)) show_gap_with_lost_counts();
@@ -277,35 +276,13 @@ void Analysis::hold_out_others() {
   }
 }
 
-// The search fits a linear part of its own: what the given one lacks would go unsaid.
 void Analysis::compare_linear_part() {
-  constexpr double same_period = 0.02;
   if (!options_.model) return;
-  const RobotModel& given = *options_.model;
-  const double period_s = gathered_.train.runs.front().period_s;
-  if (std::abs(given.core.period_s - period_s) > same_period * period_s) return;
-  const TrialModel& accepted = result_.search.final.model;
-  RobotModel whole = whole_model_of(accepted, origin_);
-  whole.core = given.core;
-  // A linear effect that was found, as a delay, stands beside the fitted linear part; beside the given one it
-  // has another size.
-  std::erase_if(whole.effects, [&](const AddedEffect& effect) {
-    const auto same = [&](const AddedEffect& known) { return known.setting.name == effect.setting.name; };
-    return find_effect(effect.setting.name)->linear && std::ranges::none_of(given.effects, same);
-  });
-  const NoiseModel noise = train_problem_->noise_left_by(accepted);
-  GapProblem train = *train_problem_;
-  GapProblem heldout = *test_problem_;
-  train.set_noise(noise);
-  heldout.set_noise(noise);
-  add_linear_changes(result_, linear_changes(whole, accepted, train, heldout), given);
-  if (result_.linear_changes.empty()) return;
+  if (!add_linear_changes(result_, origin_, *train_problem_, *test_problem_)) return;
   result_.train.after = gap_size(result_.after, gathered_.train.logs);
   if (!result_.tail_held_out) result_.test.after = gap_size(result_.after, gathered_.test.logs);
 }
 
-// What was accepted meets the runs that nothing was chosen by; where there are none, those that were held
-// out.
 RunSet Analysis::every_run() const {
   RunSet all = gathered_.train;
   for (const RunSet* more : {&gathered_.test, &gathered_.untouched}) {
@@ -314,6 +291,8 @@ RunSet Analysis::every_run() const {
   return all;
 }
 
+// What was accepted meets the runs that nothing was chosen by; where there are none, those that were held
+// out.
 void Analysis::meet_test_runs() {
   RunSet& untouched = gathered_.untouched;
   result_.untouched = !untouched.runs.empty();
@@ -397,6 +376,8 @@ tl::expected<GapAnalysis, GapRefusal> Analysis::run(std::span<const DriveLog> tr
   compare_linear_part();
   check_on_test_runs();
   bound_floors();
+  if (options_.model)
+    result_.summary += not_compared_in_words(*options_.model, gathered_.train.runs.front().period_s);
   return result_;
 }
 

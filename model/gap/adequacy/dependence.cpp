@@ -12,7 +12,6 @@ namespace {
 constexpr std::size_t max_bins = 8;
 constexpr std::size_t min_bins = 3;
 constexpr std::size_t min_readings_per_bin = 20;
-constexpr double horizon_s = 10.0;
 constexpr int min_visits = 3;
 constexpr double break_s = 0.5;  // between two visits
 

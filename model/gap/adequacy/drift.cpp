@@ -1,5 +1,6 @@
 #include "model/gap/adequacy/drift.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "model/gap/noise/noise_fit.hpp"
@@ -8,7 +9,6 @@ namespace wheelwright::gap {
 namespace {
 
 constexpr double apart_s = 2.0;
-constexpr double horizon_s = 10.0;
 constexpr std::size_t min_readings = 20;
 
 }  // namespace

@@ -14,7 +14,6 @@ constexpr double window_s = 0.3;
 constexpr std::size_t min_windows = 50;
 constexpr double deviations = 5.0;
 constexpr double same_event_s = 1.0;
-constexpr double horizon_s = 10.0;
 
 struct Window {
   std::size_t run = 0;

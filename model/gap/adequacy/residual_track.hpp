@@ -10,6 +10,9 @@
 
 namespace wheelwright::gap {
 
+// Of a free run, over which what a statistic finds adds up to its size.
+constexpr double horizon_s = 10.0;
+
 struct ResidualTrack {
   std::size_t run = 0;
   Channel channel = Channel::left;

@@ -11,7 +11,6 @@ namespace {
 
 constexpr double window_s = 0.7;
 constexpr std::size_t min_windows = 10;
-constexpr double horizon_s = 10.0;
 
 struct Window {
   double squares = 0.0;  // of innovations

@@ -30,7 +30,7 @@ std::string part_in_words(const GapAnalysis& analysis) {
   }
   const long percent = std::lround(100.0 * share);
   if (percent > 0) return names + " would explain " + std::to_string(percent) + " % of it at most.";
-  return names + " fits the other runs, and brings these no closer.";
+  return " The other runs look like" + names + ", by which these come no closer.";
 }
 
 }  // namespace wheelwright::gap

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+
+#include "model/effect_library.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -12,6 +15,11 @@ const LinearChange* longer_delay(const std::vector<LinearChange>& changes) {
   const auto found = std::ranges::find_if(
       changes, [](const LinearChange& change) { return change.what == "delay" && change.value > 0.0; });
   return found == changes.end() ? nullptr : &*found;
+}
+
+bool has_period(const RobotModel& model, double period_s) {
+  constexpr double same_period = 0.02;
+  return std::abs(model.core.period_s - period_s) <= same_period * period_s;
 }
 
 bool lag_changed(const std::vector<LinearChange>& changes) {
@@ -73,6 +81,36 @@ void add_linear_changes(GapAnalysis& analysis, const LinearChanges& found, const
   if (!lag_changed(found.changes)) {
     analysis.after = corrected_model(given, found.correction, analysis.found.back(), analysis.after.source);
   }
+}
+
+std::string not_compared_in_words(const RobotModel& given, double period_s) {
+  if (has_period(given, period_s)) return "";
+  std::ostringstream words;
+  words << " The given model's period is " << given.core.period_s << " s and that of the logs " << period_s
+        << " s: its linear part was not compared with them.";
+  return words.str();
+}
+
+bool add_linear_changes(GapAnalysis& analysis, const ModelOrigin& origin, const GapProblem& train,
+                        const GapProblem& heldout) {
+  const RobotModel& given = *origin.given;
+  if (!has_period(given, train.runs().front().period_s)) return false;
+  const TrialModel& accepted = analysis.search.final.model;
+  RobotModel whole = whole_model_of(accepted, origin);
+  whole.core = given.core;
+  // A linear effect that was found, as a delay, stands beside the fitted linear part; beside the given one it
+  // has another size.
+  std::erase_if(whole.effects, [&](const AddedEffect& effect) {
+    const auto same = [&](const AddedEffect& known) { return known.setting.name == effect.setting.name; };
+    return find_effect(effect.setting.name)->linear && std::ranges::none_of(given.effects, same);
+  });
+  const NoiseModel noise = train.noise_left_by(accepted);
+  GapProblem fitted = train;
+  GapProblem confirming = heldout;
+  fitted.set_noise(noise);
+  confirming.set_noise(noise);
+  add_linear_changes(analysis, linear_changes(whole, accepted, fitted, confirming), given);
+  return !analysis.linear_changes.empty();
 }
 
 }  // namespace wheelwright::gap

@@ -76,9 +76,9 @@ std::optional<Excess> only_held_out(const GapAnalysis& analysis) {
 }
 
 Judgement of_nothing_found(const GapAnalysis& analysis, const SearchLimits& limits,
-                           const Leftovers& leftovers) {
-  const Excess& over_quick_noise = leftovers.over_quick_noise;
-  const auto& changes = leftovers.gain_changes;
+                           const ResidualDiagnostics& residual) {
+  const Excess& over_quick_noise = residual.over_quick_noise;
+  const auto& changes = residual.gain_changes;
   if (decoy_explains(analysis, limits)) {
     return {Verdict::unnamed, "Something is missing that no effect of the library explains."};
   }
@@ -230,9 +230,9 @@ bool data_decide(GapAnalysis& analysis, const RunSet& train, const Testability& 
   return true;
 }
 
-void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Leftovers& leftovers) {
+void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const ResidualDiagnostics& residual) {
   Judgement judgement =
-      analysis.found.empty() ? of_nothing_found(analysis, limits, leftovers) : of_findings(analysis.found);
+      analysis.found.empty() ? of_nothing_found(analysis, limits, residual) : of_findings(analysis.found);
   analysis.verdict = judgement.verdict;
   analysis.summary = std::move(judgement.summary);
   analysis.where = std::move(judgement.where);
@@ -248,7 +248,7 @@ void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Left
   } else if (std::abs(gyro_scale) > worth_saying) {
     analysis.summary += " " + gyro_scale_in_words(gyro_scale);
   }
-  if (!leftovers.counted) analysis.summary += gains_in_words(analysis.search.final.model);
+  if (!residual.counted) analysis.summary += gains_in_words(analysis.search.final.model);
   const Excess left = what_is_left(analysis);
   if (analysis.verdict == Verdict::named && left.times >= far_above_noise) {
     analysis.summary += " More may be: in free runs " + in_words(left) + ".";

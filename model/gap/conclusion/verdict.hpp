@@ -29,7 +29,7 @@ std::vector<GainChange> changed_gains(const GapAnalysis& analysis, const GapProb
                                       const GapProblem& heldout);
 
 // What may be missing where nothing was found.
-struct Leftovers {
+struct ResidualDiagnostics {
   Excess over_quick_noise;  // in floors of noise from reading to reading
   std::vector<GainChange> gain_changes;
   bool counted = false;  // whether the logs hold counts
@@ -37,6 +37,6 @@ struct Leftovers {
 
 // Sets verdict and summary, and `where` for gains that changed, from all else that the analysis holds. Its
 // floors are those of noise over seconds.
-void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Leftovers& leftovers);
+void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const ResidualDiagnostics& residual);
 
 }  // namespace wheelwright::gap

@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "tests/benchmark/plants/comparison.hpp"
 #include "tests/benchmark/plants/least_squares.hpp"
 
 namespace plants::fifth {
@@ -42,14 +43,6 @@ double turned(const Run& run, std::size_t from, std::size_t to) {
   return run.truth[to].heading_rad - run.truth[from].heading_rad;
 }
 
-std::vector<double> past_commands(const Run& run, std::size_t row, std::size_t memory_rows) {
-  std::vector<double> values;
-  for (std::size_t lag = 0; lag < lags; ++lag)
-    for (const double command_m_s : run.log.rows[row - lag * memory_rows / lags].command_m_s)
-      values.push_back(command_m_s);
-  return values;
-}
-
 struct Difference {
   double mean_square;
   double bent_mean_square;
@@ -63,7 +56,7 @@ Difference difference(const std::vector<Run>& ones, const std::vector<Run>& othe
     const auto window_rows = static_cast<std::size_t>(std::lround(window_s / period_s));
     const auto memory_rows = static_cast<std::size_t>(std::lround(memory_s / period_s));
     for (std::size_t row = memory_rows; row < ones[index].truth.size(); row += 4)
-      fit.add(past_commands(ones[index], row, memory_rows),
+      fit.add(past_commands(ones[index], row, memory_rows, lags),
               channel(ones[index], row - window_rows, row) - channel(others[index], row - window_rows, row));
   }
   return {fit.mean_square(), fit.remaining_mean_square()};

@@ -46,14 +46,6 @@ double turn_rate(const Run& run, std::size_t from, std::size_t to) {
   return (run.truth[to].heading_rad - run.truth[from].heading_rad) / span_s(run, from, to);
 }
 
-std::vector<double> past_commands(const Run& run, std::size_t row, std::size_t memory_rows) {
-  std::vector<double> values;
-  for (std::size_t lag = 0; lag < lags; ++lag)
-    for (const double command_m_s : run.log.rows[row - lag * memory_rows / lags].command_m_s)
-      values.push_back(command_m_s);
-  return values;
-}
-
 struct Difference {
   double rms;
   double bent_rms;
@@ -68,13 +60,22 @@ Difference difference(const std::vector<Run>& hidden, const std::vector<Run>& in
     for (std::size_t row = memory_rows; row < hidden[index].truth.size(); row += 2) {
       const double change =
           speed(hidden[index], row - window_rows, row) - speed(innocent[index], row - window_rows, row);
-      fit.add(past_commands(hidden[index], row, memory_rows), change);
+      fit.add(past_commands(hidden[index], row, memory_rows, lags), change);
     }
   }
   return {std::sqrt(fit.mean_square()), std::sqrt(fit.remaining_mean_square())};
 }
 
 }  // namespace
+
+std::vector<double> past_commands(const Run& run, std::size_t row, std::size_t memory_rows,
+                                  std::size_t lags) {
+  std::vector<double> values;
+  for (std::size_t lag = 0; lag < lags; ++lag)
+    for (const double command_m_s : run.log.rows[row - lag * memory_rows / lags].command_m_s)
+      values.push_back(command_m_s);
+  return values;
+}
 
 Comparison compare(const std::vector<Run>& hidden, const std::vector<Run>& innocent,
                    const SensorSet& sensors) {

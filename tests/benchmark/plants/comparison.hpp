@@ -22,6 +22,9 @@ struct Comparison {
   double turn_noise_rad_s = 0.0;
 };
 
+// Commands of both wheels in so many rows, evenly back from one row over the memory.
+std::vector<double> past_commands(const Run& run, std::size_t row, std::size_t memory_rows, std::size_t lags);
+
 Comparison compare(const std::vector<Run>& hidden, const std::vector<Run>& innocent,
                    const SensorSet& sensors);
 

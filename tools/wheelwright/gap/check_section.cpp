@@ -64,7 +64,7 @@ std::string role_text(gap::CheckedRuns checked) {
     case gap::CheckedRuns::all:
       break;
   }
-  return "No effect was accepted, so that every run can speak against that.";
+  return "No effect was chosen by free runs, so that no run took part in a choice, and all are checked.";
 }
 
 }  // namespace

@@ -90,21 +90,21 @@ DriveLog random_commands(const DriveProgram& program, const std::string& name, R
 
 DriveLog measured_drive(const RobotModel& model, DriveLog log, const DriveNoise& noise, Random& random) {
   const auto motion = free_run(model, log);
-  WheelPair wandered_m;
+  WheelPair drifted_m;
   Pose pose = motion.front().pose;
   for (std::size_t k = 0; k < motion.size(); ++k) {
     if (k > 0) {
-      const double deviation_m = noise.wander_m_per_sqrt_s * std::sqrt(motion[k].t_s - motion[k - 1].t_s);
+      const double deviation_m = noise.drift_m_per_sqrt_s * std::sqrt(motion[k].t_s - motion[k - 1].t_s);
       const WheelPair step_m{normal(deviation_m, random), normal(deviation_m, random)};
-      wandered_m = {wandered_m.left + step_m.left, wandered_m.right + step_m.right};
+      drifted_m = {drifted_m.left + step_m.left, drifted_m.right + step_m.right};
       Pose step = relative_to(motion[k - 1].pose, motion[k].pose);
       step.x_m += 0.5 * (step_m.left + step_m.right);
       step.theta_rad += (step_m.right - step_m.left) / log.wheel_base_m;
       pose = placed_at(pose, step);
     }
     DriveSample& sample = log.samples[k];
-    sample.ticks = WheelTicks{counts(motion[k].distance_m.left + wandered_m.left),
-                              counts(motion[k].distance_m.right + wandered_m.right)};
+    sample.ticks = WheelTicks{counts(motion[k].distance_m.left + drifted_m.left),
+                              counts(motion[k].distance_m.right + drifted_m.right)};
     sample.reference_x_m = pose.x_m + normal(noise.reference_m, random);
     sample.reference_y_m = pose.y_m + normal(noise.reference_m, random);
     sample.reference_theta_rad = pose.theta_rad + normal(noise.reference_rad, random);

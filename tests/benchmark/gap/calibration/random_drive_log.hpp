@@ -11,11 +11,11 @@
 
 namespace wheelwright::calibration {
 
-// Standard deviations. Wandering is that of each wheel on the floor, seen by the counts too.
+// Standard deviations. Each wheel drifts on the floor, seen by the counts too.
 struct DriveNoise {
   double reference_m = 0.001;
   double reference_rad = 0.002;
-  double wander_m_per_sqrt_s = 0.0008;
+  double drift_m_per_sqrt_s = 0.0008;
 };
 
 struct DriveProgram {

@@ -149,13 +149,13 @@ TEST_CASE("Nothing is said of reversals where no wheel changes direction") {
 }
 
 TEST_CASE("A robot that drifts further than sound robots do is not called sound") {
-  const auto wanders = [](double per_sqrt_s) {
+  const auto drifting = [](double per_sqrt_s) {
     return check_of(forward_at_two_speeds, [=](unsigned seed) { return random_walk(per_sqrt_s, seed); });
   };
-  const auto far = wanders(0.04);
+  const auto far = drifting(0.04);
   CHECK(fails_by(far, "drift"));
   CHECK_THAT(find(far, "drift")->sentence, ContainsSubstring("mm within a second"));
-  CHECK_FALSE(fails_by(wanders(0.003), "drift"));
+  CHECK_FALSE(fails_by(drifting(0.003), "drift"));
 }
 
 TEST_CASE("A rate of drift is found within what the readings allow") {

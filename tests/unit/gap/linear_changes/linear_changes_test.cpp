@@ -117,3 +117,11 @@ TEST_CASE("A gain that a given model has wrong is told for its wheel, and is nev
   CHECK(change_of(analysis, "gain", "right") == nullptr);
   CHECK_THAT(analysis.summary, ContainsSubstring("the gain of the left wheel is 1.03"));
 }
+
+TEST_CASE("A given model of another period is not compared with the logs, and the summary says so") {
+  RobotModel other = robot().model;
+  other.core.period_s = 0.02;
+  const GapAnalysis analysis = analysed(robot().runs, {other, {}});
+  CHECK(analysis.linear_changes.empty());
+  CHECK_THAT(analysis.summary, ContainsSubstring("period is 0.02 s and that of the logs 0.018 s"));
+}

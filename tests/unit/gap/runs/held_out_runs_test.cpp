@@ -59,7 +59,7 @@ TEST_CASE("A name that takes untouched runs further away is taken back, and the 
   CHECK(analysis.verdict == Verdict::unnamed);
   CHECK(analysis.found.empty());
   CHECK(analysis.after.effects.empty());
-  CHECK_THAT(analysis.summary, ContainsSubstring("surface_patch fits the other runs"));
+  CHECK_THAT(analysis.summary, ContainsSubstring("The other runs look like surface_patch"));
 }
 
 TEST_CASE("Test runs beside three training runs take no part in the choice, and the figures are theirs") {
