@@ -149,6 +149,7 @@ int main(int argc, char** argv) {
   auto next = seeds.begin();
   for (int i = 0; i < clean; ++i) try_robot(nullptr, *next++, tally);
   for (const EffectInfo& info : effect_library()) {
+    if (info.variants.front().stage == EffectStage::counts) continue;  // no simulation shows it
     for (int i = 0; i < each; ++i, ++next) {
       if (only.empty() || std::ranges::find(only, info.name) != only.end()) try_robot(&info, *next, tally);
     }
