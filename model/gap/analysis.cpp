@@ -266,6 +266,13 @@ void Analysis::hold_out_others() {
     return;
   }
   result_ = first;
+  gathered_ = gathered;
+  note_runs();
+  train_problem_.emplace(gathered_.train.runs, gathered_.train.metres_per_tick, for_each_);
+  test_problem_.emplace(gathered_.test.runs, gathered_.test.metres_per_tick, for_each_);
+  const NoiseModel noise = train_problem_->noise_left_by(result_.search.final.model);
+  train_problem_->set_noise(noise);
+  test_problem_->set_noise(noise);
   if (largest_excess(first.train, first.train).times < far_above_noise) return;
   result_.verdict = Verdict::unnamed;
   result_.summary = "Something is missing in " + std::to_string(off.size()) +
