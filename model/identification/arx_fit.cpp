@@ -16,6 +16,7 @@
 #include "model/identification/run_periods.hpp"
 #include "model/identification/small_solve.hpp"
 #include "model/score.hpp"
+#include "model/near_periods.hpp"
 
 namespace wheelwright {
 namespace {
@@ -220,7 +221,7 @@ OrderTrial to_trial(const ArxFit& fit) {
 
 tl::expected<ArxFit, Refusal> fit_arx(std::span<const DriveLog> logs, const ArxFitOptions& options) {
   if (auto refusal = find_unfit_log(logs)) return tl::unexpected(*refusal);
-  const double period_s = options.period_s.value_or(logs.front().period_s);
+  const double period_s = options.period_s.value_or(shortest_period_s(logs));
   const auto fit_of = [&](ArxData& data, std::size_t order) {
     return data.fit({order, std::min(options.delay, order)}, options.method);
   };

@@ -38,7 +38,7 @@ struct ArxFitOptions {
                                                     // present one; found by a sweep where absent
   std::size_t largest_order = 15;                   // of the sweep
   std::size_t delay = 0;  // periods in which a command surely does nothing: leading weights fixed at zero
-  std::optional<double> period_s = std::nullopt;  // of the model; that of the first log where absent
+  std::optional<double> period_s = std::nullopt;  // of the model; the shortest of the logs where absent
   ArxMethod method = ArxMethod::free_run;
   std::function<void(std::size_t order)> on_order = nullptr;  // called as a sweep comes to an order
 };

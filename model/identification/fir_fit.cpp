@@ -8,6 +8,7 @@
 #include "model/identification/least_squares.hpp"
 #include "model/identification/response_prior.hpp"
 #include "model/identification/travel_equations.hpp"
+#include "model/near_periods.hpp"
 
 namespace wheelwright {
 namespace {
@@ -122,7 +123,7 @@ WheelFit describe(const ResponseEstimate& estimate, const TravelNoise& noise, do
 
 tl::expected<FirFit, Refusal> fit_fir(std::span<const DriveLog> logs, const FirFitOptions& options) {
   if (auto refusal = find_unfit_log(logs)) return tl::unexpected(*refusal);
-  const double period_s = options.period_s.value_or(logs.front().period_s);
+  const double period_s = options.period_s.value_or(shortest_period_s(logs));
   const std::size_t longest = options.length.value_or(options.longest);
 
   const double tick_m = 0.5 * (logs.front().metres_per_tick->left + logs.front().metres_per_tick->right);

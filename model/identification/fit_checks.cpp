@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "model/identification/excitation.hpp"
+#include "model/near_periods.hpp"
 
 namespace wheelwright {
 namespace {
@@ -31,12 +32,9 @@ std::optional<Refusal> find_unfit_log(std::span<const DriveLog> logs) {
       return Refusal{log.name + ": its wheel base differs from that of " + logs.front().name +
                      "; fit runs of one robot together"};
     }
-    if (std::abs(log.period_s - logs.front().period_s) > 0.02 * logs.front().period_s) {
-      return Refusal{log.name + ": its period differs from that of " + logs.front().name +
-                     " by more than 2 %; fit runs of one period together"};
-    }
     if (auto refusal = find_no_number(log)) return refusal;
   }
+  if (const auto far = find_far_period(logs)) return Refusal{*far};
   return find_missing_excitation(logs);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/gap/fit/free_run_errors.hpp"
+#include "model/near_periods.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -20,10 +21,6 @@ std::optional<GapRefusal> mismatch(std::span<const DriveLog> logs) {
           where + "the run lasts " + std::to_string(log.samples.back().t_s - log.samples.front().t_s) +
           " s, but at least " + std::to_string(static_cast<int>(least_run_s)) + " s are needed"};
     }
-    if (std::abs(log.period_s - first.period_s) > 0.02 * first.period_s) {
-      return GapRefusal{where + "its period is " + std::to_string(log.period_s) + " s, but that of " +
-                        first.name + " is " + std::to_string(first.period_s) + " s; analyse them apart"};
-    }
     if (std::abs(log.wheel_base_m - first.wheel_base_m) > 1e-6) {
       return GapRefusal{where + "its wheel base is " + std::to_string(log.wheel_base_m) + " m, but that of " +
                         first.name + " is " + std::to_string(first.wheel_base_m) +
@@ -35,6 +32,7 @@ std::optional<GapRefusal> mismatch(std::span<const DriveLog> logs) {
           first.name + (first.has_ticks() ? " does" : " does not") + "; analyse them apart"};
     }
   }
+  if (const auto far = find_far_period(logs)) return GapRefusal{*far};
   return std::nullopt;
 }
 
@@ -62,12 +60,12 @@ std::optional<GapRefusal> repetition(std::span<const DriveLog> logs) {
   return std::nullopt;
 }
 
-void add_gated(std::span<const GatedLog> logs, RunSet& runs, GatheredRuns& gathered) {
+void add_gated(std::span<const GatedLog> logs, double period_s, RunSet& runs, GatheredRuns& gathered) {
   for (const auto& gated : logs) {
     gathered.faults.insert(gathered.faults.end(), gated.faults.begin(), gated.faults.end());
     gathered.dropouts.insert(gathered.dropouts.end(), gated.dropouts.begin(), gated.dropouts.end());
     gathered.watched_s += gated.log.samples.back().t_s - gated.log.samples.front().t_s;
-    GapRun run = make_gap_run(gated.log, gated.flags, gated.log.period_s);
+    GapRun run = make_gap_run(gated.log, gated.flags, period_s);
     measure_motion(run);
     runs.add(std::move(run), gated.log);
   }
@@ -104,9 +102,10 @@ std::optional<GapRefusal> gather_runs(std::span<const DriveLog> train, std::span
   if (auto refusal = mismatch(all)) return refusal;
   if (auto refusal = repetition(all)) return refusal;
   const std::vector<GatedLog> gated = gate_together(all);
-  add_gated(std::span(gated).first(train.size()), gathered.train, gathered);
+  const double period_s = shortest_period_s(all);
+  add_gated(std::span(gated).first(train.size()), period_s, gathered.train, gathered);
   gathered.to_learn_from = gathered.train.logs;
-  add_gated(std::span(gated).subspan(train.size()), gathered.test, gathered);
+  add_gated(std::span(gated).subspan(train.size()), period_s, gathered.test, gathered);
   const std::size_t given = gathered.train.runs.size();
   if (!test.empty() && given < least_to_hold_out_of) return std::nullopt;
   if (!test.empty()) {
