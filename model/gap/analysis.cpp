@@ -224,8 +224,8 @@ void Analysis::judge() {
                                [&](const Finding& found) { return found.setting.name == untestable.effect; });
   });
   const double inflation = 1.5;  // what is usual of a search that ended well
-  result_.detectable = detectable_sizes(result_.search.last_look, options_.limits.least_train_nats, inflation,
-                                        result_.not_testable);
+  result_.detectable = detectable_sizes(result_.search.last_look, testability_.excitation,
+                                        options_.limits.least_train_nats, inflation, result_.not_testable);
 }
 
 // Of the training, the one furthest off first.

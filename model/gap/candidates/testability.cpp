@@ -2,19 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <map>
+#include <sstream>
 
 #include "model/effect_library.hpp"
 #include "model/gap/candidates/decoys.hpp"
+#include "model/gap/candidates/travel_directions.hpp"
 #include "model/gap/runs/gyro_turns.hpp"
 
 namespace wheelwright::gap {
 namespace {
 
-constexpr double moving_m_s = 0.02;
-constexpr double least_time_s = 1.5;  // of reverse driving, of turning
-constexpr double turning_rad_s = 0.15;
 constexpr double least_voltage_change = 0.01;  // relative, over all logs
 
 constexpr double level_m_s = 0.005;    // commands nearer than this count as one size
@@ -24,13 +24,11 @@ constexpr std::size_t enough_levels = 4;
 struct Contents {
   std::map<long, double> levels_s;  // time at each size of command, of either wheel
   bool counts = false;
-  bool dense_reference = false;
   bool reference = false;
   bool place = false;
   bool gyro = false;
-  double reverse_s = 0.0;
-  double forward_s = 0.0;
-  double turning_s = 0.0;
+  Excitation excitation;
+  TravelDirections directions;
   double lowest_v = std::numeric_limits<double>::infinity();
   double highest_v = 0.0;
 };
@@ -40,14 +38,15 @@ Contents contents_of(std::span<const DriveLog> logs) {
   for (const auto& log : logs) {
     if (log.has_ticks()) contents.counts = true;
     if (log.has_ticks() && has_gyro(log)) contents.gyro = true;
+    contents.directions.add(log);
     std::size_t references = 0;
     for (std::size_t i = 0; i < log.samples.size(); ++i) {
       const auto& sample = log.samples[i];
       const double duration = i + 1 < log.samples.size() ? log.samples[i + 1].t_s - sample.t_s : 0.0;
       const WheelPair& u = sample.command_m_s;
-      if (std::min(u.left, u.right) < -moving_m_s) contents.reverse_s += duration;
-      if (std::max(u.left, u.right) > moving_m_s) contents.forward_s += duration;
-      if (std::abs(u.right - u.left) / log.wheel_base_m > turning_rad_s) contents.turning_s += duration;
+      contents.excitation.reverse_m += duration * std::max(0.0, -std::min(u.left, u.right));
+      contents.excitation.forward_m += duration * std::max(0.0, std::max(u.left, u.right));
+      contents.excitation.turned_rad += duration * std::abs(u.right - u.left) / log.wheel_base_m;
       for (const double command : {u.left, u.right}) {
         const long level = std::lround(std::abs(command) / level_m_s);
         if (level > 0) contents.levels_s[level] += duration;
@@ -60,7 +59,6 @@ Contents contents_of(std::span<const DriveLog> logs) {
       }
     }
     if (references >= 2) contents.reference = true;
-    if (references > 10) contents.dense_reference = true;
   }
   return contents;
 }
@@ -77,10 +75,15 @@ std::string missing_for(const EffectInfo& info, const Contents& contents) {
   if (needs.battery && contents.highest_v < (1.0 + least_voltage_change) * contents.lowest_v) {
     return "the battery voltage does not change in these logs";
   }
-  if (needs.reversal && (contents.reverse_s < least_time_s || contents.forward_s < least_time_s)) {
+  // However little there is of either, what it shows is for the noise to say: detectable_sizes.
+  const Excitation& driven = contents.excitation;
+  if (needs.reversal && !(driven.reverse_m > 0.0 && driven.forward_m > 0.0))
     return "the runs hold no reversal";
+  if (needs.turning && !(driven.turned_rad > 0.0)) return "the runs hold no turn";
+  // What depends on the heading itself.
+  if (needs.turning && info.by_pose && !contents.directions.all_round()) {
+    return "the robot went in directions within half a turn only, where it looks like a scale";
   }
-  if (needs.turning && contents.turning_s < least_time_s) return "the runs hold no turn";
   const auto levels = static_cast<std::size_t>(std::ranges::count_if(
       contents.levels_s, [](const auto& level) { return level.second > least_level_s; }));
   if (needs.variety && levels < enough_levels) {
@@ -88,6 +91,25 @@ std::string missing_for(const EffectInfo& info, const Contents& contents) {
                       : "the runs hold only " + std::to_string(levels) + " sizes of command";
   }
   return "";
+}
+
+std::string in_digits(double value, const std::string& unit) {
+  std::ostringstream text;
+  text << std::setprecision(2) << value << " " << unit;
+  return text.str();
+}
+
+// Where no size of it would show: of what there was too little, if that can be said.
+std::string too_little_for(const EffectInfo& info, const Excitation& driven) {
+  const std::string no_size = "no size within reason would show";
+  const double least_m = std::min(driven.reverse_m, driven.forward_m);
+  if (info.needs.turning)
+    return "the runs turn by " + in_digits(driven.turned_rad, "rad") + " in all: " + no_size;
+  if (info.needs.reversal) {
+    return "the runs go " + in_digits(least_m, "m") +
+           (driven.reverse_m < driven.forward_m ? " backward" : " forward") + " in all: " + no_size;
+  }
+  return no_size + " in these drives";
 }
 
 // Where it cannot be seen what an effect does to the body, it may still load the wheels.
@@ -102,6 +124,7 @@ bool shows_at_wheels(EffectInfo info, const Contents& contents) {
 Testability testability(std::span<const DriveLog> logs) {
   const Contents contents = contents_of(logs);
   Testability result;
+  result.excitation = contents.excitation;
   for (const auto& info : effect_library()) {
     const std::string why = missing_for(info, contents);
     if (!why.empty()) {
@@ -119,7 +142,8 @@ Testability testability(std::span<const DriveLog> logs) {
   return result;
 }
 
-std::vector<Detectable> detectable_sizes(const Screening& look, double nats_to_be_named, double inflation,
+std::vector<Detectable> detectable_sizes(const Screening& look, const Excitation& driven,
+                                         double nats_to_be_named, double inflation,
                                          std::vector<Untestable>& untestable) {
   // Mean and spread of a log likelihood ratio: with 80 % probability it exceeds its mean less 0.84
   // deviations.
@@ -156,7 +180,7 @@ std::vector<Detectable> detectable_sizes(const Screening& look, double nats_to_b
     if (possible) {
       sizes.push_back({name, parameter->name, parameter->unit, size});
     } else {
-      untestable.push_back({name, "no size within reason would show in these drives"});
+      untestable.push_back({name, too_little_for(*at.effect.info, driven)});
     }
   }
   return sizes;

@@ -3,8 +3,10 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "model/command_timeline.hpp"
 #include "model/gap/runs/gyro_turns.hpp"
@@ -13,6 +15,8 @@ namespace wheelwright::gap {
 namespace {
 
 constexpr double window_s = 0.5;
+constexpr double wrong_unit = 20.0;  // degrees give 57, centimetres 100
+constexpr double against = -0.3;     // a gain of the other sign
 
 // Commands against travel over windows of half a second: gains of each counter from each command, with the
 // commands taken `delay_s` earlier.
@@ -84,14 +88,55 @@ void check_sides_and_signs(GateState& gate) {
   check(best->right_own, "ticks_right");
 }
 
-void check_reference(GateState& gate) {
+namespace {
+
+// How far one thing goes for another, over windows: the gain, and what it is sure to within.
+class GainOf {
+ public:
+  void add(double given, double seen) {
+    ++windows_;
+    given_squares_ += given * given;
+    products_ += given * seen;
+    seen_squares_ += seen * seen;
+  }
+  double gain() const { return products_ / given_squares_; }
+  // Below by four standard errors, as the scatter of the windows has it.
+  bool surely_below(double limit) const { return known() && gain() + 4.0 * standard_error() < limit; }
+  bool surely_above(double limit) const { return known() && gain() - 4.0 * standard_error() > limit; }
+
+ private:
+  static constexpr double least_windows = 3.0;
+
+  bool known() const { return windows_ >= least_windows && given_squares_ > 0.0; }
+  double standard_error() const {
+    const double left = std::max(0.0, seen_squares_ - products_ * products_ / given_squares_);
+    return std::sqrt(left / (windows_ - 1.0) / given_squares_);
+  }
+
+  double windows_ = 0.0;
+  double given_squares_ = 0.0;
+  double products_ = 0.0;
+  double seen_squares_ = 0.0;
+};
+
+// Of the reference for the wheels.
+struct ReferenceGains {
+  GainOf turned;
+  GainOf along;     // in the direction of the heading
+  GainOf mirrored;  // in that of the heading's mirror image
+};
+
+// Windows of half a second or more, from reference to reference. More than a quarter of a turn in one could
+// as well be a turn the other way.
+ReferenceGains reference_gains(const GateState& gate) {
+  constexpr double longest_turn_rad = 1.5;
   const DriveLog& log = gate.result.log;
   const auto& samples = log.samples;
-  double ww = 0.0, wr = 0.0, vv = 0.0, vf = 0.0, vm = 0.0;
+  const bool heading_alone = !log.references_tell_places();
+  ReferenceGains gains;
   std::optional<std::size_t> from;
   double forward = 0.0;
   double turn = 0.0;
-  const bool heading_alone = !log.references_tell_places();
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const auto& sample = samples[i];
     if (from && i > 0) {
@@ -107,63 +152,59 @@ void check_reference(GateState& gate) {
     }
     if (heading_alone ? !sample.reference_theta_rad : !sample.reference_pose()) continue;
     if (from && sample.t_s - samples[*from].t_s < window_s) continue;
-    if (from && sample.t_s - samples[*from].t_s < 3.0 * window_s) {
+    if (from && std::abs(turn) < longest_turn_rad) {
       const auto& before = samples[*from];
       const double turned = wrap_angle(*sample.reference_theta_rad - *before.reference_theta_rad);
-      if (std::abs(turn) < 1.5) {
-        ww += turn * turn;
-        wr += turn * turned;
-      }
-      if (std::abs(turn) < 1.5 && !heading_alone) {
+      gains.turned.add(turn, turned);
+      if (!heading_alone) {
         const double middle = *before.reference_theta_rad + 0.5 * turned;
         const double dx = *sample.reference_x_m - *before.reference_x_m;
         const double dy = *sample.reference_y_m - *before.reference_y_m;
-        vv += forward * forward;
-        vf += forward * (dx * std::cos(middle) + dy * std::sin(middle));
-        vm += forward * (dx * std::cos(middle) - dy * std::sin(middle));
+        gains.along.add(forward, dx * std::cos(middle) + dy * std::sin(middle));
+        gains.mirrored.add(forward, dx * std::cos(middle) - dy * std::sin(middle));
       }
     }
     from = i;
     forward = turn = 0.0;
   }
-  if (vv > 0.02) {
-    const double gain = vf / vv;
-    if (std::abs(gain) > 20.0) {
-      gate.fault(0,
-                 "the reference moves " + in_digits(gain, 3) +
-                     " times as far as the wheels: is it in mm or cm? the format wants m",
-                 true);
-    } else if (gain < -0.3) {
-      gate.fault(
-          0,
-          "the reference moves backward where the wheels roll forward: its heading is turned by half a "
-          "turn, or the commands' sign is wrong",
-          true);
-    } else if (gain < 0.5 * vm / vv && vm / vv > 0.5) {
-      gate.fault(0,
-                 "the reference moves along its mirrored heading: x, y and heading do not belong to one "
-                 "right-handed frame",
-                 true);
-    }
+  return gains;
+}
+
+}  // namespace
+
+void check_reference(GateState& gate) {
+  const ReferenceGains gains = reference_gains(gate);
+  if (gains.along.surely_above(wrong_unit) || gains.along.surely_below(-wrong_unit)) {
+    gate.fault(0,
+               "the reference moves " + in_digits(gains.along.gain(), 3) +
+                   " times as far as the wheels: is it in mm or cm? the format wants m",
+               true);
+  } else if (gains.along.surely_below(against)) {
+    gate.fault(0,
+               "the reference moves backward where the wheels roll forward: its heading is turned by half a "
+               "turn, or the commands' sign is wrong",
+               true);
+  } else if (gains.mirrored.surely_above(0.5) && gains.along.surely_below(0.5 * gains.mirrored.gain())) {
+    gate.fault(0,
+               "the reference moves along its mirrored heading: x, y and heading do not belong to one "
+               "right-handed frame",
+               true);
   }
-  if (ww > 0.3) {
-    const double gain = wr / ww;
-    if (gain < -0.3) {
-      gate.fault(
-          0,
-          "the reference turns against the wheels: left and right, or the sign of the heading, are exchanged",
-          true);
-    }
+  if (gains.turned.surely_below(against)) {
+    gate.fault(
+        0,
+        "the reference turns against the wheels: left and right, or the sign of the heading, are exchanged",
+        true);
   }
 }
 
 void check_gyro(GateState& gate) {
-  constexpr double wrong_unit = 20.0;  // degrees give 57
   DriveLog& log = gate.result.log;
   const auto turns = gyro_turns(log);
   if (turns.empty() || !log.has_ticks()) return;
   // Over windows, the bias being the same in all of them.
-  double windows = 0.0, sum_counted = 0.0, sum_gyro = 0.0, squares = 0.0, products = 0.0;
+  std::vector<double> counted_rad;
+  std::vector<double> gyro_rad;
   std::optional<GyroTurn> from;
   for (const GyroTurn& to : turns) {
     if (!log.samples[to.row].ticks) continue;
@@ -171,24 +212,26 @@ void check_gyro(GateState& gate) {
     if (from) {
       const double left = gate.travel(to.row, true) - gate.travel(from->row, true);
       const double right = gate.travel(to.row, false) - gate.travel(from->row, false);
-      const double counted = (right - left) / log.wheel_base_m;
-      const double gyro = to.turned_rad - from->turned_rad;
-      windows += 1.0;
-      sum_counted += counted;
-      sum_gyro += gyro;
-      squares += counted * counted;
-      products += counted * gyro;
+      counted_rad.push_back((right - left) / log.wheel_base_m);
+      gyro_rad.push_back(to.turned_rad - from->turned_rad);
     }
     from = to;
   }
-  const double spread = squares - sum_counted * sum_counted / std::max(windows, 1.0);
-  if (!(spread > 0.3)) return;
-  const double gain = (products - sum_counted * sum_gyro / windows) / spread;
+  if (counted_rad.empty()) return;
+  const auto mean = [](const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  };
+  const double mean_counted = mean(counted_rad);
+  const double mean_gyro = mean(gyro_rad);
+  GainOf turned;
+  for (std::size_t i = 0; i < counted_rad.size(); ++i) {
+    turned.add(counted_rad[i] - mean_counted, gyro_rad[i] - mean_gyro);
+  }
   std::string what;
-  if (gain < -0.3) {
+  if (turned.surely_below(against)) {
     what = "the gyro turns against the wheels: gyro_z is counter-clockwise in the format";
-  } else if (gain > wrong_unit) {
-    what = "the gyro turns " + in_digits(gain, 3) +
+  } else if (turned.surely_above(wrong_unit)) {
+    what = "the gyro turns " + in_digits(turned.gain(), 3) +
            " times as far as the wheels: is gyro_z in degrees? the format wants rad/s";
   } else {
     return;

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "model/effect_library.hpp"
 #include "model/gap/candidates/decoys.hpp"
 #include "model/gap/next_experiment/divergence.hpp"
+#include "model/near_periods.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -46,18 +48,26 @@ class Planner {
   ManoeuvreLimits limits_;
   const ForEach& for_each_;
   std::optional<GapProblem> problem_;
-  Testability without_;  // this drive
+  std::vector<Untestable>
+      untestable_;  // by the runs so far: they lack what it takes, or hold too little of it
   Sensors sensors_;
   Hypothesis present_;  // the model as it is
 };
 
 Planner::Planner(const GapAnalysis& analysis, std::span<const DriveLog> train, const ManoeuvreLimits& limits,
                  const ForEach& for_each)
-    : analysis_(analysis), train_(train), limits_(limits), for_each_(for_each), without_(testability(train)) {
+    : analysis_(analysis),
+      train_(train),
+      limits_(limits),
+      for_each_(for_each),
+      untestable_(testability(train).untestable) {
+  std::ranges::copy_if(analysis.not_testable, std::back_inserter(untestable_), [&](const Untestable& effect) {
+    return std::ranges::find(untestable_, effect.effect, &Untestable::effect) == untestable_.end();
+  });
   std::vector<GapRun> runs;
   std::vector<WheelPair> metres_per_tick;
   for (const GatedLog& gated : gate_together(train)) {
-    runs.push_back(make_gap_run(gated.log, gated.flags, train.front().period_s));
+    runs.push_back(make_gap_run(gated.log, gated.flags, shortest_period_s(train)));
     measure_motion(runs.back());
     metres_per_tick.push_back(gated.log.metres_per_tick.value_or(WheelPair{}));
   }
@@ -67,7 +77,7 @@ Planner::Planner(const GapAnalysis& analysis, std::span<const DriveLog> train, c
   if (model.core.empty()) {
     CoreShape shape;
     shape.shared = !sensors_.counts;
-    model = first_guess(shape, train.front().period_s, train.front().wheel_base_m, 0.1, 0.036);
+    model = first_guess(shape, shortest_period_s(train), train.front().wheel_base_m, 0.1, 0.036);
   } else {
     problem_->set_noise(problem_->noise_left_by(model));
   }
@@ -127,7 +137,7 @@ std::vector<std::string> Planner::shown_by(const DriveLog& commands) const {
   logs.push_back(driven_by(present_.model, commands, sensors_));
   const Testability with = testability(logs);
   std::vector<std::string> names;
-  for (const auto& effect : without_.untestable) {
+  for (const auto& effect : untestable_) {
     const bool shown = std::ranges::any_of(
         with.candidates, [&](const EffectInfo* info) { return info->name == effect.effect; });
     if (shown) names.push_back(effect.effect);
