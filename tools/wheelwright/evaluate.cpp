@@ -77,7 +77,7 @@ ExitStatus run_evaluate(const EvaluateOptions& options, Streams streams) {
     throw UsageError(options.route +
                      ": the route is not closed; end it at [0, 0], so that start and end can be compared");
   if (!options.output.empty()) make_folder(options.output, options);
-  const ProgressLine progress(streams.err);
+  ProgressLine progress(streams.err);
   const auto say = progress.callback();
   std::string found;
   if (options.with_effects) {

@@ -55,7 +55,7 @@ void print_wheel(std::ostream& out, const std::string& name, const ArxWheelFit& 
 
 tl::expected<ArxFit, Refusal> fit_arma(const std::vector<DriveLog>& runs, ArxFitOptions options,
                                        std::ostream& err) {
-  const ProgressLine progress(err);
+  ProgressLine progress(err);
   const double orders = static_cast<double>(options.largest_order);
   if (!options.order) {
     options.on_order = [say = progress.callback(), orders](std::size_t order) {

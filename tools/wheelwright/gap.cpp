@@ -8,7 +8,9 @@
 #include "config/load/drive_log_file.hpp"
 #include "config/load/model_file.hpp"
 #include "config/load/output_file.hpp"
+#include "config/load/text_format.hpp"
 #include "model/gap/analysis.hpp"
+#include "model/gap/data_checks/informative_segments.hpp"
 #include "model/gap/next_experiment/next_experiment.hpp"
 #include "tools/option_checks.hpp"
 #include "tools/wheelwright/commands.hpp"
@@ -34,6 +36,19 @@ struct GapCommand {
   std::optional<double> largest_change_m_s;
   std::optional<double> radius_m;
 };
+
+// Of training runs; a third of it for test runs.
+constexpr std::size_t most_rows = 60'000;
+
+// As in "Used 18 min of 5.0 h: 18 segments that show the most."
+std::string used_text(const gap::Segments& segments) {
+  const auto text = [](double seconds) {
+    return seconds < 7200.0 ? config::fixed_number(seconds / 60.0, 0) + " min"
+                            : config::fixed_number(seconds / 3600.0, 1) + " h";
+  };
+  return "Used " + text(segments.used_s) + " of " + text(segments.given_s) + ": the " +
+         std::to_string(segments.runs.size()) + " segments that show the most.";
+}
 
 void write(const config::OutputFile& file, const std::string& text) {
   if (const auto error = config::write_output(file, text)) throw UsageError(*error);
@@ -109,25 +124,40 @@ void stamp(RobotModel& model, const std::string& robot) {
   for (auto& effect : model.effects) effect.created = model.created;
 }
 
+// What is more than an analysis can take in is left out before anything else is held in memory.
+gap::Segments load_segments(const LogInput& input, std::size_t rows, std::ostream& err,
+                            ProgressLine& progress) {
+  if (input.paths.empty()) return {};
+  return gap::informative_segments(load_all_runs(input, err, progress), {.most_rows = rows});
+}
+
 ExitStatus run_gap(const GapCommand& command, Streams streams) {
   check_folder(command);
   gap::GapOptions options;
   if (!command.model.empty()) options.model = config::load_model(command.model);
-  const auto train = load_all_runs({command.train, command.import}, streams.err);
-  const auto test = command.test.empty() ? std::vector<DriveLog>{}
-                                         : load_all_runs({command.test, command.import}, streams.err);
+  ProgressLine progress(streams.err);
+  const auto say = progress.callback();
+  const gap::Segments train_segments =
+      load_segments({command.train, command.import}, most_rows, streams.err, progress);
+  const gap::Segments test_segments =
+      load_segments({command.test, command.import}, most_rows / 3, streams.err, progress);
+  const std::vector<DriveLog>& train = train_segments.runs;
+  const std::vector<DriveLog>& test = test_segments.runs;
   make_folder(command.output);
-
-  const ProgressLine progress(streams.err);
-  auto analysis = gap::analyse_gap(train, test, options, side_by_side(), progress.callback());
-  progress.clear();
+  auto analysis = gap::analyse_gap(train, test, options, side_by_side(), say);
   if (!analysis) throw UsageError(analysis.error().reason);
+  for (const gap::Segments* segments : {&train_segments, &test_segments}) {
+    if (!segments->all_used()) analysis->summary += " " + used_text(*segments);
+  }
+  say("next experiment", 0.95);
   const auto next = gap::next_experiment(*analysis, train, limits_of(command, train), side_by_side());
   stamp(analysis->after, robot_name(train.front()));
 
   const std::filesystem::path folder = command.output;
+  say("report", 0.98);
   const std::string written = write_files(command, *analysis, next);
   write({folder / "report.html", config::OutputKind::page}, gap_report(*analysis, train, test, next));
+  progress.clear();
   print_gap(streams.out, *analysis);
   if (next) {
     streams.out << "\nnext: " << experiment_text(*next) << "\n"

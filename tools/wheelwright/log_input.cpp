@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <ostream>
+#include <sstream>
 
 #include "config/load/drive_log_file.hpp"
 #include "model/settled_travel.hpp"
@@ -10,6 +11,8 @@
 
 namespace wheelwright::tools {
 namespace {
+
+constexpr double share_of_reading = 0.2;  // of what commands do with logs
 
 bool is_sound(const std::vector<DriveLog>& runs) {
   return !import::find_repair(runs);
@@ -58,10 +61,23 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
 }
 
 std::vector<DriveLog> load_all_runs(const LogInput& input, std::ostream& err) {
+  ProgressLine progress(err);
+  return load_all_runs(input, err, progress);
+}
+
+std::vector<DriveLog> load_all_runs(const LogInput& input, std::ostream& err, ProgressLine& progress) {
   const import::GivenMapping given(input.import.mapping, input.import.settings);
+  const auto say = progress.callback();
   std::vector<DriveLog> runs;
-  for (const auto& path : input.paths) {
-    for (auto& run : load_runs(path, given, err)) {
+  for (std::size_t i = 0; i < input.paths.size(); ++i) {
+    const std::string& path = input.paths[i];
+    say("reading " + path,
+        share_of_reading * static_cast<double>(i) / static_cast<double>(input.paths.size()));
+    std::ostringstream remarks;
+    auto of_file = load_runs(path, given, remarks);
+    if (!remarks.view().empty()) progress.clear();
+    err << remarks.view();
+    for (auto& run : of_file) {
       take_settled_travel(run);
       runs.push_back(std::move(run));
     }
@@ -71,7 +87,12 @@ std::vector<DriveLog> load_all_runs(const LogInput& input, std::ostream& err) {
 
 DriveLog load_one_run(const LogInput& input, std::ostream& err) {
   const import::GivenMapping given(input.import.mapping, input.import.settings);
-  auto runs = load_runs(input.paths.front(), given, err);
+  ProgressLine progress(err);
+  progress.callback()("reading " + input.paths.front(), 0.0);
+  std::ostringstream remarks;
+  auto runs = load_runs(input.paths.front(), given, remarks);
+  progress.clear();
+  err << remarks.view();
   if (runs.size() != 1) {
     throw config::LogError(input.paths.front() + ": holds " + std::to_string(runs.size()) +
                            " runs (the second starts in line " + std::to_string(runs[1].first_line) +

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "model/drive_log.hpp"
+#include "tools/wheelwright/progress_line.hpp"
 
 namespace wheelwright::tools {
 
@@ -31,6 +32,8 @@ struct LogInput {
 // be put right, is imported; what was done is said on `err`, one line each. Throws config::LogError where a
 // file cannot be used, and config::ConfigError for the mapping.
 std::vector<DriveLog> load_all_runs(const LogInput& input, std::ostream& err);
+// As the first part of longer work; which file it is at is shown.
+std::vector<DriveLog> load_all_runs(const LogInput& input, std::ostream& err, ProgressLine& progress);
 
 // The same for a command that wants exactly one run.
 DriveLog load_one_run(const LogInput& input, std::ostream& err);

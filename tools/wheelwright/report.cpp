@@ -87,7 +87,7 @@ RunMaterial material_of(const ReportOptions& options, const std::optional<RobotM
   return material;
 }
 
-std::string run_page(const ReportOptions& options, const ProgressLine& progress, std::ostream& err) {
+std::string run_page(const ReportOptions& options, ProgressLine& progress, std::ostream& err) {
   const auto model = options.model.empty() ? std::nullopt : std::optional(config::load_model(options.model));
   const auto truth =
       options.truth.empty() ? std::nullopt : std::optional(config::CsvTable::load(options.truth));
@@ -127,7 +127,7 @@ ExitStatus run_report(const ReportOptions& options, Streams streams) {
   const std::string output = options.output.empty() ? usual_output(options.log) : options.output;
   check_output({output, config::OutputKind::page},
                {options.log, options.model, options.truth, options.import.mapping});
-  const ProgressLine progress(streams.err);
+  ProgressLine progress(streams.err);
   const std::string page = is_evaluation(options.log)
                                ? html::page("Evaluation", html::element("h1", "The paper's Table II") +
                                                               evaluation_section(options.log))

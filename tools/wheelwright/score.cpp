@@ -103,13 +103,19 @@ ExitStatus run_score(const ScoreOptions& options, Streams streams) {
   const RobotModel model = config::load_model(options.model);
   ScoreSums sums;
   std::vector<ScoredRun> runs;
-  for (const auto& path : options.logs) {
-    const auto logs = load_all_runs({{path}, options.import}, streams.err);
+  ProgressLine progress(streams.err);
+  const auto say = progress.callback();
+  for (std::size_t i = 0; i < options.logs.size(); ++i) {
+    const std::string& path = options.logs[i];
+    const auto logs = load_all_runs({{path}, options.import}, streams.err, progress);
     for (const auto& log : logs) {
+      progress.clear();
       check_log_for_model(log, model.core, streams.err);
+      say("scoring " + path, (static_cast<double>(i) + 0.3) / static_cast<double>(options.logs.size()));
       runs.push_back(scored_run(model, log, logs.size() == 1, sums));
     }
   }
+  progress.clear();
   const Score all = sums.score();
   if (all.empty())
     throw DataRefusal("the logs hold neither encoder counts nor reference poses to compare with");

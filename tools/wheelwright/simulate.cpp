@@ -62,9 +62,14 @@ ExitStatus run_simulate(const SimulateOptions& options, Streams streams) {
   const RobotModel model = config::load_model(options.model);
   const DriveLog log = load_one_run({{options.log}, options.import}, streams.err);
   check_log_for_model(log, model.core, streams.err);
+  ProgressLine progress(streams.err);
+  const auto say = progress.callback();
+  say("simulating", 0.3);
   const auto motion = free_run(model, log);
+  say("writing " + options.output, 0.6);
   if (const auto error = config::write_output({options.output, config::OutputKind::motion}, to_csv(motion)))
     throw UsageError(*error);
+  progress.clear();
   if (options.json) {
     streams.out << json_text(to_json(motion, options)) << "\n";
   } else {

@@ -19,7 +19,7 @@ TEST_CASE("Progress does not guess the time left from next to nothing") {
 
 TEST_CASE("Progress is silent where nobody watches") {
   std::ostringstream pipe;
-  const wheelwright::tools::ProgressLine line(pipe);
+  wheelwright::tools::ProgressLine line(pipe);
   line.callback()("fitting", 0.5);
   line.clear();
   CHECK(pipe.str().empty());
