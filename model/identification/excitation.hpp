@@ -9,7 +9,8 @@
 
 namespace wheelwright {
 
-// Nothing where both wheels were driven, and not always alike; else what is missing and how to get it.
+// Nothing where both wheels were driven, and not always alike: by the energy of the commands, or where little
+// of it goes one way, by how sure the counts make the gain that way. Else what is missing and how to get it.
 std::optional<Refusal> find_missing_excitation(std::span<const DriveLog> logs);
 
 }  // namespace wheelwright

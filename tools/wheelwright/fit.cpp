@@ -11,6 +11,7 @@
 #include "tools/wheelwright/commands.hpp"
 #include "tools/wheelwright/fit_arma.hpp"
 #include "tools/wheelwright/fit_json.hpp"
+#include "tools/wheelwright/fit_poses.hpp"
 #include "tools/wheelwright/fit_report.hpp"
 #include "tools/wheelwright/json_text.hpp"
 #include "tools/wheelwright/log_checks.hpp"
@@ -96,9 +97,11 @@ void refuse_other_scale(const std::vector<DriveLog>& runs) {
                     "; give its own scale (--set wheels.metres_per_count), or leave it out");
 }
 
-std::vector<DriveLog> load_training_runs(const FitOptions& options, std::ostream& err) {
-  auto runs = with_wheel_on_both_sides(load_all_runs({options.logs, options.import}, err));
-  check_runs_of_one_robot(runs);
+std::vector<DriveLog> load_training_runs(const FitOptions& options, std::ostream& err,
+                                         ProgressLine& progress) {
+  auto runs = with_wheel_on_both_sides(load_all_runs({options.logs, options.import}, err, progress));
+  progress.callback()("checking the data", 0.2);
+  check_runs_of_one_robot(runs, gap::hold_poses_alone(runs));
   for (const auto& run : runs) {
     if (const auto impossible = find_impossible_command(run, options.max_command_m_s)) {
       throw UsageError(*impossible + ", or allow it with --max-command");
@@ -132,26 +135,72 @@ RobotModel to_robot_model(const FitReport& report, const std::vector<std::string
   throw DataRefusal(refusal.reason + (holes.empty() ? "" : holes + ")"));
 }
 
-FitReport fit_fir_to(const FirFitOptions& fit_options, std::vector<DriveLog> runs) {
+FitReport fit_fir_to(const FirFitOptions& fit_options, std::vector<DriveLog> runs, ProgressLine& progress) {
+  const auto say = progress.callback();
+  say("fitting", 0.3);
   auto fit = fit_fir(runs, fit_options);
   if (!fit) refuse(fit.error(), runs);
+  say("free run and settled speeds", 0.8);
   return report_of(std::move(*fit), std::move(runs));
 }
 
-FitReport fit_arma_to(const ArxFitOptions& fit_options, std::vector<DriveLog> runs, std::ostream& err) {
+FitReport fit_arma_to(const ArxFitOptions& fit_options, std::vector<DriveLog> runs, std::ostream& err,
+                      ProgressLine& progress) {
+  progress.clear();
   auto fit = fit_arma(runs, fit_options, err);
   if (!fit) refuse(fit.error(), runs);
+  progress.callback()("settled speeds", 0.9);
   return report_of(std::move(*fit), std::move(runs));
 }
 
-FitReport fit_wanted(const FitOptions& options, std::ostream& err) {
-  if (options.type == "arma") {
-    const ArxFitOptions fit_options = arma_options(options);
-    return fit_arma_to(fit_options, load_training_runs(options, err), err);
-  }
+FitReport fit_counts(const FitOptions& options, std::vector<DriveLog> runs, std::ostream& err,
+                     ProgressLine& progress) {
+  if (options.type == "arma") return fit_arma_to(arma_options(options), std::move(runs), err, progress);
   FirFitOptions fit_options;
   fit_options.length = parse_order(options.order, largest_fir_order);
-  return fit_fir_to(fit_options, load_training_runs(options, err));
+  return fit_fir_to(fit_options, std::move(runs), progress);
+}
+
+// What is wrong with them is said before anything is read.
+void check_order(const FitOptions& options) {
+  if (options.type == "arma") {
+    arma_options(options);
+  } else {
+    parse_order(options.order, largest_fir_order);
+  }
+}
+
+void fit_and_save_by_counts(const FitOptions& options, std::vector<DriveLog> runs, Streams streams,
+                            ProgressLine& progress) {
+  const FitReport report = fit_counts(options, std::move(runs), streams.err, progress);
+  progress.clear();
+  config::save_model(to_robot_model(report, options.logs), options.output);
+  if (options.json) {
+    streams.out << json_text(fit_json(report, options.output)) << "\n";
+  } else {
+    print_fit(streams.out, report);
+  }
+}
+
+void fit_and_save_by_poses(const FitOptions& options, const std::vector<DriveLog>& runs, Streams streams) {
+  if (options.order != "auto" || options.delay > 0 || options.method != "free-run") {
+    throw UsageError(
+        "--order, --delay and --method are for fits of encoder counts, but these runs hold poses alone");
+  }
+  const gap::PoseFit fit = fit_poses(runs, streams.err);
+  RobotModel model;
+  model.robot = robot_name(runs.front());
+  model.created = now_as_text();
+  model.source = options.logs;
+  model.core = fit.core;
+  model.left_fit = fit.wheel_fit(fit.left_gain, true);
+  model.right_fit = fit.wheel_fit(fit.right_gain, false);
+  config::save_model(model, options.output);
+  if (options.json) {
+    streams.out << json_text(pose_fit_json(fit, runs.size(), options.output)) << "\n";
+  } else {
+    print_pose_fit(streams.out, fit, runs.size());
+  }
 }
 
 ExitStatus run_fit(const FitOptions& options, Streams streams) {
@@ -160,14 +209,16 @@ ExitStatus run_fit(const FitOptions& options, Streams streams) {
     throw UsageError("--max-command must be above 0 m/s");
   }
   check_output({options.output, config::OutputKind::model}, options.logs);
-  const FitReport report = fit_wanted(options, streams.err);
-  config::save_model(to_robot_model(report, options.logs), options.output);
-  if (options.json) {
-    streams.out << json_text(fit_json(report, options.output)) << "\n";
+  check_order(options);
+  ProgressLine progress(streams.err);
+  auto runs = load_training_runs(options, streams.err, progress);
+  if (gap::hold_poses_alone(runs)) {
+    progress.clear();
+    fit_and_save_by_poses(options, runs, streams);
   } else {
-    print_fit(streams.out, report);
-    streams.out << "  wrote " << options.output << "\n";
+    fit_and_save_by_counts(options, std::move(runs), streams, progress);
   }
+  if (!options.json) streams.out << "  wrote " << options.output << "\n";
   return ExitStatus::done;
 }
 
@@ -176,7 +227,9 @@ ExitStatus run_fit(const FitOptions& options, Streams streams) {
 Action add_fit(CLI::App& app) {
   const auto options = std::make_shared<FitOptions>();
   CLI::App* command = app.add_subcommand("fit", "Identify a model of the robot from drive logs");
-  command->add_option("LOG", options->logs, "Drive logs with encoder counts; all their runs are used")
+  command
+      ->add_option("LOG", options->logs,
+                   "Drive logs with encoder counts, or with reference poses alone; all their runs are used")
       ->required();
   command->add_option("-o,--output", options->output, "Model file to write")->required();
   add_import_options(*command, options->import);

@@ -11,6 +11,7 @@
 #include "config/load/text_format.hpp"
 #include "model/identification/known_stretches.hpp"
 #include "model/identification/run_periods.hpp"
+#include "model/near_periods.hpp"
 #include "tools/wheelwright/commands.hpp"
 
 namespace wheelwright::tools {
@@ -30,8 +31,6 @@ bool is_roomba(std::string name) {
   return name.find("roomba") != std::string::npos || name.find("create") != std::string::npos;
 }
 
-// Times of different clocks differ by less, other periods by more.
-constexpr double most_apart_periods = 0.02;
 // Calibrations of one robot scatter by less, other robots differ by more.
 constexpr double most_apart_scales = 0.05;
 
@@ -43,7 +42,7 @@ bool differ(double one, double other, double share) {
   return std::abs(one - other) > share * other;
 }
 
-void check_counts(const DriveLog& run) {
+void check_counts(const DriveLog& run, bool others_have_some) {
   if (run.has_ticks()) return;
   const bool any =
       std::ranges::any_of(run.samples, [](const auto& sample) { return sample.ticks.has_value(); });
@@ -51,7 +50,11 @@ void check_counts(const DriveLog& run) {
   throw UsageError(
       where +
       (any ? "no encoder counts on the first row; delete the rows above the first that has them"
-           : "no encoder counts; a fit of wheel speeds needs the columns ticks_left and ticks_right"));
+       : others_have_some
+           ? "no encoder counts, but other runs have some; fit runs with counts and runs with poses alone "
+             "apart"
+           : "neither encoder counts (columns ticks_left and ticks_right) nor reference poses (ref_x, ref_y, "
+             "ref_theta); a fit needs one of them"));
 }
 
 void check_distance_of_rows(const DriveLog& run) {
@@ -80,9 +83,7 @@ std::optional<std::string> find_difference(const DriveLog& run, const DriveLog& 
   if (std::abs(run.wheel_base_m - first.wheel_base_m) > 1e-9) {
     return "wheel base is " + numbers(run.wheel_base_m, first.wheel_base_m, "m");
   }
-  if (differ(run.period_s, first.period_s, most_apart_periods)) {
-    return "period is " + numbers(run.period_s, first.period_s, "s");
-  }
+  if (!run.metres_per_tick || !first.metres_per_tick) return std::nullopt;
   const WheelPair& scale = *run.metres_per_tick;
   const WheelPair& first_scale = *first.metres_per_tick;
   if (differ(scale.left, first_scale.left, most_apart_scales)) {
@@ -158,19 +159,21 @@ std::optional<std::string> find_impossible_counts(const DriveLog& log, std::opti
   return std::nullopt;
 }
 
-void check_runs_of_one_robot(const std::vector<DriveLog>& runs) {
+void check_runs_of_one_robot(const std::vector<DriveLog>& runs, bool by_poses) {
+  const bool any_counts = std::ranges::any_of(runs, &DriveLog::has_ticks);
   for (const auto& run : runs) {
-    check_counts(run);
+    if (!by_poses) check_counts(run, any_counts);
     check_distance_of_rows(run);
     if (const auto difference = find_difference(run, runs.front())) {
       throw UsageError(run.name + ": its " + *difference + " of " + runs.front().name +
-                       "; fit runs of one robot and period together");
+                       "; fit runs of one robot together");
     }
   }
+  if (const auto far = find_far_period(runs)) throw UsageError(*far);
 }
 
 void check_log_for_model(const DriveLog& log, const LinearModel& model, std::ostream& err) {
-  if (differ(log.period_s, model.period_s, most_apart_periods)) {
+  if (!are_near_periods(log.period_s, model.period_s)) {
     throw UsageError(log.name + ": its period is " + plain_number(log.period_s) +
                      " s, but that of the model is " + plain_number(model.period_s) +
                      " s; fit a model to runs of this period");

@@ -26,13 +26,13 @@ std::optional<std::string> find_impossible_command(const DriveLog& log, std::opt
 // The first jump of the encoder counts that no wheel makes (four times the same limit), in the same form.
 std::optional<std::string> find_impossible_counts(const DriveLog& log, std::optional<double> limit_m_s);
 
-// Throws UsageError, with the file and what differs, where runs cannot be fitted together: no encoder counts,
-// rows much farther apart than `period_s` says, or another robot, wheel base, period or encoder scale than
-// that of the first run.
-void check_runs_of_one_robot(const std::vector<DriveLog>& runs);
+// Throws UsageError, with the file and what differs, where runs cannot be fitted together: no encoder counts
+// (unless the fit is by poses), rows much farther apart than `period_s` says, another robot, wheel base or
+// encoder scale than that of the first run, or a period that is not near.
+void check_runs_of_one_robot(const std::vector<DriveLog>& runs, bool by_poses);
 
-// Throws UsageError where the log's period is not that of the model. Writes one line to `err` for each thing
-// that makes a comparison of the two doubtful.
+// Throws UsageError where the log's period is not near that of the model. Writes one line to `err` for each
+// thing that makes a comparison of the two doubtful.
 void check_log_for_model(const DriveLog& log, const LinearModel& model, std::ostream& err);
 
 // The holes of a log that has encoder counts, as "run.csv:204: no rows for 3.6 s"; a few of them, then how
