@@ -110,3 +110,38 @@ TEST_CASE("A gyro is doubted where its numbers cannot be what its name says, or 
   CHECK_THAT(*said.conversion->runs.front().samples[700].gyro_z_rad_s,
              WithinAbs(turn_rate(drive, 700), 1e-3));
 }
+
+TEST_CASE("A direction in words is the sign of the pulse width beside it") {
+  const auto drive = foreign_drive();
+  for (const auto& [names, forward, backward, standing] :
+       {std::array{"pwmL,dirL,pwmR,dirR", "fwd", "rev", "stop"},
+        {"pwm1,dir1,pwm2,dir2", "F", "B", "F"},
+        {"left_pwm,left_direction,right_pwm,right_direction", "Forward", "Backward", "Stop"}}) {
+    const auto text =
+        foreign_text(drive, "t," + std::string(names) + ",encL,encR", [&](const ForeignRow& row) {
+          const auto width = [](double command) {
+            return std::to_string(std::lround(1000.0 * std::abs(command)));
+          };
+          const auto word = [&](double command) {
+            return std::string(command > 0.0 ? forward : command < 0.0 ? backward : standing);
+          };
+          return number(row.t_s) + "," + width(row.command_left) + "," + word(row.command_left) + "," +
+                 width(row.command_right) + "," + word(row.command_right) + "," + counts(row);
+        });
+    INFO(names);
+    const auto outcome = import_text(text, known);
+    check_same(outcome, drive, 0.006);
+    CHECK(outcome.understood.inference.doubts.empty());
+  }
+}
+
+TEST_CASE("A target speed without a sign takes the direction beside it") {
+  const auto drive = foreign_drive();
+  const auto text = foreign_text(
+      drive, "t,target_left,dir_left,target_right,dir_right,encL,encR", [&](const ForeignRow& row) {
+        const auto word = [](double command) { return std::string(command < 0.0 ? "reverse" : "forward"); };
+        return number(row.t_s) + "," + number(std::abs(row.command_left)) + "," + word(row.command_left) +
+               "," + number(std::abs(row.command_right)) + "," + word(row.command_right) + "," + counts(row);
+      });
+  check_same(import_text(text, known), drive, 0.006);
+}

@@ -1,5 +1,6 @@
 #include "tools/wheelwright/import/conversion/wheel_command.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -60,10 +61,13 @@ void apply_directions(DriveColumns& columns, double forward) {
     const Column& bits = columns.direction[side];
     Column& command = columns.command[side];
     if (bits.empty() || command.empty()) continue;
+    // Of signed directions 0 is neither.
+    const bool can_stand = std::ranges::find(bits, -forward) != bits.end();
     double bit = forward;
     for (std::size_t row = 0; row < command.size(); ++row) {
       if (std::isfinite(bits[row])) bit = bits[row];
-      if (bit != forward) command[row] = -command[row];
+      if (bit == forward) continue;
+      command[row] = can_stand && bit == 0.0 ? 0.0 * command[row] : -command[row];
     }
   }
 }

@@ -23,6 +23,7 @@ std::array<ResponseFit, 2> fit_both(const DriveColumns& columns, const Mapping& 
 // The values of the bits that are not `forward`; it itself where there are none.
 double other_value(const DriveColumns& columns, double forward) {
   for (const Column& bits : columns.direction) {
+    if (std::ranges::find(bits, -forward) != bits.end()) return -forward;
     for (const double bit : bits) {
       if (std::isfinite(bit) && bit != forward) return bit;
     }

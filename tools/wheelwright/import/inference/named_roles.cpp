@@ -87,14 +87,13 @@ class ByNames {
 
   void find_command() {
     if (const auto found = named_.sides(Quantity::command, findings_))
-      return take_command(CommandKind::wheels, found->first, found->second);
+      return take_signed(CommandKind::wheels, found->first, found->second);
     if (const auto found = named_.sides(Quantity::duty, findings_))
-      return take_duty(found->first, found->second);
+      return take_signed(CommandKind::duty, found->first, found->second);
     for (const auto& [quantity, kind] :
          {std::pair{Quantity::command, CommandKind::wheels}, {Quantity::duty, CommandKind::duty}}) {
       if (const auto two = named_.numbered_pair(quantity, findings_))
-        return kind == CommandKind::duty ? take_duty(two->first, two->second)
-                                         : take_command(kind, two->first, two->second);
+        return take_signed(kind, two->first, two->second);
     }
     if (take_throttle()) return;
     const auto linear = named_.all(Quantity::linear_command, NamedSide::none);
@@ -122,22 +121,24 @@ class ByNames {
   }
 
   // With the bits of direction beside it.
-  void take_duty(const Named& left, const Named& right) {
-    take_command(CommandKind::duty, left, right);
+  void take_signed(CommandKind kind, const Named& left, const Named& right) {
+    take_command(kind, left, right);
     const bool has_sign = std::ranges::any_of(left.channel->values, [](double duty) { return duty < 0.0; });
     auto bits = named_.sides(Quantity::direction, findings_);
     if (!bits) bits = named_.numbered_pair(Quantity::direction, findings_);
+    if (const auto both = named_.single(Quantity::direction); both && !bits) bits.emplace(*both, *both);
     if (!bits || has_sign || !is_bit(*bits->first.channel) || !is_bit(*bits->second.channel)) return;
     mapping_.command->direction = {bits->first.name(), bits->second.name()};
     findings_.push_back(bits->first.name().text() + " and " + bits->second.name().text() +
-                        " are taken for the direction of the duties, 1 for forward");
+                        " are taken for the direction of the commands, 1 for forward");
   }
 
-  // Two values, one of them 1.
+  // Two values, one of them 1; or 1 and -1, and 0 for neither.
   static bool is_bit(const Channel& channel) {
+    const bool is_signed = std::ranges::find(channel.values, -1.0) != channel.values.end();
     double other = 1.0;
     for (const double value : channel.values) {
-      if (!std::isfinite(value) || value == 1.0) continue;
+      if (!std::isfinite(value) || value == 1.0 || (is_signed && value == 0.0)) continue;
       if (other != 1.0 && value != other) return false;
       other = value;
     }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "config/load/printable_text.hpp"
+#include "tools/wheelwright/import/formats/text/direction_words.hpp"
 
 namespace wheelwright::import {
 namespace {
@@ -185,6 +186,7 @@ std::vector<Stream> make_streams(TextTable table, const std::string& name,
   drop_nameless_empty_columns(table);
   drop_index_column(table, remarks);
   join_date_and_clock(table, remarks);
+  read_direction_words(table, remarks);
   std::vector<double> label_of_row;
   Labels labels;
   if (const auto column = find_kind_column(table)) {
