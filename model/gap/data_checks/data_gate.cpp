@@ -12,6 +12,7 @@
 #include "model/gap/data_checks/encoder_dropout.hpp"
 #include "model/gap/data_checks/frozen_reference.hpp"
 #include "model/gap/data_checks/gate_state.hpp"
+#include "model/gap/data_checks/held_reference.hpp"
 #include "model/identification/known_stretches.hpp"
 #include "model/identification/run_scales.hpp"
 
@@ -181,6 +182,7 @@ GatedLog gate_beside(const DriveLog& log, std::size_t frozen_elsewhere) {
     check_sides_and_signs(state);
   }
   remove_frozen_reference(state);
+  leave_out_repeated_poses(state);
   remove_reference_jumps(state);
   check_reference(state);
   check_gyro(state);
