@@ -15,8 +15,8 @@
 #include "model/identification/known_stretches.hpp"
 #include "model/identification/run_periods.hpp"
 #include "model/identification/small_solve.hpp"
-#include "model/score.hpp"
 #include "model/near_periods.hpp"
+#include "model/score.hpp"
 
 namespace wheelwright {
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -202,11 +203,10 @@ double worth(const Content& chosen, const Content& segment) {
 
 // One after the other, each for what it adds; those that begin at rest before all others.
 std::vector<Segment> chosen_of(std::vector<Segment> segments, std::size_t most_rows) {
-  const auto standing = std::ranges::partition(segments, &Segment::from_rest);
+  const auto standing = std::partition(segments.begin(), segments.end(), std::mem_fn(&Segment::from_rest));
   std::size_t at_rest_rows = 0;
-  for (auto segment = segments.begin(); segment != standing.begin(); ++segment)
-    at_rest_rows += segment->rows();
-  if (at_rest_rows >= most_rows) segments.erase(standing.begin(), segments.end());
+  for (auto segment = segments.begin(); segment != standing; ++segment) at_rest_rows += segment->rows();
+  if (at_rest_rows >= most_rows) segments.erase(standing, segments.end());
   std::vector<Segment> chosen;
   Content all;
   std::size_t rows = 0;

@@ -126,7 +126,7 @@ class ByNames {
     const bool has_sign = std::ranges::any_of(left.channel->values, [](double duty) { return duty < 0.0; });
     auto bits = named_.sides(Quantity::direction, findings_);
     if (!bits) bits = named_.numbered_pair(Quantity::direction, findings_);
-    if (const auto both = named_.single(Quantity::direction); both && !bits) bits.emplace(*both, *both);
+    if (const auto both = named_.single(Quantity::direction); both && !bits) bits = NamedPair{*both, *both};
     if (!bits || has_sign || !is_bit(*bits->first.channel) || !is_bit(*bits->second.channel)) return;
     mapping_.command->direction = {bits->first.name(), bits->second.name()};
     findings_.push_back(bits->first.name().text() + " and " + bits->second.name().text() +
