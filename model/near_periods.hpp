@@ -17,6 +17,9 @@ namespace wheelwright {
 
 bool are_near_periods(double one_s, double other_s);
 
+// "its period is 0.054 s, but that of the model is 0.018 s".
+std::string different_periods(double period_s, const std::string& other, double other_s);
+
 // Of a model of all these runs: a longer one would smear the commands of those that have more.
 double shortest_period_s(std::span<const DriveLog> logs);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <new>
 #include <ostream>
 
 #include "config/load/printable_text.hpp"
@@ -102,6 +103,9 @@ ExitStatus run_command_line(std::vector<std::string> arguments, Streams streams)
     return parse_and_run(std::move(arguments), {out, streams.err});
   } catch (const DataRefusal& refusal) {
     return report(streams.err, refusal.what(), ExitStatus::answer_is_no);
+  } catch (const std::bad_alloc&) {
+    return report(streams.err, "not enough memory is free for this; give fewer or shorter runs",
+                  ExitStatus::bad_input);
   } catch (const std::exception& error) {
     return report(streams.err, error.what(), ExitStatus::bad_input);
   }

@@ -174,9 +174,8 @@ void check_runs_of_one_robot(const std::vector<DriveLog>& runs, bool by_poses) {
 
 void check_log_for_model(const DriveLog& log, const LinearModel& model, std::ostream& err) {
   if (!are_near_periods(log.period_s, model.period_s)) {
-    throw UsageError(log.name + ": its period is " + plain_number(log.period_s) +
-                     " s, but that of the model is " + plain_number(model.period_s) +
-                     " s; fit a model to runs of this period");
+    throw UsageError(log.name + ": " + different_periods(log.period_s, "the model", model.period_s) +
+                     "; fit a model to runs of this period");
   }
   if (const auto impossible = find_impossible_command(log, std::nullopt)) {
     err << "wheelwright: warning: " << *impossible << "\n";

@@ -6,6 +6,7 @@
 
 #include "config/load/drive_log_file.hpp"
 #include "model/settled_travel.hpp"
+#include "tools/wheelwright/free_memory.hpp"
 #include "tools/wheelwright/import/conversion/repair_checks.hpp"
 #include "tools/wheelwright/import/import_files.hpp"
 
@@ -67,6 +68,7 @@ std::vector<DriveLog> load_all_runs(const LogInput& input, std::ostream& err) {
 
 std::vector<DriveLog> load_all_runs(const LogInput& input, std::ostream& err, ProgressLine& progress) {
   const import::GivenMapping given(input.import.mapping, input.import.settings);
+  if (const auto missing = find_missing_memory(input.paths)) throw config::LogError(*missing);
   const auto say = progress.callback();
   std::vector<DriveLog> runs;
   for (std::size_t i = 0; i < input.paths.size(); ++i) {
@@ -87,6 +89,7 @@ std::vector<DriveLog> load_all_runs(const LogInput& input, std::ostream& err, Pr
 
 DriveLog load_one_run(const LogInput& input, std::ostream& err) {
   const import::GivenMapping given(input.import.mapping, input.import.settings);
+  if (const auto missing = find_missing_memory(input.paths)) throw config::LogError(*missing);
   ProgressLine progress(err);
   progress.callback()("reading " + input.paths.front(), 0.0);
   std::ostringstream remarks;

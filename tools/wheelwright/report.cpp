@@ -42,10 +42,13 @@ std::string about(const RunMaterial& run) {
     if (key != "robot" && key != "wheel_base_m" && key != "period_s") continue;
     text += (text.empty() ? "" : "; ") + key + " " + value;
   }
-  if (!run.ticks.empty()) {
-    const double length_s = run.ticks.back().t_s - run.ticks.front().t_s;
-    text += "; " + config::fixed_number(length_s, 1) + " s, " + std::to_string(run.ticks.size()) + " rows";
-  }
+  const auto add_length = [&text](const auto& rows) {
+    if (rows.empty()) return false;
+    const double length_s = rows.back().t_s - rows.front().t_s;
+    text += "; " + config::fixed_number(length_s, 1) + " s, " + std::to_string(rows.size()) + " rows";
+    return true;
+  };
+  if (!add_length(run.ticks) && run.drive) add_length(run.drive->samples);
   return "<p class=\"quiet\">" + html::escaped(text) + "</p>\n";
 }
 

@@ -191,7 +191,7 @@ TEST_CASE("Logs that do not belong together, or are too short, are refused with 
     test::GapCaseSpec spec;
     spec.runs = 1;
     spec.seconds = 8.0;
-    spec.period_s = 0.02;
+    spec.period_s = 0.054;
     return test::make_gap_case(spec).runs.front();
   }();
   check_refused(gap(workspace("gap_period", other_period)), "run2.csv:", "period");

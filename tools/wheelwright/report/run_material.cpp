@@ -14,9 +14,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // A log that the daemon wrote tells what the robot was doing.
-bool is_of_the_daemon(const DriveLog& log) {
-  return std::ranges::any_of(log.extra_columns,
-                             [](const ExtraColumn& column) { return column.name == "travel_ticks_left"; });
+bool is_of_the_daemon(const config::CsvTable& drive) {
+  return drive.has("travel_ticks_left");
 }
 
 // As the daemon does, but for models that are adapted while driving, which it keeps as files.
@@ -71,13 +70,18 @@ void read_neighbours(const fs::path& folder, RunMaterial& material) {
 RunMaterial load_run_material(const fs::path& path, const std::optional<RobotModel>& model) {
   RunMaterial material;
   material.name = (path.has_filename() ? path : path.parent_path()).filename().string();
-  const RecordedRun run = load_recorded_run(path.string());
-  material.metadata = metadata_of(run);
-  for_each_tick(run, [&](const mcap::TickValues& tick) { material.ticks.push_back(tick); });
-  if (run.drive) material.drive = config::load_drive_log(run.drive->name());
+  // Gone before the log is read as a log: of hours, both do not fit into a gigabyte.
+  auto run = std::make_unique<const RecordedRun>(load_recorded_run(path.string()));
+  material.metadata = metadata_of(*run);
+  const bool of_the_daemon = run->drive && is_of_the_daemon(*run->drive);
+  if (of_the_daemon || run->poses)
+    for_each_tick(*run, [&](const mcap::TickValues& tick) { material.ticks.push_back(tick); });
+  const auto drive_path = run->drive ? std::optional(run->drive->name()) : std::nullopt;
+  run.reset();
+  if (drive_path) material.drive = config::load_drive_log(*drive_path);
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) read_neighbours(path, material);
-  if (material.drive && is_of_the_daemon(*material.drive)) {
+  if (material.drive && of_the_daemon) {
     material.calibration =
         calibrate_again(*material.drive, material.config ? *material.config : usual_config(*material.drive));
   }

@@ -70,6 +70,9 @@ void count_intervals(const gap::Finding& found, const EffectSetting& hidden, con
     const bool covers = interval.lower <= hidden.parameters[i] && hidden.parameters[i] <= interval.upper;
     tally.covered.add(covers);
     tally.covered_of[info.name + "." + parameters[i].name].add(covers);
+    if (!covers)
+      std::cerr << "  " << parameters[i].name << ": true " << hidden.parameters[i] << ", found "
+                << found.setting.parameters[i] << " [" << interval.lower << ", " << interval.upper << "]\n";
   }
 }
 
@@ -104,11 +107,11 @@ void try_robot(const EffectInfo* info, std::uint64_t seed, Tally& tally) {
     const int tenths = std::min(9, static_cast<int>(10.0 * analysis->found.front().posterior));
     tally.right_by_posterior[tenths].add(right);
   }
-  if (right) count_intervals(analysis->found.front(), hidden, *info, tally);
   std::cerr << info->name << " seed " << seed << ": " << gap::verdict_name(analysis->verdict);
   for (const auto& found : analysis->found)
     std::cerr << " " << found.setting.name << "/" << found.setting.variant;
   std::cerr << "\n";
+  if (right) count_intervals(analysis->found.front(), hidden, *info, tally);
 }
 
 void print(const Tally& tally) {
