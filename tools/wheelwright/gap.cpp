@@ -138,9 +138,9 @@ ExitStatus run_gap(const GapCommand& command, Streams streams) {
   ProgressLine progress(streams.err);
   const auto say = progress.callback();
   const gap::Segments train_segments =
-      load_segments({command.train, command.import}, most_rows, streams.err, progress);
+      load_segments({command.train, command.import, command.test}, most_rows, streams.err, progress);
   const gap::Segments test_segments =
-      load_segments({command.test, command.import}, most_rows / 3, streams.err, progress);
+      load_segments({command.test, command.import, command.train}, most_rows / 3, streams.err, progress);
   const std::vector<DriveLog>& train = train_segments.runs;
   const std::vector<DriveLog>& test = test_segments.runs;
   make_folder(command.output);

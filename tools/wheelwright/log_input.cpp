@@ -1,6 +1,9 @@
 #include "tools/wheelwright/log_input.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <optional>
 #include <ostream>
 #include <sstream>
 
@@ -9,6 +12,7 @@
 #include "tools/wheelwright/free_memory.hpp"
 #include "tools/wheelwright/import/conversion/repair_checks.hpp"
 #include "tools/wheelwright/import/import_files.hpp"
+#include "tools/wheelwright/import/open_recording.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -19,9 +23,44 @@ bool is_sound(const std::vector<DriveLog>& runs) {
   return !import::find_repair(runs);
 }
 
-std::vector<DriveLog> import_runs(const std::string& path, const import::GivenMapping& given,
-                                  std::ostream& err) {
-  const auto understood = import::understand({{path}, std::nullopt, given});
+// How to read foreign files: what was said, and what all that have the same columns are taken for.
+struct Reading {
+  import::GivenMapping given;
+  std::optional<import::Understood> together;
+  std::vector<std::string> files_together = {};
+};
+
+// Nothing where they are fewer than two, or not all of the same columns, or cannot be understood.
+Reading reading_of(const LogInput& input) {
+  Reading reading{import::GivenMapping(input.import.mapping, input.import.settings), std::nullopt};
+  std::vector<std::filesystem::path> foreign;
+  for (const auto* paths : {&input.paths, &input.of_the_same_robot}) {
+    std::ranges::remove_copy_if(*paths, std::back_inserter(foreign), import::is_drive_log);
+  }
+  if (foreign.size() < 2) return reading;
+  std::ranges::sort(foreign);  // the same answer whichever of them are to be read
+  try {
+    auto all = import::understand({foreign, std::nullopt, reading.given});
+    if (!all || all->recordings.size() != 1 || !import::to_runs(*all)) return reading;
+    reading.together = *std::move(all);
+    reading.files_together.assign(foreign.begin(), foreign.end());
+  } catch (const std::runtime_error&) {
+    // Whichever it was says so when it is read by itself.
+  }
+  return reading;
+}
+
+tl::expected<import::Understood, std::string> understood_by(const std::string& path, const Reading& reading) {
+  if (std::ranges::find(reading.files_together, path) == reading.files_together.end())
+    return import::understand({{path}, std::nullopt, reading.given});
+  auto recording = import::open_recording(path);
+  if (!recording) return tl::unexpected(recording.error());
+  return import::Understood{
+      path, {*std::move(recording)}, reading.together->inference, reading.together->mapping};
+}
+
+std::vector<DriveLog> import_runs(const std::string& path, const Reading& reading, std::ostream& err) {
+  const auto understood = understood_by(path, reading);
   if (!understood) throw config::LogError(understood.error());
   auto conversion = import::to_runs(*understood);
   if (!conversion) throw config::LogError(conversion.error());
@@ -35,9 +74,8 @@ std::vector<DriveLog> import_runs(const std::string& path, const import::GivenMa
 }
 
 // A drive log says most precisely itself what is wrong with it.
-std::vector<DriveLog> load_runs(const std::string& path, const import::GivenMapping& given,
-                                std::ostream& err) {
-  if (!given.entries().empty()) return import_runs(path, given, err);
+std::vector<DriveLog> load_runs(const std::string& path, const Reading& reading, std::ostream& err) {
+  if (!reading.given.entries().empty()) return import_runs(path, reading, err);
   std::string refusal;
   try {
     auto runs = config::load_drive_logs(path);
@@ -46,7 +84,7 @@ std::vector<DriveLog> load_runs(const std::string& path, const import::GivenMapp
     refusal = error.what();
   }
   try {
-    return import_runs(path, given, err);
+    return import_runs(path, reading, err);
   } catch (const std::runtime_error& error) {
     if (refusal.empty() || !import::is_drive_log(path)) throw;
     throw config::LogError(refusal);
@@ -67,16 +105,17 @@ std::vector<DriveLog> load_all_runs(const LogInput& input, std::ostream& err) {
 }
 
 std::vector<DriveLog> load_all_runs(const LogInput& input, std::ostream& err, ProgressLine& progress) {
-  const import::GivenMapping given(input.import.mapping, input.import.settings);
   if (const auto missing = find_missing_memory(input.paths)) throw config::LogError(*missing);
   const auto say = progress.callback();
+  say("reading " + (input.paths.empty() ? "" : input.paths.front()), 0.0);
+  const Reading reading = reading_of(input);
   std::vector<DriveLog> runs;
   for (std::size_t i = 0; i < input.paths.size(); ++i) {
     const std::string& path = input.paths[i];
     say("reading " + path,
         share_of_reading * static_cast<double>(i) / static_cast<double>(input.paths.size()));
     std::ostringstream remarks;
-    auto of_file = load_runs(path, given, remarks);
+    auto of_file = load_runs(path, reading, remarks);
     if (!remarks.view().empty()) progress.clear();
     err << remarks.view();
     for (auto& run : of_file) {
@@ -88,12 +127,11 @@ std::vector<DriveLog> load_all_runs(const LogInput& input, std::ostream& err, Pr
 }
 
 DriveLog load_one_run(const LogInput& input, std::ostream& err) {
-  const import::GivenMapping given(input.import.mapping, input.import.settings);
   if (const auto missing = find_missing_memory(input.paths)) throw config::LogError(*missing);
   ProgressLine progress(err);
   progress.callback()("reading " + input.paths.front(), 0.0);
   std::ostringstream remarks;
-  auto runs = load_runs(input.paths.front(), given, remarks);
+  auto runs = load_runs(input.paths.front(), reading_of(input), remarks);
   progress.clear();
   err << remarks.view();
   if (runs.size() != 1) {

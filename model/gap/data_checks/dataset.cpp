@@ -9,18 +9,20 @@
 namespace wheelwright::gap {
 namespace {
 
-constexpr double least_run_s = 5.0;
+constexpr double least_s = 5.0;  // of all runs together
+constexpr std::size_t least_rows = 20;
 constexpr std::size_t least_to_hold_out_of = 3;  // training runs, where test runs are to stay untouched
 
 std::optional<GapRefusal> mismatch(std::span<const DriveLog> logs) {
   const DriveLog& first = logs.front();
+  double all_s = 0.0;
   for (const auto& log : logs) {
     const std::string where = log.name + ":" + std::to_string(log.first_line) + ": ";
-    if (log.samples.size() < 20 || log.samples.back().t_s - log.samples.front().t_s < least_run_s) {
-      return GapRefusal{
-          where + "the run lasts " + std::to_string(log.samples.back().t_s - log.samples.front().t_s) +
-          " s, but at least " + std::to_string(static_cast<int>(least_run_s)) + " s are needed"};
+    if (log.samples.size() < least_rows) {
+      return GapRefusal{where + "the run holds " + std::to_string(log.samples.size()) +
+                        " rows, but at least " + std::to_string(least_rows) + " are needed"};
     }
+    all_s += log.samples.back().t_s - log.samples.front().t_s;
     if (std::abs(log.wheel_base_m - first.wheel_base_m) > 1e-6) {
       return GapRefusal{where + "its wheel base is " + std::to_string(log.wheel_base_m) + " m, but that of " +
                         first.name + " is " + std::to_string(first.wheel_base_m) +
@@ -33,7 +35,10 @@ std::optional<GapRefusal> mismatch(std::span<const DriveLog> logs) {
     }
   }
   if (const auto far = find_far_period(logs)) return GapRefusal{*far};
-  return std::nullopt;
+  if (all_s >= least_s) return std::nullopt;
+  return GapRefusal{first.name + ":" + std::to_string(first.first_line) + ": " +
+                    (logs.size() == 1 ? "the run lasts " : "the runs last ") + std::to_string(all_s) +
+                    " s in all, but at least " + std::to_string(static_cast<int>(least_s)) + " s are needed"};
 }
 
 bool same_run(const DriveLog& one, const DriveLog& other) {
@@ -81,10 +86,10 @@ std::optional<GapRefusal> hold_out(GatheredRuns& gathered) {
     return std::nullopt;
   }
   const GapRun whole = train.runs.front();
-  if (whole.duration_s() < 3.0 * least_run_s) {
+  if (whole.duration_s() < 3.0 * least_s) {
     return GapRefusal{whole.name + ": a single run of " + std::to_string(whole.duration_s()) +
                       " s is too short to hold a part of it out; give at least " +
-                      std::to_string(static_cast<int>(3.0 * least_run_s)) + " s or a second run"};
+                      std::to_string(static_cast<int>(3.0 * least_s)) + " s or a second run"};
   }
   const std::size_t cut = whole.commands_m_s.size() * 2 / 3;
   train.runs.front() = part_of(whole, 0, cut);

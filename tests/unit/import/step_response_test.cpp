@@ -1,8 +1,11 @@
 // Logs of one step of one motor, without names.
 #include <cmath>
+#include <fstream>
 #include <sstream>
 
+#include "tests/support/temporary_folder.hpp"
 #include "tests/unit/import/import_text.hpp"
+#include "tools/wheelwright/log_input.hpp"
 
 using namespace wheelwright;
 using namespace wheelwright::test;
@@ -14,16 +17,16 @@ const std::vector<std::string> known{"wheels.unit=deg/s", "wheels.wheel_radius_m
 struct StepLog {
   std::string command = "40";
   bool has_travel = true;
-  double settling = 0.1;  // s
+  double settling = 0.1;   // s
+  double reached = 800.0;  // deg/s
 };
 
-// 800 deg/s are reached.
 std::string step_text(const StepLog& log) {
   std::ostringstream text;
   double angle = 0.0;
   for (int k = 0; k < 150; ++k) {
     const double t = 0.0067 * k;
-    const double speed = 800.0 * (1.0 - std::exp(-t / log.settling));
+    const double speed = log.reached * (1.0 - std::exp(-t / log.settling));
     text << log.command << ';' << number(t + 3.0) << ';' << std::lround(speed);
     if (log.has_travel) text << ';' << std::lround(angle - 500.0);
     text << '\n';
@@ -49,6 +52,28 @@ TEST_CASE("One step of a motor gives its speed and, in proportion, the full scal
     CHECK_THAT(run.samples.back().command_m_s.left, WithinRel(settled_m_s, 0.02));
     CHECK(run.samples.back().ticks->left > 300'000);  // micrometres in a second
   }
+}
+
+TEST_CASE("Steps of one motor in a file each have one full scale, so that its dead zone shows") {
+  tools::LogInput input;
+  input.import.settings = known;
+  const auto folder = test::temporary_folder();
+  for (const int duty : {20, 40, 60, 80, 100}) {
+    input.paths.push_back((folder / (std::to_string(duty) + ".csv")).string());
+    const double reached = 20.0 * (duty - 15);  // nothing up to 15 of 100
+    std::ofstream(input.paths.back()) << step_text({.command = std::to_string(duty), .reached = reached});
+  }
+  std::ostringstream said;
+  const std::vector<DriveLog> runs = tools::load_all_runs(input, said);
+  REQUIRE(runs.size() == input.paths.size());
+  const auto command = [&](std::size_t run) { return runs[run].samples.back().command_m_s.left; };
+  const auto travel = [&](std::size_t run) {
+    const auto& counts = runs[run].samples.back().ticks;
+    return static_cast<double>(counts->left) * runs[run].metres_per_tick->left;
+  };
+  CHECK_THAT(command(0) / command(4), WithinRel(0.2, 1e-6));
+  CHECK_THAT(travel(0) / travel(4), WithinRel(5.0 / 85.0, 0.02));
+  CHECK(runs[2].name == input.paths[2]);
 }
 
 TEST_CASE("A step that does not settle gives its wheel, and asks for the full scale") {

@@ -206,8 +206,11 @@ TEST_CASE("Logs that do not belong together, or are too short, are refused with 
   check_refused(gap(workspace("gap_columns", without_counts)), "run2.csv:", "encoder counts");
 
   auto brief = good;
-  brief[0].samples.resize(100);
-  check_refused(gap(workspace("gap_brief", brief)), "run1.csv:", "at least");
+  brief[0].samples.resize(10);
+  check_refused(gap(workspace("gap_brief", brief)), "run1.csv:", "at least 20");
+  brief = good;
+  for (auto& run : brief) run.samples.resize(30);
+  check_refused(gap(workspace("gap_all_brief", brief)), "run1.csv:", "s in all, but at least 5 s are needed");
   check_refused(gap(workspace("gap_single", {good[0]})), "run1.csv", "too short to hold a part of it out");
 }
 
