@@ -94,14 +94,14 @@ double white_error(const Eigen::RowVectorXd& slope, const Eigen::MatrixXd& infor
 }
 
 // Intervals of figures that hang on several parameters: those of parameters by which each stands for one.
-std::vector<ParameterInterval> intervals_of(const Eigen::MatrixXd& slopes, const Eigen::MatrixXd& columns,
-                                            const GapProblem& problem, const GapFit& fit) {
+std::vector<LinearInterval> intervals_of(const Eigen::MatrixXd& slopes, const Eigen::MatrixXd& columns,
+                                         const GapProblem& problem, const GapFit& fit) {
   Eigen::MatrixXd change(columns.cols(), columns.cols());
   change.topRows(slopes.rows()) = slopes;
   change.bottomRows(columns.cols() - slopes.rows()) =
       Eigen::FullPivLU<Eigen::MatrixXd>(slopes).kernel().transpose();
   const Eigen::MatrixXd by_figures = columns * change.inverse();
-  return deviation_intervals(problem, by_figures, fit.residuals);
+  return linear_intervals(problem, by_figures, fit.residuals);
 }
 
 std::optional<Refusal> not_shown(const Figure& figure, const Estimate& estimate) {
@@ -124,8 +124,9 @@ tl::expected<std::array<Estimate, figures.size()>, Refusal> estimates(const GapP
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const double value = figures[i].of(fit.model);
     const double white = two_sided_95 * white_error(slopes.row(static_cast<Eigen::Index>(i)), information);
-    found[i] = {
-        value, {value + std::min(deviations[i].lower, -white), value + std::max(deviations[i].upper, white)}};
+    found[i] = {value,
+                {value + std::min(deviations[i].deviation.lower, -white),
+                 value + std::max(deviations[i].deviation.upper, white)}};
     if (auto refusal = not_shown(figures[i], found[i])) return tl::unexpected(*refusal);
   }
   return found;

@@ -65,10 +65,10 @@ void put_first_what_is_missed_most(std::vector<Finding>& found) {
 
 }  // namespace
 
-std::vector<Finding> findings_of(const GapProblem& train, const GapSearch& search) {
+std::vector<Finding> findings_of(const GapProblem& train, const GapSearch& search, const ForEach& for_each) {
   std::vector<Finding> all;
-  const auto intervals = parameter_intervals(train, search.final);
-  auto from = intervals.begin() + static_cast<std::ptrdiff_t>(search.final.model.core.size());
+  const auto intervals = effect_intervals(train, search.final, for_each);
+  auto from = intervals.begin();
   for (std::size_t i = 0; i < search.final.model.effects.size(); ++i) {
     Finding found = finding(search, i);
     const auto to = from + static_cast<std::ptrdiff_t>(found.setting.parameters.size());

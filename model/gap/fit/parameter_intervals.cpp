@@ -45,33 +45,28 @@ std::vector<BlockSums> sums_of_blocks(const GapProblem& problem, const Eigen::Ma
 
 }  // namespace
 
-std::vector<ParameterInterval> deviation_intervals(const GapProblem& problem, const Eigen::MatrixXd& columns,
-                                                   const std::vector<double>& residuals) {
+std::vector<LinearInterval> linear_intervals(const GapProblem& problem, const Eigen::MatrixXd& columns,
+                                             const std::vector<double>& residuals) {
   const auto blocks = sums_of_blocks(problem, columns, residuals);
   const Bootstrap bootstrap = block_bootstrap(blocks, draws, seed);
-  std::vector<ParameterInterval> intervals;
+  std::vector<LinearInterval> intervals;
   for (Eigen::Index i = 0; i < columns.cols(); ++i) {
     std::vector<double> sorted(bootstrap.deviations.row(i).begin(), bootstrap.deviations.row(i).end());
     std::ranges::sort(sorted);
     const double white = two_sided_95 * bootstrap.white_deviations(i);
     const auto tail = static_cast<std::size_t>(0.025 * static_cast<double>(draws));
-    intervals.push_back({std::min(sorted[tail], -white), std::max(sorted[draws - 1 - tail], white)});
+    intervals.push_back({{std::min(sorted[tail], -white), std::max(sorted[draws - 1 - tail], white)},
+                         bootstrap.white_deviations(i)});
   }
   return intervals;
 }
 
-std::vector<ParameterInterval> parameter_intervals(const GapProblem& problem, const GapFit& fit) {
+std::vector<ParameterInterval> effect_intervals(const GapProblem& problem, const GapFit& fit,
+                                                const ForEach& for_each) {
+  if (fit.model.effects.empty()) return {};
   const Eigen::MatrixXd columns = problem.jacobian(fit.model, fit.residuals);
-  auto intervals = deviation_intervals(problem, columns, fit.residuals);
-  for (std::size_t i = 0; i < intervals.size(); ++i) {
-    const double value = fit.model.parameter(i);
-    ParameterInterval& interval = intervals[i];
-    interval = {value + interval.lower, value + interval.upper};
-    if (const ParameterInfo* info = fit.model.parameter_info(i)) {
-      interval = {std::max(interval.lower, info->lower), std::min(interval.upper, info->upper)};
-    }
-  }
-  return intervals;
+  return profile_intervals(problem, fit, columns, linear_intervals(problem, columns, fit.residuals),
+                           for_each);
 }
 
 }  // namespace wheelwright::gap

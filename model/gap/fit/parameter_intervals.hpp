@@ -4,17 +4,20 @@
 #include <vector>
 
 #include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/profile_intervals.hpp"
 #include "model/robot_model.hpp"
 
 namespace wheelwright::gap {
 
-// 95 % intervals of all parameters, core first. What is left hangs together over seconds, so they come from a
-// bootstrap over blocks of time (model/gap/block_bootstrap.hpp), by percentiles; never narrower than white
-// residuals would give, and within the bounds of the parameter.
-std::vector<ParameterInterval> parameter_intervals(const GapProblem& problem, const GapFit& fit);
+// 95 % intervals of the effects' parameters, in their order. What is left hangs together over seconds, so
+// they come from a bootstrap over blocks of time (block_bootstrap.hpp), by percentiles; never narrower than
+// white residuals would give; wider where the likelihood does not fall that far out (profile_intervals.hpp).
+std::vector<ParameterInterval> effect_intervals(const GapProblem& problem, const GapFit& fit,
+                                                const ForEach& for_each);
 
-// The same as deviations from the estimate, for residuals whose derivatives by the parameters are `columns`.
-std::vector<ParameterInterval> deviation_intervals(const GapProblem& problem, const Eigen::MatrixXd& columns,
-                                                   const std::vector<double>& residuals);
+// The same by the bootstrap alone, as deviations from the estimate, of residuals whose derivatives by the
+// parameters are `columns`.
+std::vector<LinearInterval> linear_intervals(const GapProblem& problem, const Eigen::MatrixXd& columns,
+                                             const std::vector<double>& residuals);
 
 }  // namespace wheelwright::gap

@@ -152,10 +152,10 @@ LinearChanges linear_changes(const RobotModel& model, const TrialModel& measured
   if (result.heldout_gain_nats < confirming_nats) return result;
 
   const auto residuals = runs.residuals(p);
-  const auto deviations = deviation_intervals(train, runs.derivatives(p, residuals), residuals);
+  const auto deviations = linear_intervals(train, runs.derivatives(p, residuals), residuals);
   const auto add = [&](std::string_view what, std::string_view wheel, Eigen::Index i, double none,
                        double smallest, std::string_view unit) {
-    const ParameterInterval& deviation = deviations[static_cast<std::size_t>(i)];
+    const ParameterInterval& deviation = deviations[static_cast<std::size_t>(i)].deviation;
     const ParameterInterval interval{p(i) + deviation.lower, p(i) + deviation.upper};
     if (std::abs(p(i) - none) < smallest || !leaves_out(interval, none)) return;
     result.changes.push_back({what, wheel, p(i), unit, interval});

@@ -90,7 +90,10 @@ void try_robot(const EffectInfo* info, std::uint64_t seed, Tally& tally) {
   }
   std::vector<DriveLog> drives;
   drives.reserve(commands.size());
-  for (const DriveLog& drive : commands) drives.push_back(measured_drive(robot, drive, {}, random));
+  for (const DriveLog& drive : commands) {
+    const WheelPair before_m = drives.empty() ? WheelPair{} : rolled_m(drives.back());
+    drives.push_back(measured_drive(robot, drive, {}, before_m, random));
+  }
   const auto analysis =
       gap::analyse_gap(drives, {}, {}, gap::for_each_in_turn, [](const std::string&, double) {});
   if (!analysis) throw std::runtime_error(analysis.error().reason);

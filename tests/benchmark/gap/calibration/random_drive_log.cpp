@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "model/free_run.hpp"
+#include "model/model_simulation.hpp"
 
 namespace wheelwright::calibration {
 namespace {
@@ -88,26 +88,30 @@ DriveLog random_commands(const DriveProgram& program, const std::string& name, R
   return log;
 }
 
-DriveLog measured_drive(const RobotModel& model, DriveLog log, const DriveNoise& noise, Random& random) {
-  const auto motion = free_run(model, log);
-  WheelPair drifted_m;
-  Pose pose = motion.front().pose;
-  for (std::size_t k = 0; k < motion.size(); ++k) {
-    if (k > 0) {
-      const double deviation_m = noise.drift_m_per_sqrt_s * std::sqrt(motion[k].t_s - motion[k - 1].t_s);
-      const WheelPair step_m{normal(deviation_m, random), normal(deviation_m, random)};
-      drifted_m = {drifted_m.left + step_m.left, drifted_m.right + step_m.right};
-      Pose step = relative_to(motion[k - 1].pose, motion[k].pose);
-      step.x_m += 0.5 * (step_m.left + step_m.right);
-      step.theta_rad += (step_m.right - step_m.left) / log.wheel_base_m;
-      pose = placed_at(pose, step);
-    }
-    DriveSample& sample = log.samples[k];
-    sample.ticks = WheelTicks{counts(motion[k].distance_m.left + drifted_m.left),
-                              counts(motion[k].distance_m.right + drifted_m.right)};
+WheelPair rolled_m(const DriveLog& log) {
+  const WheelTicks& last = *log.samples.back().ticks;
+  return {static_cast<double>(last.left) * metres_per_tick,
+          static_cast<double>(last.right) * metres_per_tick};
+}
+
+DriveLog measured_drive(const RobotModel& model, DriveLog log, const DriveNoise& noise,
+                        const WheelPair& rolled_before_m, Random& random) {
+  ModelSimulation simulation(model.core, effect_settings(model));
+  simulation.reset({}, rolled_before_m);
+  const double deviation_m = noise.drift_m_per_sqrt_s * std::sqrt(log.period_s);
+  for (DriveSample& sample : log.samples) {
+    const WheelPair distance_m = simulation.distance_m();
+    sample.ticks = WheelTicks{counts(distance_m.left), counts(distance_m.right)};
+    const Pose pose = simulation.observed_pose();
     sample.reference_x_m = pose.x_m + normal(noise.reference_m, random);
     sample.reference_y_m = pose.y_m + normal(noise.reference_m, random);
     sample.reference_theta_rad = pose.theta_rad + normal(noise.reference_rad, random);
+    simulation.step(sample.command_m_s, *sample.battery_v);
+    const WheelPair drift_m{normal(deviation_m, random), normal(deviation_m, random)};
+    simulation.set_pose(placed_at(simulation.pose(), {0.5 * (drift_m.left + drift_m.right), 0.0,
+                                                      (drift_m.right - drift_m.left) / log.wheel_base_m}));
+    const WheelPair& way_m = simulation.distance_m();
+    simulation.set_distance_m({way_m.left + drift_m.left, way_m.right + drift_m.right});
   }
   return log;
 }

@@ -30,7 +30,11 @@ using Random = std::mt19937_64;
 DriveLog random_commands(const DriveProgram& program, const std::string& name, Random& random);
 
 // The same drive with what encoders and a reference measure while the model, with noise, follows the
-// commands.
-DriveLog measured_drive(const RobotModel& model, DriveLog commands, const DriveNoise& noise, Random& random);
+// commands. Counts go on from what the wheels had rolled before.
+DriveLog measured_drive(const RobotModel& model, DriveLog commands, const DriveNoise& noise,
+                        const WheelPair& rolled_before_m, Random& random);
+
+// By the counts at the end of a measured drive.
+WheelPair rolled_m(const DriveLog& log);
 
 }  // namespace wheelwright::calibration

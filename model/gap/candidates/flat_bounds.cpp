@@ -1,0 +1,37 @@
+#include "model/gap/candidates/flat_bounds.hpp"
+
+#include <cmath>
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr double worth_it = 2.0;  // of the sum of squares: a nat
+
+bool is_flat(const GapProblem& train, const GapFit& fit, std::size_t parameter) {
+  const ParameterInfo& info = *fit.model.parameter_info(parameter);
+  const double value = fit.model.parameter(parameter);
+  if (info.sizes.empty() || (value != info.lower && value != info.upper)) return false;
+  TrialModel moved = fit.model;
+  constexpr double small_share = 0.1;
+  moved.set_parameter(parameter, std::lerp(value, info.sizes.back(), small_share));
+  return train.residuals(moved) == train.residuals(fit.model);
+}
+
+}  // namespace
+
+GapFit away_from_flat_bounds(const GapProblem& train, const GapFit& fit, int steps) {
+  GapFit best = fit;
+  for (std::size_t i = fit.model.core.size(); i < fit.model.parameter_count(); ++i) {
+    if (!is_flat(train, best, i)) continue;
+    for (const double size : fit.model.parameter_info(i)->sizes) {
+      if (size == fit.model.parameter(i)) continue;
+      TrialModel start = best.model;
+      start.set_parameter(i, size);
+      GapFit other = train.fit(start, steps);
+      if (other.squares < best.squares - worth_it) best = std::move(other);
+    }
+  }
+  return best;
+}
+
+}  // namespace wheelwright::gap

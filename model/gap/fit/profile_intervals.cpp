@@ -1,0 +1,211 @@
+#include "model/gap/fit/profile_intervals.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr double two_sided_95 = 1.96;
+constexpr double chi_squared_95 = two_sided_95 * two_sided_95;
+constexpr int most_steps_of_others = 5;
+constexpr double worth_a_step = 0.02;  // of the sum of squares
+constexpr int most_doublings = 30;
+constexpr int halvings = 4;
+constexpr double first_share = 0.02;  // of the usual size, where nothing is known
+constexpr double nearly = 0.9;        // of chi squared: where the slopes are right
+
+// Smallest that a search tries. It stands for what is known of a parameter of which the readings say nothing.
+double usual_size(const ParameterInfo* info) {
+  constexpr double of_others = 0.1;
+  double smallest = 0.0;
+  if (info == nullptr) return of_others;
+  for (const double size : info->sizes) {
+    if (size != 0.0 && (smallest == 0.0 || std::abs(size) < smallest)) smallest = std::abs(size);
+  }
+  return smallest > 0.0 ? smallest : of_others;
+}
+
+std::vector<std::size_t> of_the_same_effect_and_unit(const TrialModel& model, std::size_t parameter) {
+  std::vector<std::size_t> others;
+  std::size_t first = model.core.size();
+  for (const TrialEffect& effect : model.effects) {
+    const std::size_t last = first + effect.parameters.size();
+    for (std::size_t i = first; i < last && first <= parameter && parameter < last; ++i) {
+      if (i != parameter && model.parameter_info(i)->unit == model.parameter_info(parameter)->unit)
+        others.push_back(i);
+    }
+    first = last;
+  }
+  return others;
+}
+
+struct Point {
+  TrialModel model;
+  double squares = 0.0;
+};
+
+// The likelihood with one parameter held, and the others as good as they can be.
+class Profile {
+ public:
+  Profile(const GapProblem& problem, const GapFit& fit, const Eigen::MatrixXd& columns,
+          const Eigen::MatrixXd& information, std::size_t held)
+      : problem_(problem), fit_(fit), columns_(columns), held_(held) {
+    for (Eigen::Index i = 0; i < columns.cols(); ++i) {
+      if (i != static_cast<Eigen::Index>(held)) free_.push_back(i);
+    }
+    Eigen::MatrixXd of_others = information(free_, free_);
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      const double size = usual_size(fit.model.parameter_info(static_cast<std::size_t>(free_[i])));
+      const auto at = static_cast<Eigen::Index>(i);
+      of_others(at, at) += 1.0 / (size * size);
+    }
+    inverse_ = of_others.ldlt().solve(Eigen::MatrixXd::Identity(of_others.rows(), of_others.cols()));
+    tradable_ = of_the_same_effect_and_unit(fit.model, held);
+    going_with_it_ = -inverse_ * information(free_, static_cast<Eigen::Index>(held));
+  }
+
+  // Whether the parameter is unlikely to have this value. An edge shows only where it is crossed, so that
+  // what another edge has to do with it must be foretold, by slopes or by trying; what cannot be foretold may
+  // be found on the way.
+  bool excludes(double value, double chi_squared) {
+    return !reaches(moved_to(value, false), chi_squared) && !reaches(moved_to(value, true), chi_squared) &&
+           !reaches(traded_for(value), chi_squared);
+  }
+
+ private:
+  bool reaches(const TrialModel& start, double chi_squared) {
+    Point point = with_others_fitted(start, fit_.squares + chi_squared);
+    if (point.squares - fit_.squares >= chi_squared) return false;
+    nearest_ = std::move(point.model);
+    return true;
+  }
+
+  // From the nearest that was not excluded; `foretold`: the others go with it as by the slopes.
+  TrialModel moved_to(double value, bool foretold) const {
+    TrialModel model = nearest_.value_or(fit_.model);
+    const double by = value - model.parameter(held_);
+    model.set_parameter(held_, value);
+    for (std::size_t i = 0; foretold && i < free_.size(); ++i) {
+      const auto parameter = static_cast<std::size_t>(free_[i]);
+      model.set_parameter(parameter,
+                          model.parameter(parameter) + by * going_with_it_(static_cast<Eigen::Index>(i)));
+    }
+    return model;
+  }
+
+  // With another parameter of the same effect and unit as much, or half as much, to either side, whichever is
+  // best: to make a thing longer at one end, its middle goes half as far.
+  TrialModel traded_for(double value) const {
+    const TrialModel start = moved_to(value, false);
+    const double by = value - nearest_.value_or(fit_.model).parameter(held_);
+    TrialModel best = start;
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::size_t other : tradable_) {
+      for (const double share : {1.0, -1.0, 0.5, -0.5}) {
+        TrialModel traded = start;
+        traded.set_parameter(other, start.parameter(other) + share * by);
+        const double squares = squares_of(problem_.residuals(traded));
+        if (squares >= least) continue;
+        least = squares;
+        best = std::move(traded);
+      }
+    }
+    return best;
+  }
+
+  // By the slopes at the estimate, as far as they lead down; no further than is asked for.
+  Point with_others_fitted(const TrialModel& start, double low_enough) const {
+    std::vector<double> residuals = problem_.residuals(start);
+    Point best{start, squares_of(residuals)};
+    double share = 1.0;
+    for (int step = 0; step < most_steps_of_others && best.squares >= low_enough; ++step) {
+      const Eigen::Map<const Eigen::VectorXd> left(residuals.data(), columns_.rows());
+      const Eigen::VectorXd change = inverse_ * (columns_.transpose() * left)(free_);
+      Point next{best.model, 0.0};
+      for (std::size_t i = 0; i < free_.size(); ++i) {
+        const auto parameter = static_cast<std::size_t>(free_[i]);
+        next.model.set_parameter(
+            parameter, best.model.parameter(parameter) - share * change(static_cast<Eigen::Index>(i)));
+      }
+      if (!next.model.stable()) break;
+      std::vector<double> there = problem_.residuals(next.model);
+      next.squares = squares_of(there);
+      if (next.squares > best.squares - worth_a_step) {
+        share *= 0.5;
+        continue;
+      }
+      best = std::move(next);
+      residuals = std::move(there);
+    }
+    return best;
+  }
+
+  const GapProblem& problem_;
+  const GapFit& fit_;
+  const Eigen::MatrixXd& columns_;
+  std::size_t held_;
+  std::vector<Eigen::Index> free_;  // the other parameters
+  std::vector<std::size_t> tradable_;
+  Eigen::MatrixXd inverse_;            // of their information
+  Eigen::VectorXd going_with_it_;      // by how much each changes for a unit of the one that is held
+  std::optional<TrialModel> nearest_;  // that was not excluded so far
+};
+
+// From the estimate outwards, doubled until it is excluded or no further is possible, then halved between.
+double end_of(Profile& profile, double estimate, double first_deviation, double bound, double chi_squared) {
+  const double direction = bound < estimate ? -1.0 : 1.0;
+  const double most = std::abs(bound - estimate);
+  double inside = 0.0;
+  double outside = std::min(first_deviation, most);
+  for (int doubling = 0; doubling < most_doublings; ++doubling) {
+    if (profile.excludes(estimate + direction * outside, chi_squared)) break;
+    if (outside == most) return bound;
+    inside = outside;
+    outside = std::min(2.0 * outside, most);
+  }
+  for (int halving = 0; halving < halvings; ++halving) {
+    const double middle = 0.5 * (inside + outside);
+    (profile.excludes(estimate + direction * middle, chi_squared) ? outside : inside) = middle;
+  }
+  return estimate + direction * outside;
+}
+
+}  // namespace
+
+std::vector<ParameterInterval> profile_intervals(const GapProblem& problem, const GapFit& fit,
+                                                 const Eigen::MatrixXd& columns,
+                                                 std::span<const LinearInterval> linear,
+                                                 const ForEach& for_each) {
+  const std::size_t first = fit.model.core.size();
+  const std::size_t count = fit.model.parameter_count() - first;
+  const Eigen::MatrixXd information = columns.transpose() * columns;
+  std::vector<ParameterInterval> intervals(count);
+  for_each(2 * count, [&](std::size_t job) {
+    const std::size_t parameter = first + job / 2;
+    const bool lower = job % 2 == 0;
+    const ParameterInfo& info = *fit.model.parameter_info(parameter);
+    const ParameterInterval& by_slope = linear[parameter].deviation;
+    const double deviation = lower ? -by_slope.lower : by_slope.upper;
+    const double white = two_sided_95 * linear[parameter].white_deviation;
+    const double scatter = white > 0.0 ? std::max(1.0, deviation / white) : 1.0;
+    const double estimate = fit.model.parameter(parameter);
+    const double bound = lower ? info.lower : info.upper;
+    double end = std::clamp(estimate + (lower ? -deviation : deviation), info.lower, info.upper);
+    Profile profile(problem, fit, columns, information, parameter);
+    const double chi_squared = chi_squared_95 * scatter * scatter;
+    if (end != bound && (white == 0.0 || !profile.excludes(end, nearly * chi_squared))) {
+      const double begin = white > 0.0 ? 2.0 * deviation : first_share * usual_size(&info);
+      end = end_of(profile, estimate, begin, bound, chi_squared);
+    }
+    (lower ? intervals[job / 2].lower : intervals[job / 2].upper) = end;
+  });
+  return intervals;
+}
+
+}  // namespace wheelwright::gap
