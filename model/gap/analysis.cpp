@@ -184,7 +184,7 @@ bool Analysis::leave_out_linear_effects() {
 }
 
 void Analysis::conclude() {
-  result_.found = findings_of(*train_problem_, result_.search, for_each_);
+  result_.found = findings_of(result_.search);
   double longest_run_s = 0.0;
   for (const GapRun& run : gathered_.train.runs) longest_run_s = std::max(longest_run_s, run.duration_s());
   add_rivals_that_cannot_show(result_.found, testability_.untestable, longest_run_s);

@@ -5,7 +5,6 @@
 #include <map>
 
 #include "model/gap/candidates/decoys.hpp"
-#include "model/gap/fit/parameter_intervals.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -65,10 +64,9 @@ void put_first_what_is_missed_most(std::vector<Finding>& found) {
 
 }  // namespace
 
-std::vector<Finding> findings_of(const GapProblem& train, const GapSearch& search, const ForEach& for_each) {
+std::vector<Finding> findings_of(const GapSearch& search) {
   std::vector<Finding> all;
-  const auto intervals = effect_intervals(train, search.final, for_each);
-  auto from = intervals.begin();
+  auto from = search.intervals.begin();
   for (std::size_t i = 0; i < search.final.model.effects.size(); ++i) {
     Finding found = finding(search, i);
     const auto to = from + static_cast<std::ptrdiff_t>(found.setting.parameters.size());

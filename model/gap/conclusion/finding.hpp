@@ -34,7 +34,7 @@ struct Finding {
 // All that a search accepted: first what it found first, unless another would be missed far more, then by
 // what is missed most where it is taken out of the model. The posterior of a name is that in its place, the
 // others being there.
-std::vector<Finding> findings_of(const GapProblem& train, const GapSearch& search, const ForEach& for_each);
+std::vector<Finding> findings_of(const GapSearch& search);
 
 // An effect that these runs cannot show may do the same in them as one that was found: then it is a rival as
 // good. A constant loss in one direction and at one heading may be a slope; a loss on starting alone, play; a

@@ -61,12 +61,22 @@ std::vector<LinearInterval> linear_intervals(const GapProblem& problem, const Ei
   return intervals;
 }
 
-std::vector<ParameterInterval> effect_intervals(const GapProblem& problem, const GapFit& fit,
-                                                const ForEach& for_each) {
-  if (fit.model.effects.empty()) return {};
-  const Eigen::MatrixXd columns = problem.jacobian(fit.model, fit.residuals);
-  return profile_intervals(problem, fit, columns, linear_intervals(problem, columns, fit.residuals),
-                           for_each);
+FitWithIntervals with_effect_intervals(const GapProblem& problem, GapFit fit, int steps,
+                                       const ForEach& for_each) {
+  constexpr int most_rounds = 3;
+  FitWithIntervals result{std::move(fit), {}};
+  double roughness = 0.0;
+  for (int round = 0; round < most_rounds && !result.fit.model.effects.empty(); ++round) {
+    const Eigen::MatrixXd columns = problem.jacobian(result.fit.model, result.fit.residuals);
+    const auto linear = linear_intervals(problem, columns, result.fit.residuals);
+    Profiles profiles = profile_intervals(problem, result.fit, columns, linear, roughness, for_each);
+    result.intervals = std::move(profiles.intervals);
+    if (!profiles.likelier || round + 1 == most_rounds) break;
+    GapFit likelier = problem.fit(*profiles.likelier, steps);
+    roughness += result.fit.squares - likelier.squares;
+    result.fit = std::move(likelier);
+  }
+  return result;
 }
 
 }  // namespace wheelwright::gap

@@ -12,8 +12,13 @@ namespace wheelwright::gap {
 // 95 % intervals of the effects' parameters, in their order. What is left hangs together over seconds, so
 // they come from a bootstrap over blocks of time (block_bootstrap.hpp), by percentiles; never narrower than
 // white residuals would give; wider where the likelihood does not fall that far out (profile_intervals.hpp).
-std::vector<ParameterInterval> effect_intervals(const GapProblem& problem, const GapFit& fit,
-                                                const ForEach& for_each);
+// Where a likelier model is met in this, the fit goes on from there.
+struct FitWithIntervals {
+  GapFit fit;
+  std::vector<ParameterInterval> intervals;
+};
+FitWithIntervals with_effect_intervals(const GapProblem& problem, GapFit fit, int steps,
+                                       const ForEach& for_each);
 
 // The same by the bootstrap alone, as deviations from the estimate, of residuals whose derivatives by the
 // parameters are `columns`.

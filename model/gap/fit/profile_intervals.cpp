@@ -15,6 +15,7 @@ constexpr int most_steps_of_others = 5;
 constexpr double worth_a_step = 0.02;  // of the sum of squares
 constexpr int most_doublings = 30;
 constexpr int halvings = 4;
+constexpr double a_nat = 2.0;         // of the sum of squares
 constexpr double first_share = 0.02;  // of the usual size, where nothing is known
 constexpr double nearly = 0.9;        // of chi squared: where the slopes are right
 
@@ -76,10 +77,13 @@ class Profile {
            !reaches(traded_for(value), chi_squared);
   }
 
+  const std::optional<Point>& best() const { return best_; }
+
  private:
   bool reaches(const TrialModel& start, double chi_squared) {
     Point point = with_others_fitted(start, fit_.squares + chi_squared);
     if (point.squares - fit_.squares >= chi_squared) return false;
+    if (point.squares < (best_ ? best_->squares : fit_.squares - a_nat)) best_ = point;
     nearest_ = std::move(point.model);
     return true;
   }
@@ -153,6 +157,7 @@ class Profile {
   Eigen::MatrixXd inverse_;            // of their information
   Eigen::VectorXd going_with_it_;      // by how much each changes for a unit of the one that is held
   std::optional<TrialModel> nearest_;  // that was not excluded so far
+  std::optional<Point> best_;          // likelier than the fit
 };
 
 // From the estimate outwards, doubled until it is excluded or no further is possible, then halved between.
@@ -176,14 +181,14 @@ double end_of(Profile& profile, double estimate, double first_deviation, double 
 
 }  // namespace
 
-std::vector<ParameterInterval> profile_intervals(const GapProblem& problem, const GapFit& fit,
-                                                 const Eigen::MatrixXd& columns,
-                                                 std::span<const LinearInterval> linear,
-                                                 const ForEach& for_each) {
+Profiles profile_intervals(const GapProblem& problem, const GapFit& fit, const Eigen::MatrixXd& columns,
+                           std::span<const LinearInterval> linear, double roughness,
+                           const ForEach& for_each) {
   const std::size_t first = fit.model.core.size();
   const std::size_t count = fit.model.parameter_count() - first;
   const Eigen::MatrixXd information = columns.transpose() * columns;
   std::vector<ParameterInterval> intervals(count);
+  std::vector<std::optional<Point>> met(2 * count);
   for_each(2 * count, [&](std::size_t job) {
     const std::size_t parameter = first + job / 2;
     const bool lower = job % 2 == 0;
@@ -196,14 +201,21 @@ std::vector<ParameterInterval> profile_intervals(const GapProblem& problem, cons
     const double bound = lower ? info.lower : info.upper;
     double end = std::clamp(estimate + (lower ? -deviation : deviation), info.lower, info.upper);
     Profile profile(problem, fit, columns, information, parameter);
-    const double chi_squared = chi_squared_95 * scatter * scatter;
+    const double chi_squared = chi_squared_95 * scatter * scatter + roughness;
     if (end != bound && (white == 0.0 || !profile.excludes(end, nearly * chi_squared))) {
       const double begin = white > 0.0 ? 2.0 * deviation : first_share * usual_size(&info);
       end = end_of(profile, estimate, begin, bound, chi_squared);
     }
     (lower ? intervals[job / 2].lower : intervals[job / 2].upper) = end;
+    met[job] = profile.best();
   });
-  return intervals;
+  const auto squares = [](const std::optional<Point>& point) {
+    return point ? point->squares : std::numeric_limits<double>::infinity();
+  };
+  const auto best = std::ranges::min_element(met, {}, squares);
+  Profiles result{std::move(intervals), std::nullopt};
+  if (best != met.end() && *best) result.likelier = (*best)->model;
+  return result;
 }
 
 }  // namespace wheelwright::gap

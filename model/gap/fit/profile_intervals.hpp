@@ -8,6 +8,7 @@
 // Where it has not, the end lies further out.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,12 +23,16 @@ struct LinearInterval {
   double white_deviation = 0.0;  // standard deviation if innovations were white; 0 where nothing is known
 };
 
+struct Profiles {
+  std::vector<ParameterInterval> intervals;
+  std::optional<TrialModel> likelier;  // met on the way: the fit was not the likeliest, by a nat or more
+};
+
 // Of the effects' parameters, in their order: the interval by derivatives, or wider. Not beyond the bounds of
 // a parameter. `columns` are the derivatives of the residuals of `fit` by all parameters, core first, and so
-// are `linear`.
-std::vector<ParameterInterval> profile_intervals(const GapProblem& problem, const GapFit& fit,
-                                                 const Eigen::MatrixXd& columns,
-                                                 std::span<const LinearInterval> linear,
-                                                 const ForEach& for_each);
+// are `linear`. `roughness`: by how much the sum of squares varies from one place to the next without a
+// reason, as where wheels stick and slip; no end is believed for less.
+Profiles profile_intervals(const GapProblem& problem, const GapFit& fit, const Eigen::MatrixXd& columns,
+                           std::span<const LinearInterval> linear, double roughness, const ForEach& for_each);
 
 }  // namespace wheelwright::gap

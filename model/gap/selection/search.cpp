@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "model/gap/candidates/decoys.hpp"
-#include "model/gap/candidates/flat_bounds.hpp"
+#include "model/gap/candidates/flat_places.hpp"
 #include "model/gap/candidates/quantization_search.hpp"
 #include "model/gap/selection/candidate_evaluation.hpp"
 #include "model/gap/selection/rival_checks.hpp"
@@ -286,7 +286,11 @@ GapFit Search::best_linear_model(const GapSearch& result) {
 void Search::size_up(GapSearch& result) {
   result.final = look_.settle(result.final.model, 1);
   result.final = train_.fit(with_steps_centred(train_, result.final.model, for_each_), steps_of_a_refit);
-  result.final = away_from_flat_bounds(train_, result.final, steps_of_a_refit);
+  result.final = away_from_flat_places(train_, result.final, steps_of_a_refit);
+  FitWithIntervals known =
+      with_effect_intervals(train_, std::move(result.final), steps_of_a_refit, for_each_);
+  result.final = std::move(known.fit);
+  result.intervals = std::move(known.intervals);
   result.baseline = best_linear_model(result);
   std::vector<const EffectInfo*> named;
   for (const EffectInfo* info : look_.absent_from(result.final.model)) {

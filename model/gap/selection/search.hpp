@@ -9,14 +9,16 @@
 #include <vector>
 
 #include "model/gap/candidates/screening.hpp"
+#include "model/gap/fit/parameter_intervals.hpp"
 #include "model/gap/selection/model_comparison.hpp"
 
 namespace wheelwright::gap {
 
 struct GapSearch {
-  GapFit baseline;            // the linear model alone, under the final noise
-  GapFit final;               // with all that was accepted, in the order in which it was found
-  std::vector<Round> rounds;  // in the order of the search; the last one ended it
+  GapFit baseline;                           // the linear model alone, under the final noise
+  GapFit final;                              // with all that was accepted, in the order in which it was found
+  std::vector<ParameterInterval> intervals;  // of the parameters of its effects, 95 %
+  std::vector<Round> rounds;                 // in the order of the search; the last one ended it
   std::vector<Round> checks;  // for each accepted effect: the model without it, and who would take its place
   std::vector<WheelPair> train_rolled_m;  // what was found of where each run's wheels stood at its start
   std::vector<WheelPair> heldout_rolled_m;

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "model/effect_library.hpp"
-#include "model/gap/candidates/flat_bounds.hpp"
+#include "model/gap/candidates/flat_places.hpp"
 #include "model/gap/fit/parameter_intervals.hpp"
 #include "model/gap/runs/run.hpp"
 #include "tests/support/catch.hpp"
@@ -61,7 +61,8 @@ TEST_CASE("All roundings that send no command elsewhere belong to the interval o
   constexpr std::array speeds_m_s{0.05, 0.11, 0.17, 0.23, -0.05, -0.17};
   const TrialModel robot = with_effect("command_quantization", {0.03, 0.5});
   const GapProblem problem = driven(robot, speeds_m_s, 8);
-  const auto intervals = effect_intervals(problem, problem.fit(robot, steps), for_each_in_turn);
+  const auto intervals =
+      with_effect_intervals(problem, problem.fit(robot, steps), steps, for_each_in_turn).intervals;
   REQUIRE(intervals.size() == 2);
   CHECK(intervals[1].lower < 0.05);
   CHECK(intervals[1].upper > 0.66);
@@ -73,10 +74,11 @@ TEST_CASE("How far a region reaches behind the place where the robot stopped is 
   enum : std::size_t { change, x, y, length, width, heading };
   const TrialModel robot = with_effect("surface_patch", {-0.2, 1.6, 0.0, 1.2, 1.0, 0.0});
   const GapProblem problem = driven(robot, speeds_m_s, 15);  // ends at 1.4 m, in the region
-  const auto intervals = effect_intervals(problem, problem.fit(robot, steps), for_each_in_turn);
+  const auto intervals =
+      with_effect_intervals(problem, problem.fit(robot, steps), steps, for_each_in_turn).intervals;
   const auto info = [&](std::size_t i) { return robot.effects.front().parameter_info(i); };
   CHECK(intervals[length].lower < 0.5);
-  CHECK(intervals[length].upper == info(length).upper);
+  CHECK(intervals[length].upper > 10.0);
   CHECK(intervals[width].upper == info(width).upper);
   CHECK(intervals[change].upper - intervals[change].lower < 0.01);
 }
@@ -87,7 +89,7 @@ TEST_CASE("Where the likelihood is a parabola, its profile widens an interval by
   const GapProblem problem = driven(robot, speeds_m_s, 8);
   const GapFit fit = problem.fit(robot, steps);
   const auto linear = linear_intervals(problem, problem.jacobian(fit.model, fit.residuals), fit.residuals);
-  const auto intervals = effect_intervals(problem, fit, for_each_in_turn);
+  const auto intervals = with_effect_intervals(problem, fit, steps, for_each_in_turn).intervals;
   for (std::size_t i = 0; i < intervals.size(); ++i) {
     const ParameterInterval& by_slope = linear[fit.model.core.size() + i].deviation;
     const double width = intervals[i].upper - intervals[i].lower;
@@ -102,7 +104,7 @@ TEST_CASE("A knee that a fit has lost at zero, where it has no slope, is found a
   const GapProblem problem = driven(robot, speeds_m_s, 8);
   const GapFit lost = problem.fit(with_effect("saturation", {0.2, 0.0, 0.0}), steps);
   REQUIRE(lost.model.effects.front().parameters[2] == 0.0);
-  const GapFit fit = away_from_flat_bounds(problem, lost, steps);
+  const GapFit fit = away_from_flat_places(problem, lost, steps);
   CHECK(fit.model.effects.front().parameters[2] > 0.02);
   CHECK(fit.squares < lost.squares - 100.0);
 }

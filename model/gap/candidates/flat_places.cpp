@@ -1,4 +1,4 @@
-#include "model/gap/candidates/flat_bounds.hpp"
+#include "model/gap/candidates/flat_places.hpp"
 
 #include <cmath>
 
@@ -10,16 +10,16 @@ constexpr double worth_it = 2.0;  // of the sum of squares: a nat
 bool is_flat(const GapProblem& train, const GapFit& fit, std::size_t parameter) {
   const ParameterInfo& info = *fit.model.parameter_info(parameter);
   const double value = fit.model.parameter(parameter);
-  if (info.sizes.empty() || (value != info.lower && value != info.upper)) return false;
+  if (info.sizes.empty()) return false;
   TrialModel moved = fit.model;
-  constexpr double small_share = 0.1;
-  moved.set_parameter(parameter, std::lerp(value, info.sizes.back(), small_share));
+  constexpr double small_share = 0.02;
+  moved.set_parameter(parameter, value + small_share * info.sizes.back());
   return train.residuals(moved) == train.residuals(fit.model);
 }
 
 }  // namespace
 
-GapFit away_from_flat_bounds(const GapProblem& train, const GapFit& fit, int steps) {
+GapFit away_from_flat_places(const GapProblem& train, const GapFit& fit, int steps) {
   GapFit best = fit;
   for (std::size_t i = fit.model.core.size(); i < fit.model.parameter_count(); ++i) {
     if (!is_flat(train, best, i)) continue;

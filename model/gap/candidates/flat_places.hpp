@@ -1,0 +1,12 @@
+// Parameters that a fit has left where nothing depends on them any more: a knee that is sharper than a
+// simulation can tell has no slope that would lead away from it.
+#pragma once
+
+#include "model/gap/fit/problem.hpp"
+
+namespace wheelwright::gap {
+
+// `fit`, or a likelier one that begins with such a parameter at a size of its own.
+GapFit away_from_flat_places(const GapProblem& train, const GapFit& fit, int steps);
+
+}  // namespace wheelwright::gap
