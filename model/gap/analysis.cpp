@@ -156,7 +156,8 @@ void Analysis::describe_where() {
 }
 
 void Analysis::size_up() {
-  result_.before = options_.model ? *options_.model : linear_model_of(result_.search.baseline.model, origin_);
+  const auto& given = options_.simulation ? options_.simulation : options_.model;
+  result_.before = given ? *given : linear_model_of(result_.search.baseline.model, origin_);
   result_.after = found_model_of(result_.search.final.model, result_.found, origin_);
   result_.train = figures(result_.before, result_.after, gathered_.train.logs);
   if (!result_.tail_held_out) {
@@ -284,6 +285,12 @@ void Analysis::hold_out_others() {
 }
 
 void Analysis::compare_linear_part() {
+  if (options_.simulation) {
+    const ModelOrigin origin{&*options_.simulation, origin_.logs};
+    const LinearChanges changes = changes_of_linear_part(result_, origin, *train_problem_, *test_problem_);
+    result_.linear_changes = changes.changes;
+    result_.linear_gain_nats = changes.heldout_gain_nats;
+  }
   if (!options_.model) return;
   if (!add_linear_changes(result_, origin_, *train_problem_, *test_problem_)) return;
   result_.train.after = gap_size(result_.after, gathered_.train.logs);
@@ -371,7 +378,7 @@ void Analysis::note_runs() {
 
 tl::expected<GapAnalysis, GapRefusal> Analysis::run(std::span<const DriveLog> train,
                                                     std::span<const DriveLog> test) {
-  if (auto refusal = gather_runs(train, test, gathered_)) return tl::unexpected(*refusal);
+  if (auto refusal = gather_runs(train, test, options_.period_s, gathered_)) return tl::unexpected(*refusal);
   testability_ = testability(gathered_.to_learn_from);
   result_.data_faults = gathered_.faults;
   result_.tail_held_out = gathered_.tail_held_out;

@@ -16,9 +16,12 @@
 namespace wheelwright::gap {
 
 struct GapOptions {
-  std::optional<RobotModel>
-      model;  // whose gap is looked for; without it, that of the linear model fitted here
-  SearchLimits limits;
+  // Whose gap is looked for; without it, that of the linear model fitted here.
+  std::optional<RobotModel> model = std::nullopt;
+  // Whose gap is shown, and whose linear part is compared; its effects are not taken for given.
+  std::optional<RobotModel> simulation = std::nullopt;
+  std::optional<double> period_s = std::nullopt;  // of the models; else the shortest of the runs
+  SearchLimits limits = {};
 };
 
 // `test` may be empty: then the last runs of `train` are held out whole, or the last third of a single run.

@@ -18,6 +18,7 @@
 #include "tools/wheelwright/gap/gap_text.hpp"
 #include "tools/wheelwright/gap/report.hpp"
 #include "tools/wheelwright/gap/side_by_side.hpp"
+#include "tools/wheelwright/gap/simulation_section.hpp"
 #include "tools/wheelwright/log_checks.hpp"
 #include "tools/wheelwright/log_input.hpp"
 #include "tools/wheelwright/now.hpp"
@@ -29,6 +30,7 @@ namespace {
 struct GapCommand {
   std::vector<std::string> train;
   std::vector<std::string> test;
+  std::vector<std::string> simulation;
   ImportOptions import;
   std::string model;
   std::string output;
@@ -66,6 +68,7 @@ void check_folder(const GapCommand& command) {
   config::InputFiles inputs{command.model, command.import.mapping};
   inputs.insert(inputs.end(), command.train.begin(), command.train.end());
   inputs.insert(inputs.end(), command.test.begin(), command.test.end());
+  inputs.insert(inputs.end(), command.simulation.begin(), command.simulation.end());
   if (const auto problem =
           config::check_output_folder(folder, {"gap.json", config::OutputKind::gap}, names, inputs)) {
     throw UsageError(*problem);
@@ -97,12 +100,14 @@ void remove_old(const std::filesystem::path& path) {
 
 // What the analysis leaves in its folder beside the report; says which files that are.
 std::string write_files(const GapCommand& command, const gap::GapAnalysis& analysis,
-                        const std::optional<gap::NextExperiment>& next) {
+                        const std::optional<gap::NextExperiment>& next,
+                        const gap::SimulationGap* simulation) {
   const std::filesystem::path folder = command.output;
   const auto next_file = std::filesystem::absolute(folder / "next_experiment.csv");
   const auto model_file = folder / "model.yaml";
   std::string written = "gap.json, ";
-  write({folder / "gap.json", config::OutputKind::gap}, gap_to_json(analysis, next, next_file.string()));
+  write({folder / "gap.json", config::OutputKind::gap},
+        gap_to_json(analysis, next, next_file.string(), simulation));
   if (!analysis.after.core.left.from_left.empty()) {
     config::save_model(analysis.after, model_file);
     written += "model.yaml, ";
@@ -131,6 +136,16 @@ gap::Segments load_segments(const LogInput& input, std::size_t rows, std::ostrea
   return gap::informative_segments(load_all_runs(input, err, progress), {.most_rows = rows});
 }
 
+gap::SimulationGap simulation_gap(const GapCommand& command, const std::vector<DriveLog>& train,
+                                  const std::vector<DriveLog>& test, std::ostream& err,
+                                  ProgressLine& progress) {
+  const gap::Segments simulated =
+      load_segments({command.simulation, command.import}, most_rows, err, progress);
+  auto gap = gap::analyse_simulation_gap(simulated.runs, train, test, side_by_side(), progress.callback());
+  if (!gap) throw UsageError(gap.error().reason);
+  return *std::move(gap);
+}
+
 ExitStatus run_gap(const GapCommand& command, Streams streams) {
   check_folder(command);
   gap::GapOptions options;
@@ -144,7 +159,10 @@ ExitStatus run_gap(const GapCommand& command, Streams streams) {
   const std::vector<DriveLog>& train = train_segments.runs;
   const std::vector<DriveLog>& test = test_segments.runs;
   make_folder(command.output);
-  auto analysis = gap::analyse_gap(train, test, options, side_by_side(), say);
+  std::optional<gap::SimulationGap> simulation;
+  if (!command.simulation.empty()) simulation = simulation_gap(command, train, test, streams.err, progress);
+  tl::expected<gap::GapAnalysis, gap::GapRefusal> analysis =
+      simulation ? simulation->robot : gap::analyse_gap(train, test, options, side_by_side(), say);
   if (!analysis) throw UsageError(analysis.error().reason);
   for (const gap::Segments* segments : {&train_segments, &test_segments}) {
     if (!segments->all_used()) analysis->summary += " " + used_text(*segments);
@@ -155,10 +173,12 @@ ExitStatus run_gap(const GapCommand& command, Streams streams) {
 
   const std::filesystem::path folder = command.output;
   say("report", 0.98);
-  const std::string written = write_files(command, *analysis, next);
-  write({folder / "report.html", config::OutputKind::page}, gap_report(*analysis, train, test, next));
+  const std::string written = write_files(command, *analysis, next, simulation ? &*simulation : nullptr);
+  write({folder / "report.html", config::OutputKind::page},
+        gap_report(*analysis, train, test, next, simulation ? &*simulation : nullptr));
   progress.clear();
   print_gap(streams.out, *analysis);
+  if (simulation) print_simulation(streams.out, *simulation);
   if (next) {
     streams.out << "\nnext: " << experiment_text(*next) << "\n"
                 << "      wheelwrightd --config my_robot.yaml --commands "
@@ -177,8 +197,13 @@ Action add_gap(CLI::App& app) {
   command->add_option("--train", options->train, "Drive logs to find it in")->required();
   command->add_option("--test", options->test,
                       "Drive logs to confirm it on; else some of the others are held out");
-  command->add_option("--model", options->model,
-                      "Model whose gap is looked for; else a linear one is fitted");
+  CLI::Option* model = command->add_option("--model", options->model,
+                                           "Model whose gap is looked for; else a linear one is fitted");
+  command
+      ->add_option("--simulation", options->simulation,
+                   "Runs of your simulator, by any commands: what it lacks, has in another size, or has and "
+                   "the robot has not")
+      ->excludes(model);
   add_import_options(*command, options->import);
   command->add_option("-o,--output", options->output, "Folder for gap.json, model.yaml and report.html")
       ->required();

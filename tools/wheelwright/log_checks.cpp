@@ -33,6 +33,7 @@ bool is_roomba(std::string name) {
 
 // Calibrations of one robot scatter by less, other robots differ by more.
 constexpr double most_apart_scales = 0.05;
+constexpr double most_apart_bases = 0.02;
 
 std::string line_of(const DriveLog& log, std::size_t row) {
   return log.name + ":" + std::to_string(log.first_line + row);
@@ -183,7 +184,8 @@ void check_log_for_model(const DriveLog& log, const LinearModel& model, std::ost
   if (const auto impossible = find_impossible_counts(log, std::nullopt)) {
     err << "wheelwright: warning: " << *impossible << "\n";
   }
-  if (std::abs(log.wheel_base_m - model.wheel_base_m) > 1e-6) {
+  // One that was fitted to poses has a wheel base of its own.
+  if (differ(log.wheel_base_m, model.wheel_base_m, most_apart_bases)) {
     err << "wheelwright: warning: " << log.name << ": its wheel base is " << plain_number(log.wheel_base_m)
         << " m, but that of the model is " << plain_number(model.wheel_base_m)
         << " m; is it the same robot?\n";

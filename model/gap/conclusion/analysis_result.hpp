@@ -43,6 +43,7 @@ struct GapAnalysis {
   std::vector<std::string> tested;           // names of those of `test` and `check`: held out, or untouched
   bool untouched = false;                    // whether these took no part in any choice
   std::vector<LinearChange> linear_changes;  // of the model that was given
+  double linear_gain_nats = 0.0;             // of the held-out runs' log likelihood, by these
   PredictiveCheck check;                     // of the accepted model
   CheckedRuns checked = CheckedRuns::held_out;
   bool tail_held_out = false;  // a single run: its last third stands in for a run of its own

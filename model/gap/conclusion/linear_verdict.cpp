@@ -60,6 +60,12 @@ RobotModel corrected_model(const RobotModel& given, const CommandCorrection& cor
 
 }  // namespace
 
+std::optional<Finding> delay_finding(const std::vector<LinearChange>& changes, double heldout_gain_nats) {
+  const LinearChange* delay = longer_delay(changes);
+  if (delay == nullptr) return std::nullopt;
+  return finding_of(*delay, heldout_gain_nats);
+}
+
 void add_linear_changes(GapAnalysis& analysis, const LinearChanges& found, const RobotModel& given) {
   analysis.linear_changes = found.changes;
   if (found.changes.empty()) return;
@@ -77,7 +83,7 @@ void add_linear_changes(GapAnalysis& analysis, const LinearChanges& found, const
   }
   analysis.verdict = Verdict::named;
   analysis.summary = "Missing: transport_delay. The linear part of the given model is off: " + words + ".";
-  analysis.found.push_back(finding_of(*delay, found.heldout_gain_nats));
+  analysis.found.push_back(*delay_finding(found.changes, found.heldout_gain_nats));
   if (!lag_changed(found.changes)) {
     analysis.after = corrected_model(given, found.correction, analysis.found.back(), analysis.after.source);
   }
@@ -91,10 +97,10 @@ std::string not_compared_in_words(const RobotModel& given, double period_s) {
   return words.str();
 }
 
-bool add_linear_changes(GapAnalysis& analysis, const ModelOrigin& origin, const GapProblem& train,
-                        const GapProblem& heldout) {
+LinearChanges changes_of_linear_part(const GapAnalysis& analysis, const ModelOrigin& origin,
+                                     const GapProblem& train, const GapProblem& heldout) {
   const RobotModel& given = *origin.given;
-  if (!has_period(given, train.runs().front().period_s)) return false;
+  if (!has_period(given, train.runs().front().period_s)) return {};
   const TrialModel& accepted = analysis.search.final.model;
   RobotModel whole = whole_model_of(accepted, origin);
   whole.core = given.core;
@@ -109,7 +115,12 @@ bool add_linear_changes(GapAnalysis& analysis, const ModelOrigin& origin, const 
   GapProblem confirming = heldout;
   fitted.set_noise(noise);
   confirming.set_noise(noise);
-  add_linear_changes(analysis, linear_changes(whole, accepted, fitted, confirming), given);
+  return linear_changes(whole, accepted, fitted, confirming);
+}
+
+bool add_linear_changes(GapAnalysis& analysis, const ModelOrigin& origin, const GapProblem& train,
+                        const GapProblem& heldout) {
+  add_linear_changes(analysis, changes_of_linear_part(analysis, origin, train, heldout), *origin.given);
   return !analysis.linear_changes.empty();
 }
 

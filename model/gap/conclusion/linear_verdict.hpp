@@ -1,6 +1,7 @@
 // What linear changes make of an answer.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "model/gap/conclusion/analysis_result.hpp"
@@ -9,6 +10,14 @@
 #include "model/gap/linear_changes/linear_changes.hpp"
 
 namespace wheelwright::gap {
+
+// How the data differ from the linear part of the given model (`origin`), beside what was accepted. A model
+// of another period is not compared.
+LinearChanges changes_of_linear_part(const GapAnalysis& analysis, const ModelOrigin& origin,
+                                     const GapProblem& train, const GapProblem& heldout);
+
+// A longer delay among the changes, as a finding of `transport_delay`.
+std::optional<Finding> delay_finding(const std::vector<LinearChange>& changes, double heldout_gain_nats);
 
 // The search fits a linear part of its own: what that of the given model (`origin`) lacks would go unsaid.
 // Compares it with the data, beside what was accepted, and adds what differs to the answer; false where

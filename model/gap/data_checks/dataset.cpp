@@ -101,13 +101,13 @@ std::optional<GapRefusal> hold_out(GatheredRuns& gathered) {
 }  // namespace
 
 std::optional<GapRefusal> gather_runs(std::span<const DriveLog> train, std::span<const DriveLog> test,
-                                      GatheredRuns& gathered) {
+                                      std::optional<double> given_period_s, GatheredRuns& gathered) {
   std::vector<DriveLog> all(train.begin(), train.end());
   all.insert(all.end(), test.begin(), test.end());
   if (auto refusal = mismatch(all)) return refusal;
   if (auto refusal = repetition(all)) return refusal;
   const std::vector<GatedLog> gated = gate_together(all);
-  const double period_s = shortest_period_s(all);
+  const double period_s = given_period_s.value_or(shortest_period_s(all));
   add_gated(std::span(gated).first(train.size()), period_s, gathered.train, gathered);
   gathered.to_learn_from = gathered.train.logs;
   add_gated(std::span(gated).subspan(train.size()), period_s, gathered.test, gathered);

@@ -4,6 +4,7 @@
 
 #include "model/effect_library.hpp"
 #include "tools/wheelwright/gap/check_section.hpp"
+#include "tools/wheelwright/gap/simulation_section.hpp"
 #include "tools/wheelwright/json_text.hpp"
 
 namespace wheelwright::tools {
@@ -149,7 +150,7 @@ ordered_json experiment_to_json(const gap::NextExperiment& next, const std::stri
 }  // namespace
 
 std::string gap_to_json(const gap::GapAnalysis& analysis, const std::optional<gap::NextExperiment>& next,
-                        const std::string& next_file) {
+                        const std::string& next_file, const gap::SimulationGap* simulation) {
   ordered_json json = {{"verdict", gap::verdict_name(analysis.verdict)}, {"summary", analysis.summary}};
   json["added"] = ordered_json::array();
   for (const auto& found : analysis.found) json["added"].push_back(finding_to_json(found));
@@ -176,6 +177,7 @@ std::string gap_to_json(const gap::GapAnalysis& analysis, const std::optional<ga
     json["data_faults"].push_back({{"log", fault.log}, {"row", fault.row}, {"what", fault.what}});
   }
   json["linear_changes"] = linear_changes_to_json(analysis.linear_changes);
+  if (simulation != nullptr) json["simulation"] = simulation_to_json(*simulation);
   json["data"] = data_to_json(analysis);
   if (!analysis.check.statistics.empty()) json["check"] = check_to_json(analysis);
   json["next_experiment"] = nullptr;

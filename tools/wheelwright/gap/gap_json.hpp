@@ -6,11 +6,12 @@
 
 #include "model/gap/analysis.hpp"
 #include "model/gap/next_experiment/next_experiment.hpp"
+#include "model/gap/simulation_gap.hpp"
 
 namespace wheelwright::tools {
 
-// `next_file` holds the commands of `next`.
+// `next_file` holds the commands of `next`; `simulation` is there where a simulator was compared.
 std::string gap_to_json(const gap::GapAnalysis& analysis, const std::optional<gap::NextExperiment>& next,
-                        const std::string& next_file);
+                        const std::string& next_file, const gap::SimulationGap* simulation = nullptr);
 
 }  // namespace wheelwright::tools

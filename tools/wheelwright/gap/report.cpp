@@ -12,6 +12,7 @@
 #include "tools/wheelwright/gap/gap_text.hpp"
 #include "tools/wheelwright/gap/report_tables.hpp"
 #include "tools/wheelwright/gap/run_plots.hpp"
+#include "tools/wheelwright/gap/simulation_section.hpp"
 #include "tools/wheelwright/report/html.hpp"
 
 namespace wheelwright::tools {
@@ -79,10 +80,12 @@ std::string head(const gap::GapAnalysis& analysis) {
 }  // namespace
 
 std::string gap_report(const gap::GapAnalysis& analysis, std::span<const DriveLog> train,
-                       std::span<const DriveLog> test, const std::optional<gap::NextExperiment>& next) {
+                       std::span<const DriveLog> test, const std::optional<gap::NextExperiment>& next,
+                       const gap::SimulationGap* simulation) {
   const bool fitted = !analysis.after.core.left.from_left.empty();
   const std::vector<gap::GatedLog> all = gated(train, test, analysis);
   std::string body = head(analysis);
+  if (simulation != nullptr) body += simulation_section(*simulation);
   body += findings_section(analysis);
   body += linear_changes_section(analysis);
   body += check_section(analysis);

@@ -9,11 +9,13 @@
 #include "model/drive_log.hpp"
 #include "model/gap/analysis.hpp"
 #include "model/gap/next_experiment/next_experiment.hpp"
+#include "model/gap/simulation_gap.hpp"
 
 namespace wheelwright::tools {
 
 // `train` and `test` are the logs that the analysis was made from; `test` may be empty.
 std::string gap_report(const gap::GapAnalysis& analysis, std::span<const DriveLog> train,
-                       std::span<const DriveLog> test, const std::optional<gap::NextExperiment>& next);
+                       std::span<const DriveLog> test, const std::optional<gap::NextExperiment>& next,
+                       const gap::SimulationGap* simulation = nullptr);
 
 }  // namespace wheelwright::tools

@@ -84,7 +84,7 @@ TEST_CASE("Corrected commands have the gain, the delay and the lag that were ask
 }
 
 TEST_CASE("A model of the robot itself has no linear change") {
-  const auto analysis = analysed(robot().runs, {robot().model, {}});
+  const auto analysis = analysed(robot().runs, {.model = robot().model});
   INFO(analysis.summary);
   CHECK(analysis.verdict == Verdict::nothing_missing);
   CHECK(analysis.linear_changes.empty());
@@ -93,7 +93,7 @@ TEST_CASE("A model of the robot itself has no linear change") {
 TEST_CASE("A given model that is too quick is told by how much, and the delay is named") {
   const std::size_t rows = GENERATE(std::size_t{3}, std::size_t{8});
   const auto& runs = robot().runs;
-  const auto analysis = analysed(later(runs, rows), {robot().model, {}});
+  const auto analysis = analysed(later(runs, rows), {.model = robot().model});
   const double true_s = static_cast<double>(rows) * runs.front().period_s;
   INFO(analysis.summary);
   CHECK(analysis.verdict == Verdict::named);
@@ -106,7 +106,7 @@ TEST_CASE("A given model that is too quick is told by how much, and the delay is
 }
 
 TEST_CASE("A gain that a given model has wrong is told for its wheel, and is never nothing") {
-  const auto analysis = analysed(left_wheel_stronger(robot().runs, 1.03), {robot().model, {}});
+  const auto analysis = analysed(left_wheel_stronger(robot().runs, 1.03), {.model = robot().model});
   INFO(analysis.summary);
   CHECK(analysis.verdict == Verdict::unnamed);
   const LinearChange* gain = change_of(analysis, "gain", "left");
@@ -121,7 +121,7 @@ TEST_CASE("A gain that a given model has wrong is told for its wheel, and is nev
 TEST_CASE("A given model of another period is not compared with the logs, and the summary says so") {
   RobotModel other = robot().model;
   other.core.period_s = 0.02;
-  const GapAnalysis analysis = analysed(robot().runs, {other, {}});
+  const GapAnalysis analysis = analysed(robot().runs, {.model = other});
   CHECK(analysis.linear_changes.empty());
   CHECK_THAT(analysis.summary, ContainsSubstring("period is 0.02 s and that of the logs 0.018 s"));
 }

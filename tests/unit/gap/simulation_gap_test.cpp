@@ -1,0 +1,117 @@
+// A simulator beside a robot: the runs of both are by a plant that shares no formula with the library.
+#include "model/gap/simulation_gap.hpp"
+
+#include <algorithm>
+
+#include "tests/support/catch.hpp"
+#include "tests/support/gap_plant/gap_case.hpp"
+
+using namespace wheelwright;
+using namespace wheelwright::gap;
+
+namespace {
+
+std::vector<DriveLog> runs_with(const std::string& effects, std::uint64_t seed,
+                                test::Severity severity = test::Severity::large, double period_s = 0.018) {
+  test::GapCaseSpec spec;
+  spec.name = effects;
+  spec.severity = severity;
+  spec.seed = seed;
+  spec.runs = 2;
+  spec.seconds = 24.0;
+  spec.period_s = period_s;
+  return test::make_gap_case(spec).runs;
+}
+
+SimulationGap gap_between(const std::vector<DriveLog>& simulated, const std::vector<DriveLog>& real) {
+  auto gap = analyse_simulation_gap(simulated, real, {}, for_each_in_turn, [](const std::string&, double) {});
+  if (!gap) FAIL(gap.error().reason);
+  return *std::move(gap);
+}
+
+// The same as if the log's clock had begun to send commands so much later.
+std::vector<DriveLog> commanded_earlier(std::vector<DriveLog> runs, std::size_t periods) {
+  for (DriveLog& run : runs) {
+    for (std::size_t row = 0; row + periods < run.samples.size(); ++row)
+      run.samples[row].command_m_s = run.samples[row + periods].command_m_s;
+    run.samples.resize(run.samples.size() - periods);
+  }
+  return runs;
+}
+
+const EffectDifference* difference_of(const SimulationGap& gap, const std::string& effect) {
+  const auto found = std::ranges::find(gap.differences, effect, &EffectDifference::effect);
+  return found == gap.differences.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+TEST_CASE("A simulation that lacks what the robot has is told so, with its size") {
+  const auto gap = gap_between(runs_with("clean", 11), runs_with("dead_zone", 11));
+  CHECK(gap.robot.verdict == Verdict::named);
+  REQUIRE(gap.robot.found.size() == 1);
+  CHECK(gap.robot.found.front().setting.name == "dead_zone");
+  const EffectDifference* difference = difference_of(gap, "dead_zone");
+  REQUIRE(difference != nullptr);
+  CHECK(difference->kind == DifferenceKind::missing);
+  CHECK_FALSE(difference->parameters.front().simulation);
+  CHECK(difference->parameters.front().robot);
+  CHECK_THAT(gap.robot.summary, ContainsSubstring("It lacks dead_zone (threshold "));
+}
+
+TEST_CASE("A simulation that has what the robot has not is told so") {
+  const auto gap = gap_between(runs_with("dead_zone", 11), runs_with("clean", 11));
+  const EffectDifference* difference = difference_of(gap, "dead_zone");
+  REQUIRE(difference != nullptr);
+  CHECK(difference->kind == DifferenceKind::surplus);
+  CHECK(gap.robot.verdict == Verdict::named);
+  CHECK(gap.robot.found.empty());
+  CHECK_THAT(gap.robot.summary, ContainsSubstring("which the robot has not"));
+}
+
+TEST_CASE("Of the same effect in two sizes, both sizes are said") {
+  const auto gap = gap_between(runs_with("dead_zone", 11, test::Severity::medium), runs_with("dead_zone", 11));
+  const EffectDifference* difference = difference_of(gap, "dead_zone");
+  REQUIRE(difference != nullptr);
+  CHECK(difference->kind == DifferenceKind::wrong_size);
+  const auto& threshold = difference->parameters.front();
+  REQUIRE(threshold.simulation);
+  CHECK(threshold.simulation->value < threshold.robot->value);
+  CHECK_THAT(gap.robot.summary, ContainsSubstring("Its dead_zone is wrong: threshold "));
+}
+
+TEST_CASE("A simulation that does as the robot does has nothing missing, whatever effects both have") {
+  const auto gap = gap_between(runs_with("dead_zone", 11), runs_with("dead_zone", 11));
+  CHECK(gap.robot.verdict == Verdict::nothing_missing);
+  CHECK(gap.robot.found.empty());
+  REQUIRE(difference_of(gap, "dead_zone") != nullptr);
+  CHECK(difference_of(gap, "dead_zone")->kind == DifferenceKind::same);
+}
+
+TEST_CASE("A robot that answers later than the simulation has a longer delay, by how much") {
+  const auto gap = gap_between(runs_with("clean", 11), commanded_earlier(runs_with("clean", 11), 3));
+  REQUIRE_FALSE(gap.robot.linear_changes.empty());
+  const LinearChange& delay = gap.robot.linear_changes.front();
+  CHECK(delay.what == "delay");
+  CHECK(std::abs(delay.value - 3 * 0.018) < 0.004);
+  CHECK(gap.robot.verdict == Verdict::named);
+  CHECK(gap.robot.found.back().setting.name == "transport_delay");
+}
+
+TEST_CASE("A simulation may have a period of its own") {
+  const auto gap =
+      gap_between(runs_with("clean", 11, test::Severity::large, 0.01), runs_with("dead_zone", 11));
+  REQUIRE(difference_of(gap, "dead_zone") != nullptr);
+  CHECK(difference_of(gap, "dead_zone")->kind == DifferenceKind::missing);
+  CHECK(gap.robot.before.core.period_s == 0.018);
+}
+
+TEST_CASE("Runs of a simulation that differ under the same commands are said to be random") {
+  auto simulated = runs_with("clean", 11);
+  simulated.push_back(simulated.front());
+  simulated.back().name = "again";
+  for (auto& sample : simulated.back().samples) *sample.reference_x_m += 1e-4 * sample.t_s;
+  const auto gap = gap_between(simulated, runs_with("clean", 11));
+  REQUIRE_FALSE(gap.remarks.empty());
+  CHECK_THAT(gap.remarks.front(), ContainsSubstring("The simulation is random: again and"));
+}

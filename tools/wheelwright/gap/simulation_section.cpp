@@ -1,0 +1,109 @@
+#include "tools/wheelwright/gap/simulation_section.hpp"
+
+#include <iomanip>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "tools/wheelwright/report/html.hpp"
+#include "tools/wheelwright/report/number_text.hpp"
+
+namespace wheelwright::tools {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json known_to_json(const gap::Known& known) {
+  return {{"value", known.value}, {"ci95", {known.interval.lower, known.interval.upper}}};
+}
+
+ordered_json difference_to_json(const gap::EffectDifference& difference) {
+  ordered_json parameters = ordered_json::object();
+  for (const auto& parameter : difference.parameters) {
+    ordered_json json = {{"unit", parameter.unit}, {"differs", parameter.differs}};
+    if (parameter.simulation) json["simulation"] = known_to_json(*parameter.simulation);
+    if (parameter.robot) json["robot"] = known_to_json(*parameter.robot);
+    parameters[parameter.name] = json;
+  }
+  ordered_json json = {{"effect", difference.effect}, {"kind", gap::kind_name(difference.kind)}};
+  if (!difference.simulation_form.empty()) json["simulation_variant"] = difference.simulation_form;
+  if (!difference.robot_form.empty()) json["robot_variant"] = difference.robot_form;
+  json["parameters"] = parameters;
+  return json;
+}
+
+std::string size_text(const std::optional<gap::Known>& known) {
+  if (!known) return "-";
+  return short_number(known->value) + " [" + short_number(known->interval.lower) + ", " +
+         short_number(known->interval.upper) + "]";
+}
+
+std::string words_for(gap::DifferenceKind kind) {
+  switch (kind) {
+    case gap::DifferenceKind::missing:
+      return "missing in the simulation";
+    case gap::DifferenceKind::wrong_size:
+      return "wrong size";
+    case gap::DifferenceKind::surplus:
+      return "the robot has it not";
+    case gap::DifferenceKind::same:
+      return "the same";
+    case gap::DifferenceKind::not_shown:
+      break;
+  }
+  return "these runs cannot show whether the robot has it";
+}
+
+std::string name_of(const gap::EffectDifference& difference, const gap::ParameterDifference& parameter) {
+  return difference.effect + "." + parameter.name +
+         (parameter.unit == "1" ? "" : " [" + parameter.unit + "]");
+}
+
+std::vector<std::vector<std::string>> rows_of(const gap::SimulationGap& gap) {
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& difference : gap.differences) {
+    for (const auto& parameter : difference.parameters) {
+      const bool same = parameter.simulation && parameter.robot && !parameter.differs;
+      rows.push_back({name_of(difference, parameter), size_text(parameter.simulation),
+                      size_text(parameter.robot), same ? "the same" : words_for(difference.kind)});
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+ordered_json simulation_to_json(const gap::SimulationGap& gap) {
+  ordered_json effects = ordered_json::array();
+  for (const auto& difference : gap.differences) effects.push_back(difference_to_json(difference));
+  return {{"verdict", gap::verdict_name(gap.simulation.verdict)},
+          {"summary", gap.simulation.summary},
+          {"runs", gap.simulation.trained},
+          {"wheel_base_m", gap.simulation.after.core.wheel_base_m},
+          {"check_passed", gap.simulation.check.passed},
+          {"effects", effects},
+          {"remarks", gap.remarks}};
+}
+
+void print_simulation(std::ostream& out, const gap::SimulationGap& gap) {
+  const auto rows = rows_of(gap);
+  if (rows.empty()) return;
+  constexpr int width = 34;
+  const auto print = [&](const std::string& effect, const std::string& of_simulation,
+                         const std::string& of_robot, const std::string& kind) {
+    out << std::left << std::setw(width + 6) << effect << std::setw(width) << of_simulation
+        << std::setw(width) << of_robot << kind << "\n";
+  };
+  out << "\n";
+  print("effects", "simulation", "robot", "");
+  for (const auto& row : rows) print("  " + row[0], row[1], row[2], row[3]);
+}
+
+std::string simulation_section(const gap::SimulationGap& gap) {
+  std::string text = html::element("h2", "Simulation and robot") +
+                     html::element("p", "The simulation by its own runs: " + gap.simulation.summary);
+  const auto rows = rows_of(gap);
+  if (rows.empty()) return text + html::element("p", "Neither has an effect beyond a linear model.");
+  return text + html::table({"effect", "simulation, 95 %", "robot, 95 %", ""}, rows);
+}
+
+}  // namespace wheelwright::tools
