@@ -63,8 +63,10 @@ std::vector<std::string> remarks_on(const GapAnalysis& simulation, std::span<con
   std::vector<std::string> remarks;
   if (auto random = random_runs(simulated)) remarks.push_back(*std::move(random));
   if (auto base = other_wheel_base(simulated.front(), real)) remarks.push_back(*std::move(base));
-  if (simulation.verdict == Verdict::unnamed || simulation.verdict == Verdict::ambiguous)
+  if (simulation.verdict == Verdict::unnamed)
     remarks.push_back("The simulation itself does something that has no name here: " + simulation.summary);
+  if (simulation.verdict == Verdict::ambiguous)
+    remarks.push_back("Its own runs leave a doubt about the simulation: " + simulation.summary);
   return remarks;
 }
 

@@ -14,6 +14,7 @@
 #include "model/gap/next_experiment/next_experiment.hpp"
 #include "tools/option_checks.hpp"
 #include "tools/wheelwright/commands.hpp"
+#include "tools/wheelwright/gap/compare_simulation.hpp"
 #include "tools/wheelwright/gap/gap_json.hpp"
 #include "tools/wheelwright/gap/gap_text.hpp"
 #include "tools/wheelwright/gap/report.hpp"
@@ -30,7 +31,7 @@ namespace {
 struct GapCommand {
   std::vector<std::string> train;
   std::vector<std::string> test;
-  std::vector<std::string> simulation;
+  SimulationInput simulation;
   ImportOptions import;
   std::string model;
   std::string output;
@@ -68,7 +69,7 @@ void check_folder(const GapCommand& command) {
   config::InputFiles inputs{command.model, command.import.mapping};
   inputs.insert(inputs.end(), command.train.begin(), command.train.end());
   inputs.insert(inputs.end(), command.test.begin(), command.test.end());
-  inputs.insert(inputs.end(), command.simulation.begin(), command.simulation.end());
+  inputs.insert(inputs.end(), command.simulation.logs.begin(), command.simulation.logs.end());
   if (const auto problem =
           config::check_output_folder(folder, {"gap.json", config::OutputKind::gap}, names, inputs)) {
     throw UsageError(*problem);
@@ -101,7 +102,7 @@ void remove_old(const std::filesystem::path& path) {
 // What the analysis leaves in its folder beside the report; says which files that are.
 std::string write_files(const GapCommand& command, const gap::GapAnalysis& analysis,
                         const std::optional<gap::NextExperiment>& next,
-                        const gap::SimulationGap* simulation) {
+                        const ComparedSimulation* simulation) {
   const std::filesystem::path folder = command.output;
   const auto next_file = std::filesystem::absolute(folder / "next_experiment.csv");
   const auto model_file = folder / "model.yaml";
@@ -136,18 +137,9 @@ gap::Segments load_segments(const LogInput& input, std::size_t rows, std::ostrea
   return gap::informative_segments(load_all_runs(input, err, progress), {.most_rows = rows});
 }
 
-gap::SimulationGap simulation_gap(const GapCommand& command, const std::vector<DriveLog>& train,
-                                  const std::vector<DriveLog>& test, std::ostream& err,
-                                  ProgressLine& progress) {
-  const gap::Segments simulated =
-      load_segments({command.simulation, command.import}, most_rows, err, progress);
-  auto gap = gap::analyse_simulation_gap(simulated.runs, train, test, side_by_side(), progress.callback());
-  if (!gap) throw UsageError(gap.error().reason);
-  return *std::move(gap);
-}
-
 ExitStatus run_gap(const GapCommand& command, Streams streams) {
   check_folder(command);
+  if (!command.simulation.simulator.command.empty()) check_simulator(command.simulation.simulator);
   gap::GapOptions options;
   if (!command.model.empty()) options.model = config::load_model(command.model);
   ProgressLine progress(streams.err);
@@ -159,10 +151,13 @@ ExitStatus run_gap(const GapCommand& command, Streams streams) {
   const std::vector<DriveLog>& train = train_segments.runs;
   const std::vector<DriveLog>& test = test_segments.runs;
   make_folder(command.output);
-  std::optional<gap::SimulationGap> simulation;
-  if (!command.simulation.empty()) simulation = simulation_gap(command, train, test, streams.err, progress);
+  std::optional<ComparedSimulation> simulation;
+  if (command.simulation.any()) {
+    const auto folder = std::filesystem::path(command.output) / "simulation";
+    simulation = compare_simulation(command.simulation, train, test, folder, streams.err, progress);
+  }
   tl::expected<gap::GapAnalysis, gap::GapRefusal> analysis =
-      simulation ? simulation->robot : gap::analyse_gap(train, test, options, side_by_side(), say);
+      simulation ? simulation->gap.robot : gap::analyse_gap(train, test, options, side_by_side(), say);
   if (!analysis) throw UsageError(analysis.error().reason);
   for (const gap::Segments* segments : {&train_segments, &test_segments}) {
     if (!segments->all_used()) analysis->summary += " " + used_text(*segments);
@@ -188,6 +183,26 @@ ExitStatus run_gap(const GapCommand& command, Streams streams) {
   return ExitStatus::done;
 }
 
+void add_simulation_options(CLI::App& command, CLI::Option& model, SimulationInput& input) {
+  CLI::Option* logs = command.add_option("--simulation", input.logs,
+                                         "Runs of your simulator, by any commands: what it lacks, has in "
+                                         "another size, or has and the robot has not");
+  CLI::Option* run = command.add_option("--simulator", input.simulator.command,
+                                        "Your simulator, run on the commands of all runs: a command for the "
+                                        "shell in which {commands} and {out} stand for files");
+  logs->excludes(&model)->excludes(run);
+  run->excludes(&model);
+  command
+      .add_option("--simulator-limit", input.simulator.limit_s,
+                  "Time for one run of the simulator, s; default 120")
+      ->needs(run)
+      ->check(number_between(1.0, 86400.0, "s"));
+  command.add_option("--simulation-mapping", input.import.mapping,
+                     "Mapping file (YAML) for the simulator's logs");
+  command.add_option("--simulation-set", input.import.settings, "One key of that mapping")
+      ->allow_extra_args(false);
+}
+
 }  // namespace
 
 Action add_gap(CLI::App& app) {
@@ -199,11 +214,7 @@ Action add_gap(CLI::App& app) {
                       "Drive logs to confirm it on; else some of the others are held out");
   CLI::Option* model = command->add_option("--model", options->model,
                                            "Model whose gap is looked for; else a linear one is fitted");
-  command
-      ->add_option("--simulation", options->simulation,
-                   "Runs of your simulator, by any commands: what it lacks, has in another size, or has and "
-                   "the robot has not")
-      ->excludes(model);
+  add_simulation_options(*command, *model, options->simulation);
   add_import_options(*command, options->import);
   command->add_option("-o,--output", options->output, "Folder for gap.json, model.yaml and report.html")
       ->required();

@@ -70,7 +70,8 @@ TEST_CASE("A simulation that has what the robot has not is told so") {
 }
 
 TEST_CASE("Of the same effect in two sizes, both sizes are said") {
-  const auto gap = gap_between(runs_with("dead_zone", 11, test::Severity::medium), runs_with("dead_zone", 11));
+  const auto gap =
+      gap_between(runs_with("dead_zone", 11, test::Severity::medium), runs_with("dead_zone", 11));
   const EffectDifference* difference = difference_of(gap, "dead_zone");
   REQUIRE(difference != nullptr);
   CHECK(difference->kind == DifferenceKind::wrong_size);

@@ -257,3 +257,47 @@ TEST_CASE("Runs without a reversal get a next experiment that has one, of comman
   CHECK(least < -0.02);
   CHECK(largest <= 0.3);
 }
+
+TEST_CASE("gap --simulation says of each effect what the simulation has and what the robot has") {
+  test::GapCaseSpec spec;
+  spec.runs = 2;
+  spec.seconds = 24.0;
+  spec.seed = 11;
+  const auto simulated = workspace("gap_simulated", test::make_gap_case(spec).runs);
+  spec.name = "dead_zone";
+  spec.severity = test::Severity::large;
+  const auto real = workspace("gap_real", test::make_gap_case(spec).runs);
+  const Outcome outcome = command({"gap", "--simulation", simulated.files[0], simulated.files[1], "--train",
+                                   real.files[0], real.files[1], "-o", real.output().string()});
+  REQUIRE(outcome.status == ExitStatus::done);
+  CHECK_THAT(outcome.out, ContainsSubstring("missing in the simulation"));
+  const auto json = gap_json(real);
+  CHECK(json["verdict"] == "named");
+  CHECK(json["added"][0]["effect"] == "dead_zone");
+  CHECK(json["simulation"]["check_passed"] == true);
+  const auto& effect = json["simulation"]["effects"][0];
+  CHECK(effect["kind"] == "missing");
+  CHECK(effect["parameters"]["threshold"].contains("robot"));
+  CHECK_FALSE(effect["parameters"]["threshold"].contains("simulation"));
+  CHECK_THAT(text_of(real.output() / "report.html"), ContainsSubstring("Simulation and robot"));
+}
+
+TEST_CASE("gap --simulator runs the command on the commands of all runs, and says how far off it is") {
+  test::GapCaseSpec spec;
+  spec.runs = 2;
+  spec.seconds = 24.0;
+  spec.seed = 11;
+  const auto real = workspace("gap_simulator", test::make_gap_case(spec).runs);
+  // One that replays what the robot did: nothing is missing, and it is off by nothing.
+  const Outcome outcome = command({"gap", "--simulator",
+                                   "case {out} in *run1.csv) cp " + real.files[0] + " {out};; *) cp " +
+                                       real.files[1] + " {out};; esac; test -s {commands}",
+                                   "--train", real.files[0], real.files[1], "-o", real.output().string()});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == ExitStatus::done);
+  CHECK_THAT(outcome.out, ContainsSubstring("simulator, "));
+  const auto json = gap_json(real);
+  CHECK(json["verdict"] == "nothing_missing");
+  CHECK(json["simulation"]["gap"]["test"]["distance_rms_m"] < 1e-6);
+  CHECK(fs::exists(real.output() / "simulation" / "run2_commands.csv"));
+}

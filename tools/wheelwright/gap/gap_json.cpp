@@ -150,7 +150,7 @@ ordered_json experiment_to_json(const gap::NextExperiment& next, const std::stri
 }  // namespace
 
 std::string gap_to_json(const gap::GapAnalysis& analysis, const std::optional<gap::NextExperiment>& next,
-                        const std::string& next_file, const gap::SimulationGap* simulation) {
+                        const std::string& next_file, const ComparedSimulation* simulation) {
   ordered_json json = {{"verdict", gap::verdict_name(analysis.verdict)}, {"summary", analysis.summary}};
   json["added"] = ordered_json::array();
   for (const auto& found : analysis.found) json["added"].push_back(finding_to_json(found));

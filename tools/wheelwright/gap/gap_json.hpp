@@ -6,12 +6,12 @@
 
 #include "model/gap/analysis.hpp"
 #include "model/gap/next_experiment/next_experiment.hpp"
-#include "model/gap/simulation_gap.hpp"
+#include "tools/wheelwright/gap/compare_simulation.hpp"
 
 namespace wheelwright::tools {
 
 // `next_file` holds the commands of `next`; `simulation` is there where a simulator was compared.
 std::string gap_to_json(const gap::GapAnalysis& analysis, const std::optional<gap::NextExperiment>& next,
-                        const std::string& next_file, const gap::SimulationGap* simulation = nullptr);
+                        const std::string& next_file, const ComparedSimulation* simulation = nullptr);
 
 }  // namespace wheelwright::tools

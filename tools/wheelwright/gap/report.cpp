@@ -81,7 +81,7 @@ std::string head(const gap::GapAnalysis& analysis) {
 
 std::string gap_report(const gap::GapAnalysis& analysis, std::span<const DriveLog> train,
                        std::span<const DriveLog> test, const std::optional<gap::NextExperiment>& next,
-                       const gap::SimulationGap* simulation) {
+                       const ComparedSimulation* simulation) {
   const bool fitted = !analysis.after.core.left.from_left.empty();
   const std::vector<gap::GatedLog> all = gated(train, test, analysis);
   std::string body = head(analysis);

@@ -9,13 +9,13 @@
 #include "model/drive_log.hpp"
 #include "model/gap/analysis.hpp"
 #include "model/gap/next_experiment/next_experiment.hpp"
-#include "model/gap/simulation_gap.hpp"
+#include "tools/wheelwright/gap/compare_simulation.hpp"
 
 namespace wheelwright::tools {
 
 // `train` and `test` are the logs that the analysis was made from; `test` may be empty.
 std::string gap_report(const gap::GapAnalysis& analysis, std::span<const DriveLog> train,
                        std::span<const DriveLog> test, const std::optional<gap::NextExperiment>& next,
-                       const gap::SimulationGap* simulation = nullptr);
+                       const ComparedSimulation* simulation = nullptr);
 
 }  // namespace wheelwright::tools

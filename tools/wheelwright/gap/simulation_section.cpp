@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "config/load/text_format.hpp"
+#include "tools/wheelwright/gap/check_section.hpp"
 #include "tools/wheelwright/report/html.hpp"
 #include "tools/wheelwright/report/number_text.hpp"
 
@@ -70,22 +72,63 @@ std::vector<std::vector<std::string>> rows_of(const gap::SimulationGap& gap) {
   return rows;
 }
 
-}  // namespace
-
-ordered_json simulation_to_json(const gap::SimulationGap& gap) {
-  ordered_json effects = ordered_json::array();
-  for (const auto& difference : gap.differences) effects.push_back(difference_to_json(difference));
-  return {{"verdict", gap::verdict_name(gap.simulation.verdict)},
-          {"summary", gap.simulation.summary},
-          {"runs", gap.simulation.trained},
-          {"wheel_base_m", gap.simulation.after.core.wheel_base_m},
-          {"check_passed", gap.simulation.check.passed},
-          {"effects", effects},
-          {"remarks", gap.remarks}};
+ordered_json score_to_json(const Score& score) {
+  ordered_json json = ordered_json::object();
+  if (score.wheel_speed_rms_m_s) json["wheel_speed_rms_m_s"] = *score.wheel_speed_rms_m_s;
+  if (score.distance_rms_m) json["distance_rms_m"] = *score.distance_rms_m;
+  const auto at_horizon = [&](const std::string& name, const std::optional<AtHorizon>& figure) {
+    if (figure) json[name] = {{"horizon_s", figure->horizon_s}, {"value", figure->value}};
+  };
+  at_horizon("position_rms_m", score.position_rms_m);
+  at_horizon("heading_rms_rad", score.heading_rms_rad);
+  return json;
 }
 
-void print_simulation(std::ostream& out, const gap::SimulationGap& gap) {
-  const auto rows = rows_of(gap);
+using NamedFigures = std::vector<std::pair<std::string, std::string>>;
+
+void add_figures(const std::string& runs, const Score& score, NamedFigures& figures) {
+  const auto add = [&](const std::string& what, double value, const std::string& unit) {
+    figures.emplace_back(runs + ": " + what, config::fixed_number(1000.0 * value, 1) + " " + unit + " RMS");
+  };
+  const auto after = [](const AtHorizon& figure) {
+    return " after " + config::fixed_number(figure.horizon_s, 0) + " s";
+  };
+  if (score.distance_rms_m) add("wheel travel", *score.distance_rms_m, "mm");
+  if (score.position_rms_m) add("position" + after(*score.position_rms_m), score.position_rms_m->value, "mm");
+  if (score.heading_rms_rad)
+    add("heading" + after(*score.heading_rms_rad), score.heading_rms_rad->value, "mrad");
+}
+
+// Of the simulator itself; none where its runs were given, by whatever commands.
+NamedFigures figures_of(const ComparedSimulation& compared) {
+  NamedFigures figures;
+  if (compared.train) add_figures("simulator, training runs", *compared.train, figures);
+  if (compared.test)
+    add_figures("simulator, " + test_runs_text(compared.gap.robot) + " runs", *compared.test, figures);
+  return figures;
+}
+
+}  // namespace
+
+ordered_json simulation_to_json(const ComparedSimulation& compared) {
+  const gap::SimulationGap& gap = compared.gap;
+  ordered_json effects = ordered_json::array();
+  for (const auto& difference : gap.differences) effects.push_back(difference_to_json(difference));
+  ordered_json json = {{"verdict", gap::verdict_name(gap.simulation.verdict)},
+                       {"summary", gap.simulation.summary},
+                       {"runs", gap.simulation.trained},
+                       {"wheel_base_m", gap.simulation.after.core.wheel_base_m},
+                       {"check_passed", gap.simulation.check.passed},
+                       {"effects", effects},
+                       {"remarks", gap.remarks}};
+  if (compared.train && compared.test)
+    json["gap"] = {{"train", score_to_json(*compared.train)}, {"test", score_to_json(*compared.test)}};
+  return json;
+}
+
+void print_simulation(std::ostream& out, const ComparedSimulation& compared) {
+  for (const auto& [name, value] : figures_of(compared)) out << "  " << name << ": " << value << "\n";
+  const auto rows = rows_of(compared.gap);
   if (rows.empty()) return;
   constexpr int width = 34;
   const auto print = [&](const std::string& effect, const std::string& of_simulation,
@@ -98,9 +141,13 @@ void print_simulation(std::ostream& out, const gap::SimulationGap& gap) {
   for (const auto& row : rows) print("  " + row[0], row[1], row[2], row[3]);
 }
 
-std::string simulation_section(const gap::SimulationGap& gap) {
+std::string simulation_section(const ComparedSimulation& compared) {
+  const gap::SimulationGap& gap = compared.gap;
   std::string text = html::element("h2", "Simulation and robot") +
                      html::element("p", "The simulation by its own runs: " + gap.simulation.summary);
+  std::vector<std::vector<std::string>> figures;
+  for (const auto& [name, value] : figures_of(compared)) figures.push_back({name, value});
+  text += html::table({"the simulator's own runs", "off by"}, figures);
   const auto rows = rows_of(gap);
   if (rows.empty()) return text + html::element("p", "Neither has an effect beyond a linear model.");
   return text + html::table({"effect", "simulation, 95 %", "robot, 95 %", ""}, rows);

@@ -6,17 +6,17 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "model/gap/simulation_gap.hpp"
+#include "tools/wheelwright/gap/compare_simulation.hpp"
 
 namespace wheelwright::tools {
 
 // `simulation` of gap.json: what the simulation was found to be, and each effect beside that of the robot.
-nlohmann::ordered_json simulation_to_json(const gap::SimulationGap& gap);
+nlohmann::ordered_json simulation_to_json(const ComparedSimulation& compared);
 
 // A table of all effects of either.
-void print_simulation(std::ostream& out, const gap::SimulationGap& gap);
+void print_simulation(std::ostream& out, const ComparedSimulation& compared);
 
 // The same for the page.
-std::string simulation_section(const gap::SimulationGap& gap);
+std::string simulation_section(const ComparedSimulation& compared);
 
 }  // namespace wheelwright::tools
