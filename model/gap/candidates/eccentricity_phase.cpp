@@ -88,6 +88,7 @@ class AngleSearch {
     WheelAngles found{{&info_, variant_, {}}, ways_before(best), {}, true};
     found.heldout_rolled_m = ways_before(beyond(best.circumference_m, nothing));
     found.start.parameters = {mean_size(best, 0), 0.0, mean_size(best, 2), 0.0, best.circumference_m};
+    found.start = found.start.within_bounds();
     return found;
   }
 
@@ -109,10 +110,8 @@ class AngleSearch {
     together += further.together;
     if (together.nats() < one_angle_explains * (of_each.nats + further.nats)) return std::nullopt;
     const RippleAmounts a = ripple.together.solution();
-    return WheelAngles{{&info_, variant_, {a(0), a(1), a(2), a(3), ripple.circumference_m}},
-                       before.train_m,
-                       before.heldout_m,
-                       false};
+    const TrialEffect start{&info_, variant_, {a(0), a(1), a(2), a(3), ripple.circumference_m}};
+    return WheelAngles{start.within_bounds(), before.train_m, before.heldout_m, false};
   }
 
   const GapProblem& train_;

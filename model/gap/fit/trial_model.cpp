@@ -113,6 +113,15 @@ double TrialModel::parameter(std::size_t index) const {
   return 0.0;
 }
 
+TrialEffect TrialEffect::within_bounds() const {
+  TrialEffect effect = *this;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const ParameterInfo& info_of_one = parameter_info(i);
+    effect.parameters[i] = std::clamp(parameters[i], info_of_one.lower, info_of_one.upper);
+  }
+  return effect;
+}
+
 void TrialModel::set_parameter(std::size_t index, double value) {
   if (index < core.size()) {
     const bool of_gyro = shape.gyro_scaled && index == shape.gyro_index();

@@ -19,6 +19,8 @@ struct TrialEffect {
   std::vector<double> parameters;
 
   const ParameterInfo& parameter_info(std::size_t index) const { return info->parameters_of(variant)[index]; }
+  // With each parameter at its bound that is beyond it: no simulation takes another.
+  TrialEffect within_bounds() const;
 };
 
 // The linear core: y(k) = sum a_i y(k-i) + sum b_j u(k-j) for each wheel from its own command.

@@ -301,3 +301,23 @@ TEST_CASE("gap --simulator runs the command on the commands of all runs, and say
   CHECK(json["simulation"]["gap"]["test"]["distance_rms_m"] < 1e-6);
   CHECK(fs::exists(real.output() / "simulation" / "run2_commands.csv"));
 }
+
+TEST_CASE("A simulator that stops early, tells nothing any more or diverges is refused with the moment") {
+  test::GapCaseSpec spec;
+  spec.runs = 2;
+  spec.seconds = 12.0;
+  const auto real = workspace("gap_bad_simulator", test::make_gap_case(spec).runs);
+  const auto said_of = [&](const std::string& awk) {
+    const Outcome outcome = command(
+        {"gap", "--simulator", "awk -F, -v OFS=, '" + awk + "' " + real.files[0] + " > {out}; : {commands}",
+         "--train", real.files[0], real.files[1], "-o", real.output().string()});
+    CHECK(outcome.status == ExitStatus::bad_input);
+    CHECK(std::ranges::count(outcome.err, '\n') == 1);
+    return outcome.err;
+  };
+  CHECK_THAT(said_of("NR < 300"), ContainsSubstring("run1.csv: ends after 5."));
+  CHECK_THAT(said_of("NR > 300 && !/^#/ { for (i = 4; i <= NF; ++i) $i = \"\" } { print }"),
+             ContainsSubstring("neither poses nor counts after 5."));
+  CHECK_THAT(said_of("NR > 300 && !/^#/ { $6 = 1e9 } { print }"),
+             ContainsSubstring("the simulation diverges"));
+}

@@ -114,3 +114,11 @@ TEST_CASE("A skewed core answers later with the right wheel by what it says, and
   CHECK_THAT(mean_lag_periods(core.right.from_right) - mean_lag_periods(core.left.from_left),
              WithinAbs(0.5, 1e-9));
 }
+
+TEST_CASE("A start beyond what is possible is taken back to the bounds, which a simulation demands") {
+  TrialModel model = some_core(true);
+  const TrialEffect beyond{find_effect("wheel_eccentricity"), 0, {-1.0, 0.1, 2.0, 0.0, 0.2}};
+  model.effects = {beyond.within_bounds()};
+  CHECK(model.effects.front().parameters == std::vector<double>{-0.4, 0.1, 0.4, 0.0, 0.2});
+  CHECK_NOTHROW(model.simulation());
+}
