@@ -26,13 +26,14 @@ void add_import_options(CLI::App& command, ImportOptions& options);
 struct LogInput {
   std::vector<std::string> paths;
   ImportOptions import;
-  std::vector<std::string> of_the_same_robot = {};  // further logs, which tell what columns and units mean too
+  std::vector<std::string> of_the_same_robot =
+      {};  // further logs, which tell what columns and units mean too
 };
 
 // All runs of all files, in order. A file that is no drive log, or a drive log whose time or counters have to
 // be put right, is imported; what was done is said on `err`, one line each. Files of the same columns are
-// understood together: what a duty of 100 leads to is one figure for all of them. Throws config::LogError where a
-// file cannot be used, and config::ConfigError for the mapping.
+// understood together: what a duty of 100 leads to is one figure for all of them. Throws config::LogError
+// where a file cannot be used, and config::ConfigError for the mapping.
 std::vector<DriveLog> load_all_runs(const LogInput& input, std::ostream& err);
 // As the first part of longer work; which file it is at is shown.
 std::vector<DriveLog> load_all_runs(const LogInput& input, std::ostream& err, ProgressLine& progress);

@@ -32,8 +32,8 @@ struct GatheredRuns {
 // Three training runs or more, and all of `test` stays untouched: the last third of the training runs is held
 // out. Four or more without `test`: the last one stays untouched. With fewer, `test` itself is held out, or
 // without it the last third of the runs, or the last third of a single run. All get the grid
-// of `period_s`, else of the shortest period. Refuses logs whose periods are not near, of different wheel bases or sensors, and
-// such as are too short.
+// of `period_s`, else of the shortest period. Refuses logs whose periods are not near, of different wheel
+// bases or sensors, and such as are too short.
 std::optional<GapRefusal> gather_runs(std::span<const DriveLog> train, std::span<const DriveLog> test,
                                       std::optional<double> period_s, GatheredRuns& gathered);
 
