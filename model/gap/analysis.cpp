@@ -334,13 +334,14 @@ void Analysis::meet_test_runs() {
 // Names that do not pass there are taken back, and the model without them meets the same runs.
 void Analysis::check_on_test_runs() {
   meet_test_runs();
-  if (result_.linear_changes.empty() && explains_the_smaller_part(result_)) {
-    const std::string part = part_in_words(result_);
+  const bool something_is_left = explains_the_smaller_part(result_);
+  if (result_.linear_changes.empty() && (something_is_left || closes_nothing_untouched(result_))) {
+    const std::string part = something_is_left ? part_in_words(result_) : not_seen_in_words(result_);
     take_back_names();
     judge();
     meet_test_runs();
     apply_check(result_);
-    if (result_.verdict == Verdict::nothing_missing) {
+    if (result_.verdict == Verdict::nothing_missing && something_is_left) {
       result_.verdict = Verdict::unnamed;
       result_.summary = "Something is missing that no effect of the library explains.";
     }

@@ -56,6 +56,12 @@ NoiseModel no_more_than_noise(const NoiseModel& noise) {
   return limited;
 }
 
+bool closes_nothing_untouched(const GapAnalysis& analysis) {
+  constexpr double a_tenth = 0.1;
+  return analysis.untouched && std::ranges::any_of(analysis.found, of_free_runs) &&
+         !some_figure_falls(analysis.test, a_tenth, 0.0);
+}
+
 bool explains_the_smaller_part(const GapAnalysis& analysis) {
   constexpr double half = 0.5;
   const auto is_sudden = [](const Finding& found) { return find_effect(found.setting.name)->sudden; };

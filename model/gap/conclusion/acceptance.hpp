@@ -28,6 +28,10 @@ constexpr double largest_drift_rad_per_sqrt_s = 0.025;
 // The same noise, drifting by no more than that.
 NoiseModel no_more_than_noise(const NoiseModel& noise);
 
+// Whether names were accepted by which no figure of the untouched runs falls by a tenth: what is named has to
+// be seen there.
+bool closes_nothing_untouched(const GapAnalysis& analysis);
+
 // Whether the names are not what is missing: the predictive check fails, and of the mean square of distance,
 // position and heading in the test runs less than half is gone by them; none, where an effect is sudden,
 // since a free run that misses a moment or a place by little goes far astray.

@@ -3,6 +3,18 @@
 #include <cmath>
 
 namespace wheelwright::gap {
+namespace {
+
+// " stiction and backlash".
+std::string names_of(const GapAnalysis& analysis) {
+  std::string names;
+  for (const Finding& found : analysis.found) {
+    if (found.setting.name != dropout_name) names += (names.empty() ? " " : " and ") + found.setting.name;
+  }
+  return names;
+}
+
+}  // namespace
 
 void apply_check(GapAnalysis& analysis) {
   const PredictiveCheck& check = analysis.check;
@@ -24,13 +36,15 @@ void apply_check(GapAnalysis& analysis) {
 
 std::string part_in_words(const GapAnalysis& analysis) {
   const double share = largest_share_gone(analysis.tail_held_out ? analysis.train : analysis.test);
-  std::string names;
-  for (const Finding& found : analysis.found) {
-    if (found.setting.name != dropout_name) names += (names.empty() ? " " : " and ") + found.setting.name;
-  }
+  const std::string names = names_of(analysis);
   const long percent = std::lround(100.0 * share);
   if (percent > 0) return names + " would explain " + std::to_string(percent) + " % of it at most.";
   return " The other runs look like" + names + ", by which these come no closer.";
+}
+
+std::string not_seen_in_words(const GapAnalysis& analysis) {
+  return " The other runs look like" + names_of(analysis) +
+         ", which brings no figure of these closer by a tenth.";
 }
 
 }  // namespace wheelwright::gap

@@ -15,4 +15,7 @@ void apply_check(GapAnalysis& analysis);
 // bring the test runs no closer.
 std::string part_in_words(const GapAnalysis& analysis);
 
+// Of names by which nothing is seen in the test runs.
+std::string not_seen_in_words(const GapAnalysis& analysis);
+
 }  // namespace wheelwright::gap
