@@ -115,6 +115,17 @@ TEST_CASE("A model is not held against a log of another period") {
   CHECK_FALSE(std::filesystem::exists(model_path() + ".csv"));
 }
 
+TEST_CASE("A score warns of another robot's wheel base, not of one that was fitted a little differently") {
+  REQUIRE(fit({saved("train.csv", plant_run(1))}).status == ExitStatus::done);
+  const auto warning_for = [](double wheel_base_m) {
+    DriveLog log = plant_run(2);
+    log.wheel_base_m = wheel_base_m;
+    return wheelwright_command({"score", model_path(), saved("base.csv", log)}).err;
+  };
+  CHECK(warning_for(0.2351).empty());
+  CHECK_THAT(warning_for(0.258), ContainsSubstring("is it the same robot?"));
+}
+
 TEST_CASE("Runs of other robots are refused with what differs and by how much") {
   const std::string first = saved("first.csv", plant_run(1));
   const auto refused = [&](const char* name, const std::string& what, const auto& change) {
