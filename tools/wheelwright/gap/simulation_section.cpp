@@ -144,7 +144,8 @@ void print_simulation(std::ostream& out, const ComparedSimulation& compared) {
 std::string simulation_section(const ComparedSimulation& compared) {
   const gap::SimulationGap& gap = compared.gap;
   std::string text = html::element("h2", "Simulation and robot") +
-                     html::element("p", "The simulation by its own runs: " + gap.simulation.summary);
+                     html::element("p", "Beside a linear model, by its own runs, of the simulation: " +
+                                            gap.simulation.summary);
   std::vector<std::vector<std::string>> figures;
   for (const auto& [name, value] : figures_of(compared)) figures.push_back({name, value});
   text += html::table({"the simulator's own runs", "off by"}, figures);
