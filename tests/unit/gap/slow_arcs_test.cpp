@@ -65,8 +65,10 @@ DriveLog arc(int index, double turn_rate_rad_s, const Floor& floor, std::optiona
 }
 
 std::vector<DriveLog> arcs(const Floor& floor) {
+  constexpr int count = 8;
   std::vector<DriveLog> logs;
-  for (int i = 0; i < 8; ++i) logs.push_back(arc(i, i % 2 == 0 ? 0.06 : -0.06, floor));
+  logs.reserve(count);
+  for (int i = 0; i < count; ++i) logs.push_back(arc(i, i % 2 == 0 ? 0.06 : -0.06, floor));
   return logs;
 }
 

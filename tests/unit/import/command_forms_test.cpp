@@ -113,22 +113,30 @@ TEST_CASE("A gyro is doubted where its numbers cannot be what its name says, or 
 
 TEST_CASE("A direction in words is the sign of the pulse width beside it") {
   const auto drive = foreign_drive();
-  for (const auto& [names, forward, backward, standing] :
-       {std::array{"pwmL,dirL,pwmR,dirR", "fwd", "rev", "stop"},
+  struct Words {
+    const char* names;
+    const char* forward;
+    const char* backward;
+    const char* standing;
+  };
+  for (const Words& words :
+       {Words{"pwmL,dirL,pwmR,dirR", "fwd", "rev", "stop"},
         {"pwm1,dir1,pwm2,dir2", "F", "B", "F"},
         {"left_pwm,left_direction,right_pwm,right_direction", "Forward", "Backward", "Stop"}}) {
     const auto text =
-        foreign_text(drive, "t," + std::string(names) + ",encL,encR", [&](const ForeignRow& row) {
+        foreign_text(drive, "t," + std::string(words.names) + ",encL,encR", [&](const ForeignRow& row) {
           const auto width = [](double command) {
             return std::to_string(std::lround(1000.0 * std::abs(command)));
           };
           const auto word = [&](double command) {
-            return std::string(command > 0.0 ? forward : command < 0.0 ? backward : standing);
+            return std::string(command > 0.0   ? words.forward
+                               : command < 0.0 ? words.backward
+                                               : words.standing);
           };
           return number(row.t_s) + "," + width(row.command_left) + "," + word(row.command_left) + "," +
                  width(row.command_right) + "," + word(row.command_right) + "," + counts(row);
         });
-    INFO(names);
+    INFO(words.names);
     const auto outcome = import_text(text, known);
     check_same(outcome, drive, 0.006);
     CHECK(outcome.understood.inference.doubts.empty());

@@ -57,7 +57,7 @@ TEST_CASE("One step of a motor gives its speed and, in proportion, the full scal
 TEST_CASE("Steps of one motor in a file each have one full scale, so that its dead zone shows") {
   tools::LogInput input;
   input.import.settings = known;
-  const auto folder = test::temporary_folder();
+  const auto& folder = test::temporary_folder();
   for (const int duty : {20, 40, 60, 80, 100}) {
     input.paths.push_back((folder / (std::to_string(duty) + ".csv")).string());
     const double reached = 20.0 * (duty - 15);  // nothing up to 15 of 100

@@ -19,7 +19,7 @@ using tools::ExitStatus;
 namespace {
 
 std::string saved(const std::string& name, const DriveLog& log) {
-  const std::string path = (test::temporary_folder() / name).string();
+  std::string path = (test::temporary_folder() / name).string();
   config::save_drive_log(log, path);
   return path;
 }

@@ -12,7 +12,6 @@
 
 using namespace wheelwright;
 using namespace wheelwright::tools;
-using Catch::Matchers::EndsWith;
 namespace fs = std::filesystem;
 
 namespace {
