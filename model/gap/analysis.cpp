@@ -326,7 +326,9 @@ void Analysis::meet_test_runs() {
   for (std::size_t i = 0; i < confirmation.effect_nats.size(); ++i) {
     const auto found = std::ranges::find_if(
         result_.found, [&](const Finding& one) { return one.setting.name == effects[i].info->name; });
-    if (found != result_.found.end()) found->test_gain_nats = confirmation.effect_nats[i];
+    if (found == result_.found.end()) continue;
+    found->test_gain_nats = confirmation.effect_nats[i];
+    found->acts_untouched = confirmation.acts[i];
   }
   show_untouched_figures();
 }

@@ -57,9 +57,9 @@ NoiseModel no_more_than_noise(const NoiseModel& noise) {
 }
 
 bool closes_nothing_untouched(const GapAnalysis& analysis) {
-  constexpr double a_tenth = 0.1;
-  return analysis.untouched && std::ranges::any_of(analysis.found, of_free_runs) &&
-         !some_figure_falls(analysis.test, a_tenth, 0.0);
+  const auto acts_there = [](const Finding& found) { return of_free_runs(found) && found.acts_untouched; };
+  return analysis.untouched && std::ranges::any_of(analysis.found, acts_there) &&
+         !some_figure_falls(analysis.test, least_fall, 0.0);
 }
 
 bool explains_the_smaller_part(const GapAnalysis& analysis) {

@@ -54,6 +54,7 @@ Confirmation confirm(const GapProblem& train, const GapSearch& search, RunSet& r
     const GapFit rest = known.fit(without(accepted, i), refit_steps);
     const double gain = 0.5 * (squares_of(problem.residuals(rest.model)) - squares_of(residuals));
     result.effect_nats.push_back(gain / ratio);
+    result.acts.push_back(problem.residuals(without(accepted, i)) != residuals);
   }
   return result;
 }

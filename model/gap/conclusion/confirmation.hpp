@@ -15,6 +15,7 @@ struct Confirmation {
   // Of each effect of the accepted model, in its order, where the runs are untouched: gain of log likelihood
   // over the model refitted without it, divided by the variance ratio of sums over 2 s.
   std::vector<double> effect_nats;
+  std::vector<bool> acts;  // whether each effect moves anything in these runs; a rug elsewhere does not
 };
 
 // The noise is what the accepted model leaves of the training runs. Where an effect hangs on the angle of the

@@ -24,6 +24,7 @@ struct Finding {
   std::vector<ParameterInterval> intervals;
   double heldout_gain_nats = 0.0;        // deflated for correlation
   std::optional<double> test_gain_nats;  // the same on untouched runs
+  bool acts_untouched = false;           // whether it moves anything there
   double inflation = 1.0;                // by which
   double p_value = 1.0;
   double posterior = 0.0;

@@ -54,16 +54,18 @@ TEST_CASE(
   CHECK(explains_less("stiction", 2.0, 2.1, false));
 }
 
-TEST_CASE("A name by which no figure of the untouched runs falls by a tenth is not what is missing") {
-  const auto closes_nothing = [](double before, double after, bool untouched) {
+TEST_CASE("A name by which no figure of the untouched runs falls by 3 % is not what is missing") {
+  const auto closes_nothing = [](double before, double after, bool untouched, bool acts = true) {
     GapAnalysis analysis = analysis_with({finding("caster_kick", 400.0)}, position(before, after));
+    analysis.found.front().acts_untouched = acts;
     analysis.untouched = untouched;
     return closes_nothing_untouched(analysis);
   };
-  CHECK(closes_nothing(1.05, 1.0, true));
+  CHECK(closes_nothing(1.02, 1.0, true));
   CHECK(closes_nothing(1.0, 1.3, true));
   CHECK_FALSE(closes_nothing(1.2, 1.0, true));
-  CHECK_FALSE(closes_nothing(1.0, 1.3, false));  // those chose it: other rules have looked at them
+  CHECK_FALSE(closes_nothing(1.0, 1.3, false));        // those chose it: other rules have looked at them
+  CHECK_FALSE(closes_nothing(1.0, 1.0, true, false));  // it does nothing there
 }
 
 TEST_CASE("Counts that stood still are named by the data, whatever free runs say") {
