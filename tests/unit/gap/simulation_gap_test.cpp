@@ -12,12 +12,13 @@ using namespace wheelwright::gap;
 namespace {
 
 std::vector<DriveLog> runs_with(const std::string& effects, std::uint64_t seed,
-                                test::Severity severity = test::Severity::large, double period_s = 0.018) {
+                                test::Severity severity = test::Severity::large, double period_s = 0.018,
+                                int count = 2) {
   test::GapCaseSpec spec;
   spec.name = effects;
   spec.severity = severity;
   spec.seed = seed;
-  spec.runs = 2;
+  spec.runs = count;
   spec.seconds = 24.0;
   spec.period_s = period_s;
   return test::make_gap_case(spec).runs;
@@ -87,6 +88,16 @@ TEST_CASE("A simulation that does as the robot does has nothing missing, whateve
   CHECK(gap.robot.found.empty());
   REQUIRE(difference_of(gap, "dead_zone") != nullptr);
   CHECK(difference_of(gap, "dead_zone")->kind == DifferenceKind::same);
+}
+
+TEST_CASE("An effect of both is the same where runs stay untouched, too, on which nothing is to be closed") {
+  const auto runs = runs_with("dead_zone", 11, test::Severity::large, 0.018, 4);
+  const auto gap = gap_between(runs, runs);
+  CHECK(gap.robot.untouched);
+  CHECK(gap.robot.verdict == Verdict::nothing_missing);
+  REQUIRE(difference_of(gap, "dead_zone") != nullptr);
+  CHECK(difference_of(gap, "dead_zone")->kind == DifferenceKind::same);
+  CHECK(gap.robot.test.before.distance_rms_m.value() < 1.05 * gap.robot.test.after.distance_rms_m.value());
 }
 
 TEST_CASE("A robot that answers later than the simulation has a longer delay, by how much") {

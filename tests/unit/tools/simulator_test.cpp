@@ -61,18 +61,34 @@ TEST_CASE("A simulator that fails, writes nothing or takes too long is told with
   CHECK_THAT(refusal({"echo begin; echo no such world >&2; exit 3; : {commands} {out}"}, folder),
              ContainsSubstring("it ended with status 3; its last line: 'no such world'"));
   CHECK_THAT(refusal({"echo done; : {commands} {out}"}, folder), ContainsSubstring("it wrote no "));
-  CHECK_THAT(refusal({.command = "echo diverged; sleep 60; : {commands} {out}", .limit_s = 0.2}, folder),
-             ContainsSubstring("it took longer than 0.2 s and was ended; its last line: 'diverged'"));
+  CHECK_THAT(refusal({.command = "echo diverged; sleep 60; : {commands} {out}", .limit_s = 1.0}, folder),
+             ContainsSubstring("it took longer than 1 s and was ended; its last line: 'diverged'"));
 }
 
 TEST_CASE("What a simulator starts ends with its time") {
   const fs::path folder = test::temporary_folder() / "children";
   const fs::path late = test::temporary_folder() / "late";
   refusal(
-      {.command = "(sleep 1; touch '" + late.string() + "') & sleep 60; : {commands} {out}", .limit_s = 0.2},
+      {.command = "(sleep 2; touch '" + late.string() + "') & sleep 60; : {commands} {out}", .limit_s = 1.0},
       folder);
-  ::usleep(1'500'000);
+  ::usleep(2'500'000);
   CHECK_FALSE(fs::exists(late));
+}
+
+TEST_CASE("A file that no simulator wrote is not lost, nor one of the runs themselves") {
+  const fs::path folder = test::temporary_folder() / "taken";
+  fs::create_directories(folder);
+  std::ofstream(folder / "run1.csv") << "mine\n";
+  CHECK_THAT(refusal({"cp {commands} {out}"}, folder),
+             ContainsSubstring("run1.csv: is no file of an earlier"));
+  CHECK(fs::file_size(folder / "run1.csv") == 5);
+  DriveLog own = test::plant_run(1, 50);
+  own.name = (test::temporary_folder() / "own" / "run1.csv").string();
+  fs::create_directories(fs::path(own.name).parent_path());
+  config::save_drive_log(own, own.name);
+  config::save_drive_log(own, fs::path(own.name).parent_path() / "run1_commands.csv");
+  CHECK_THROWS_AS(run({"cp {commands} {out}"}, {own}, fs::path(own.name).parent_path()), UsageError);
+  CHECK(config::load_drive_log(own.name).has_ticks());
 }
 
 TEST_CASE("What a simulator wrote in an earlier run is not taken for what it wrote now") {

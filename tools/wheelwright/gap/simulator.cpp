@@ -15,6 +15,7 @@
 #include "config/load/text_file.hpp"
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/commands.hpp"
+#include "tools/wheelwright/import/conversion/repair_checks.hpp"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): by POSIX, the program declares it
 
@@ -78,7 +79,8 @@ class ShellCommand {
   ShellCommand(const ShellCommand&) = delete;
   ShellCommand& operator=(const ShellCommand&) = delete;
   ~ShellCommand() {
-    if (process_ > 0) ::kill(-process_, SIGKILL);
+    if (process_ > 0) ::kill(-process_, SIGKILL);  // and what it has started
+    if (process_ > 0 && !ended_) ::waitpid(process_, nullptr, 0);
     pthread_sigmask(SIG_SETMASK, &before_, nullptr);
   }
 
@@ -90,6 +92,7 @@ class ShellCommand {
     while (true) {
       int status = 0;
       if (::waitpid(process_, &status, WNOHANG) == process_) {
+        ended_ = true;
         return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
       }
       if (std::chrono::steady_clock::now() >= end) return std::nullopt;
@@ -107,6 +110,7 @@ class ShellCommand {
   }
 
   pid_t process_ = -1;
+  bool ended_ = false;
   sigset_t signals_{};
   sigset_t before_{};
 };
@@ -121,8 +125,37 @@ std::string last_line_of(const fs::path& said) {
   return "'" + config::printable(text->substr(first, end + 1 - first)) + "'";
 }
 
-void run_once(const Simulator& simulator, const DriveLog& run, const fs::path& commands, const fs::path& out,
-              const fs::path& said) {
+// Files of a run of the simulator; all but its commands are lost when it runs once more.
+struct RunFiles {
+  fs::path commands;
+  fs::path out;
+  fs::path said;
+};
+
+RunFiles files_of(const fs::path& folder, std::size_t run) {
+  const std::string name = "run" + std::to_string(run + 1);
+  return {folder / (name + "_commands.csv"), folder / (name + ".csv"), folder / (name + ".txt")};
+}
+
+// Only where its commands stand beside it a file is one that a simulator wrote for us; and none is lost that
+// is being compared.
+void check_may_be_replaced(const RunFiles& files, std::span<const DriveLog> runs) {
+  std::error_code ignored;
+  for (const fs::path& file : {files.out, files.said}) {
+    if (!fs::exists(file, ignored)) continue;
+    if (!import::is_drive_log(files.commands))
+      throw UsageError(file.string() + ": is no file of an earlier --simulator; give another folder by -o");
+  }
+  for (const DriveLog& run : runs) {
+    for (const fs::path& file : {files.commands, files.out, files.said}) {
+      if (fs::equivalent(file, run.name, ignored))
+        throw UsageError(file.string() + ": is one of the runs that are compared; give another folder by -o");
+    }
+  }
+}
+
+void run_once(const Simulator& simulator, const DriveLog& run, const RunFiles& files) {
+  const auto& [commands, out, said] = files;
   config::save_drive_log(commands_of(run), commands.string());
   std::error_code ignored;
   fs::remove(out, ignored);  // what an earlier run wrote is not to be taken for this one's
@@ -159,13 +192,13 @@ std::vector<std::string> run_simulator(const Simulator& simulator, std::span<con
   fs::create_directories(folder, error);
   if (error) throw UsageError(folder.string() + ": cannot be made: " + error.message());
   const fs::path absolute = fs::absolute(folder);
+  for (std::size_t i = 0; i < runs.size(); ++i) check_may_be_replaced(files_of(absolute, i), runs);
   std::vector<std::string> written;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     before_each(i);
-    const std::string name = "run" + std::to_string(i + 1);
-    written.push_back((absolute / (name + ".csv")).string());
-    run_once(simulator, runs[i], absolute / (name + "_commands.csv"), written.back(),
-             absolute / (name + ".txt"));
+    const RunFiles files = files_of(absolute, i);
+    run_once(simulator, runs[i], files);
+    written.push_back(files.out.string());
   }
   return written;
 }
