@@ -19,7 +19,6 @@
 namespace wheelwright::gap {
 namespace {
 
-constexpr double two_sided_95 = 1.96;
 constexpr double most_unsure = 0.5;  // half of an interval, relative to the value
 constexpr int steps_of_a_fit = 60;
 

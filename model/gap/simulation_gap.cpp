@@ -33,7 +33,7 @@ std::optional<double> apart_m(const DriveSample& one, const DriveSample& other) 
   return std::hypot(*one.reference_x_m - *other.reference_x_m, *one.reference_y_m - *other.reference_y_m);
 }
 
-// A simulator that draws its noise anew each time.
+// A simulator whose noise differs from run to run.
 std::optional<std::string> random_runs(std::span<const DriveLog> simulated) {
   for (std::size_t i = 0; i < simulated.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {

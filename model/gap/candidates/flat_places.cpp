@@ -1,19 +1,14 @@
 #include "model/gap/candidates/flat_places.hpp"
 
-#include <cmath>
-
 namespace wheelwright::gap {
 namespace {
 
 constexpr double worth_it = 2.0;  // of the sum of squares: a nat
 
 bool is_flat(const GapProblem& train, const GapFit& fit, std::size_t parameter) {
-  const ParameterInfo& info = *fit.model.parameter_info(parameter);
-  const double value = fit.model.parameter(parameter);
-  if (info.sizes.empty()) return false;
+  if (fit.model.parameter_info(parameter)->sizes.empty()) return false;
   TrialModel moved = fit.model;
-  constexpr double small_share = 0.02;
-  moved.set_parameter(parameter, value + small_share * info.sizes.back());
+  moved.set_parameter(parameter, fit.model.parameter(parameter) + small_step(fit.model, parameter));
   return train.residuals(moved) == train.residuals(fit.model);
 }
 

@@ -8,19 +8,6 @@
 namespace wheelwright::gap {
 namespace {
 
-double step_for(const TrialModel& model, std::size_t index) {
-  const ParameterInfo* info = model.parameter_info(index);
-  const double value = model.parameter(index);
-  if (info == nullptr) return 1e-5;
-  double smallest = 0.0;
-  for (const double size : info->sizes) {
-    if (size != 0.0 && (smallest == 0.0 || std::abs(size) < smallest)) smallest = std::abs(size);
-  }
-  if (smallest == 0.0) smallest = 0.1;
-  const double step = std::max(0.01 * std::abs(value), 0.02 * smallest);
-  return value + step > info->upper ? -step : step;
-}
-
 double damping_floor(const Eigen::MatrixXd& information, Eigen::Index i) {
   return information(i, i) > 0.0 ? information(i, i) : 1.0;
 }
@@ -131,7 +118,7 @@ void GapProblem::fill_columns(const TrialModel& model, const std::vector<double>
   TrialModel changed = model;
   for (const auto& moved : at_once) {
     changed.set_parameter(moved.parameter,
-                          model.parameter(moved.parameter) + step_for(model, moved.parameter));
+                          model.parameter(moved.parameter) + small_step(model, moved.parameter));
   }
   const Part touched = part_of_parameter(model, at_once.front().parameter);
   const std::vector<double> there = whitened(run, free_run_errors(changed, runs_[run], touched));
@@ -140,7 +127,7 @@ void GapProblem::fill_columns(const TrialModel& model, const std::vector<double>
     if (!is_of(touched, channel)) return;
     for (const auto& moved : at_once) {
       if (moved.shows_in && channel != moved.shows_in) continue;
-      const double step = step_for(model, moved.parameter);
+      const double step = small_step(model, moved.parameter);
       auto column = columns.col(static_cast<Eigen::Index>(moved.parameter));
       for (std::size_t i = first; i < first + count; ++i) {
         column(static_cast<Eigen::Index>(i)) = (there[i - begin] - residuals[i]) / step;

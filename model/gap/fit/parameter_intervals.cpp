@@ -14,7 +14,6 @@ constexpr double fewest_blocks = 20.0;  // shorter blocks rather than fewer
 constexpr double most_blocks = 200.0;   // longer ones rather than more
 constexpr std::size_t draws = 1000;
 constexpr std::uint64_t seed = 1;
-constexpr double two_sided_95 = 1.96;
 
 double length_of_blocks_s(const GapProblem& problem) {
   double total_s = 0.0;

@@ -9,7 +9,7 @@
 
 namespace wheelwright::gap {
 
-// 95 % intervals of the effects' parameters, in their order. What is left hangs together over seconds, so
+// 95 % intervals of the effects' parameters, in their order. Residuals are correlated over seconds, so
 // they come from a bootstrap over blocks of time (block_bootstrap.hpp), by percentiles; never narrower than
 // white residuals would give; wider where the likelihood does not fall that far out (profile_intervals.hpp).
 // Where a likelier model is met in this, the fit goes on from there.

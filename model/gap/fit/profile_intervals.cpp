@@ -9,7 +9,6 @@
 namespace wheelwright::gap {
 namespace {
 
-constexpr double two_sided_95 = 1.96;
 constexpr double chi_squared_95 = two_sided_95 * two_sided_95;
 constexpr int most_steps_of_others = 5;
 constexpr double worth_a_step = 0.02;  // of the sum of squares
@@ -19,15 +18,10 @@ constexpr double a_nat = 2.0;         // of the sum of squares
 constexpr double first_share = 0.02;  // of the usual size, where nothing is known
 constexpr double nearly = 0.9;        // of chi squared: where the slopes are right
 
-// Smallest that a search tries. It stands for what is known of a parameter of which the readings say nothing.
+// It stands for what is known of a parameter of which the readings say nothing.
 double usual_size(const ParameterInfo* info) {
-  constexpr double of_others = 0.1;
-  double smallest = 0.0;
-  if (info == nullptr) return of_others;
-  for (const double size : info->sizes) {
-    if (size != 0.0 && (smallest == 0.0 || std::abs(size) < smallest)) smallest = std::abs(size);
-  }
-  return smallest > 0.0 ? smallest : of_others;
+  constexpr double of_core = 0.1;
+  return info == nullptr ? of_core : smallest_size(*info);
 }
 
 std::vector<std::size_t> of_the_same_effect_and_unit(const TrialModel& model, std::size_t parameter) {
@@ -70,8 +64,8 @@ class Profile {
   }
 
   // Whether the parameter is unlikely to have this value. An edge shows only where it is crossed, so that
-  // what another edge has to do with it must be foretold, by slopes or by trying; what cannot be foretold may
-  // be found on the way.
+  // what another edge has to do with it must be predicted, by slopes or by trying; what cannot be predicted
+  // may be found on the way.
   bool excludes(double value, double chi_squared) {
     return !reaches(moved_to(value, false), chi_squared) && !reaches(moved_to(value, true), chi_squared) &&
            !reaches(traded_for(value), chi_squared);
@@ -88,12 +82,12 @@ class Profile {
     return true;
   }
 
-  // From the nearest that was not excluded; `foretold`: the others go with it as by the slopes.
-  TrialModel moved_to(double value, bool foretold) const {
+  // From the nearest that was not excluded; `predicted`: the others go with it as by the slopes.
+  TrialModel moved_to(double value, bool predicted) const {
     TrialModel model = nearest_.value_or(fit_.model);
     const double by = value - model.parameter(held_);
     model.set_parameter(held_, value);
-    for (std::size_t i = 0; foretold && i < free_.size(); ++i) {
+    for (std::size_t i = 0; predicted && i < free_.size(); ++i) {
       const auto parameter = static_cast<std::size_t>(free_[i]);
       model.set_parameter(parameter,
                           model.parameter(parameter) + by * going_with_it_(static_cast<Eigen::Index>(i)));

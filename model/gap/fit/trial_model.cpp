@@ -113,6 +113,23 @@ double TrialModel::parameter(std::size_t index) const {
   return 0.0;
 }
 
+double smallest_size(const ParameterInfo& info) {
+  constexpr double without_sizes = 0.1;
+  double smallest = 0.0;
+  for (const double size : info.sizes) {
+    if (size != 0.0 && (smallest == 0.0 || std::abs(size) < smallest)) smallest = std::abs(size);
+  }
+  return smallest > 0.0 ? smallest : without_sizes;
+}
+
+double small_step(const TrialModel& model, std::size_t index) {
+  const ParameterInfo* info = model.parameter_info(index);
+  const double value = model.parameter(index);
+  if (info == nullptr) return 1e-5;
+  const double step = std::max(0.01 * std::abs(value), 0.02 * smallest_size(*info));
+  return value + step > info->upper ? -step : step;
+}
+
 TrialEffect TrialEffect::within_bounds() const {
   TrialEffect effect = *this;
   for (std::size_t i = 0; i < parameters.size(); ++i) {

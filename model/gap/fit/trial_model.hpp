@@ -123,4 +123,10 @@ struct TrialModel {
 TrialModel first_guess(const CoreShape& shape, double period_s, double wheel_base_m, double lag_s,
                        double delay_s);
 
+// The smallest size that a search tries.
+double smallest_size(const ParameterInfo& info);
+
+// By how much to move a parameter to see what follows; away from the upper bound.
+double small_step(const TrialModel& model, std::size_t parameter);
+
 }  // namespace wheelwright::gap

@@ -29,7 +29,7 @@ struct Known {
 struct ParameterDifference {
   std::string name;
   std::string unit;
-  std::optional<Known> simulation;  // nothing where it lacks the effect, or has another form of it
+  std::optional<Known> simulation;  // nothing where it lacks the effect, or its form has no such parameter
   std::optional<Known> robot;
   bool differs = false;
 };
@@ -42,11 +42,11 @@ struct EffectDifference {
   std::vector<ParameterDifference> parameters;
 };
 
-// Of all effects that either has. Sizes differ where the intervals of the difference (the square root of the
-// sum of squares of both) leaves out zero, and by more than 3 % of the larger one.
+// Of all effects that either has. Sizes differ where the interval of their difference (half widths added in
+// squares) leaves out zero, and by more than 3 % of the larger one.
 std::vector<EffectDifference> effect_differences(const GapAnalysis& simulation, const GapAnalysis& robot);
 
-// As in "It lacks coulomb_friction (speed_loss 11 mm/s). Its delay is ..."; empty where nothing differs.
+// As in "It lacks coulomb_friction (speed_loss 0.011 m/s [0.0106, 0.0111])."; empty where nothing differs.
 std::string in_words(const std::vector<EffectDifference>& differences);
 
 }  // namespace wheelwright::gap

@@ -46,7 +46,7 @@ std::string words_for(gap::DifferenceKind kind) {
     case gap::DifferenceKind::wrong_size:
       return "wrong size";
     case gap::DifferenceKind::surplus:
-      return "the robot has it not";
+      return "not in the robot";
     case gap::DifferenceKind::same:
       return "the same";
     case gap::DifferenceKind::not_shown:
@@ -144,7 +144,7 @@ void print_simulation(std::ostream& out, const ComparedSimulation& compared) {
 std::string simulation_section(const ComparedSimulation& compared) {
   const gap::SimulationGap& gap = compared.gap;
   std::string text = html::element("h2", "Simulation and robot") +
-                     html::element("p", "Beside a linear model, by its own runs, of the simulation: " +
+                     html::element("p", "What the simulation has by its own runs, against a linear model: " +
                                             gap.simulation.summary);
   std::vector<std::vector<std::string>> figures;
   for (const auto& [name, value] : figures_of(compared)) figures.push_back({name, value});
