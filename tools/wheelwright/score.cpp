@@ -14,6 +14,7 @@
 #include "tools/wheelwright/json_text.hpp"
 #include "tools/wheelwright/log_checks.hpp"
 #include "tools/wheelwright/log_input.hpp"
+#include "tools/wheelwright/score_json.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -33,19 +34,6 @@ struct ScoredRun {
   Score score;
   std::optional<WheelPair> end_error_m;
 };
-
-ordered_json to_json(const AtHorizon& figure) {
-  return {{"horizon_s", figure.horizon_s}, {"value", figure.value}};
-}
-
-ordered_json to_json(const Score& score) {
-  ordered_json json = ordered_json::object();
-  if (score.wheel_speed_rms_m_s) json["wheel_speed_rms_m_s"] = *score.wheel_speed_rms_m_s;
-  if (score.distance_rms_m) json["distance_rms_m"] = *score.distance_rms_m;
-  if (score.position_rms_m) json["position_rms_m"] = to_json(*score.position_rms_m);
-  if (score.heading_rms_rad) json["heading_rms_rad"] = to_json(*score.heading_rms_rad);
-  return json;
-}
 
 // In thousandths, as the table shows everything; a dash where there is nothing.
 std::string thousandths(const std::optional<double>& value) {
@@ -120,7 +108,7 @@ ExitStatus run_score(const ScoreOptions& options, Streams streams) {
   if (all.empty())
     throw DataRefusal("the logs hold neither encoder counts nor reference poses to compare with");
   if (options.json) {
-    streams.out << json_text(to_json(all), -1) << "\n";
+    streams.out << json_text(score_to_json(all), -1) << "\n";
   } else {
     print_table(streams.out, runs, all);
   }

@@ -8,6 +8,7 @@
 #include "tools/wheelwright/gap/check_section.hpp"
 #include "tools/wheelwright/report/html.hpp"
 #include "tools/wheelwright/report/number_text.hpp"
+#include "tools/wheelwright/score_json.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -70,18 +71,6 @@ std::vector<std::vector<std::string>> rows_of(const gap::SimulationGap& gap) {
     }
   }
   return rows;
-}
-
-ordered_json score_to_json(const Score& score) {
-  ordered_json json = ordered_json::object();
-  if (score.wheel_speed_rms_m_s) json["wheel_speed_rms_m_s"] = *score.wheel_speed_rms_m_s;
-  if (score.distance_rms_m) json["distance_rms_m"] = *score.distance_rms_m;
-  const auto at_horizon = [&](const std::string& name, const std::optional<AtHorizon>& figure) {
-    if (figure) json[name] = {{"horizon_s", figure->horizon_s}, {"value", figure->value}};
-  };
-  at_horizon("position_rms_m", score.position_rms_m);
-  at_horizon("heading_rms_rad", score.heading_rms_rad);
-  return json;
 }
 
 using NamedFigures = std::vector<std::pair<std::string, std::string>>;
