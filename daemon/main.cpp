@@ -9,13 +9,13 @@
 
 #include "config/load/daemon_config.hpp"
 #include "config/load/printable_text.hpp"
-#include "daemon/exit_status.hpp"
-#include "daemon/message_output.hpp"
+#include "daemon/guardian/rest.hpp"
 #include "daemon/output_checks.hpp"
-#include "daemon/plan.hpp"
 #include "daemon/process.hpp"
-#include "daemon/real_time.hpp"
-#include "daemon/rest.hpp"
+#include "daemon/service/exit_status.hpp"
+#include "daemon/service/message_output.hpp"
+#include "daemon/threads/real_time.hpp"
+#include "daemon/wiring/plan.hpp"
 
 namespace {
 

@@ -14,10 +14,10 @@
 #include "config/load/commands_file.hpp"
 #include "config/load/model_file.hpp"
 #include "config/load/rest_target.hpp"
+#include "daemon/guardian/rest.hpp"
 #include "daemon/output_checks.hpp"
-#include "daemon/rest.hpp"
 #include "daemon/run.hpp"
-#include "daemon/status_file.hpp"
+#include "daemon/telemetry/status_file.hpp"
 
 namespace wheelwright::daemon {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "config/load/daemon_config.hpp"
-#include "daemon/exit_status.hpp"
-#include "daemon/restarts.hpp"
-#include "daemon/service_notifier.hpp"
-#include "model/robot_model.hpp"
+#include "daemon/service/exit_status.hpp"
+#include "daemon/service/restarts.hpp"
+#include "daemon/service/service_notifier.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright::daemon {
 
@@ -19,7 +19,8 @@ struct ProcessOptions {
   std::filesystem::path device;         // instead of the configuration's; empty: that one
   std::filesystem::path commands_file;  // drive log whose commands are driven, and nothing else; empty: none
   std::filesystem::path lateness_file;  // histogram of the loop's wake-ups, written at the end; empty: none
-  std::filesystem::path status_file;    // written anew every second (daemon/status_file.hpp); empty: none
+  std::filesystem::path
+      status_file;  // written anew every second (daemon/telemetry/status_file.hpp); empty: none
   bool as_service = false;
 };
 

@@ -17,12 +17,12 @@
 #include "config/load/atomic_file.hpp"
 #include "config/load/model_file.hpp"
 #include "config/load/output_file.hpp"
-#include "daemon/exit_status.hpp"
-#include "daemon/lateness_file.hpp"
-#include "daemon/message_output.hpp"
-#include "daemon/predictor_thread.hpp"
+#include "daemon/recording/lateness_file.hpp"
+#include "daemon/service/exit_status.hpp"
+#include "daemon/service/message_output.hpp"
 #include "daemon/silence_text.hpp"
 #include "daemon/summary.hpp"
+#include "daemon/threads/predictor_thread.hpp"
 
 namespace wheelwright::daemon {
 namespace {

@@ -4,10 +4,10 @@
 #include <string>
 
 #include "config/load/daemon_config.hpp"
-#include "daemon/calibrator_thread.hpp"
-#include "daemon/log_thread.hpp"
-#include "daemon/real_time.hpp"
 #include "daemon/supervisor.hpp"
+#include "daemon/threads/calibrator_thread.hpp"
+#include "daemon/threads/log_thread.hpp"
+#include "daemon/threads/real_time.hpp"
 
 namespace wheelwright::daemon {
 

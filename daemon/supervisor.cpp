@@ -6,7 +6,7 @@
 #include <csignal>
 
 #include "config/load/output_file.hpp"
-#include "daemon/plan.hpp"
+#include "daemon/wiring/plan.hpp"
 
 namespace wheelwright::daemon {
 namespace {

@@ -10,13 +10,13 @@
 #include <string>
 
 #include "config/load/daemon_config.hpp"
-#include "daemon/exit_status.hpp"
-#include "daemon/guardian.hpp"
+#include "daemon/guardian/guardian.hpp"
 #include "daemon/process.hpp"
-#include "daemon/real_time.hpp"
-#include "daemon/status_board.hpp"
-#include "daemon/status_file.hpp"
-#include "daemon/wiring.hpp"
+#include "daemon/service/exit_status.hpp"
+#include "daemon/telemetry/status_file.hpp"
+#include "daemon/threads/real_time.hpp"
+#include "daemon/wiring/status_board.hpp"
+#include "daemon/wiring/wiring.hpp"
 #include "drivers/roomba/session.hpp"
 
 namespace wheelwright::daemon {

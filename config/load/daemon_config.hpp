@@ -11,7 +11,7 @@
 #include "config/load/yaml_reader.hpp"
 #include "drivers/roomba/link_config.hpp"
 #include "model/brain/mission.hpp"
-#include "model/robot_model.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright::config {
 

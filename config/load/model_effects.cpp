@@ -1,7 +1,7 @@
 #include "config/load/model_effects.hpp"
 
 #include "config/load/text_format.hpp"
-#include "model/effect_library.hpp"
+#include "model/effects/library/effect_library.hpp"
 
 namespace wheelwright::config {
 namespace {

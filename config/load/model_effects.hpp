@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "config/load/yaml_reader.hpp"
-#include "model/robot_model.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright::config {
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "config/load/yaml_reader.hpp"
-#include "model/robot_model.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright::config {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "model/drive_log.hpp"
+#include "model/log/drive_log.hpp"
 
 namespace wheelwright::config {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "config/load/text_format.hpp"
-#include "model/pose.hpp"
+#include "model/geometry/pose.hpp"
 
 namespace wheelwright::daemon::telemetry {
 

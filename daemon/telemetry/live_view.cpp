@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "daemon/calibrator_thread.hpp"
 #include "daemon/telemetry/messages.hpp"
 #include "daemon/telemetry/page.hpp"
+#include "daemon/threads/calibrator_thread.hpp"
 
 namespace wheelwright::daemon::telemetry {
 namespace {

@@ -23,7 +23,7 @@
 #include "daemon/telemetry/scene.hpp"
 #include "daemon/telemetry/server.hpp"
 #include "daemon/telemetry/truth_trail.hpp"
-#include "daemon/wiring.hpp"
+#include "daemon/wiring/wiring.hpp"
 
 namespace wheelwright::daemon::telemetry {
 

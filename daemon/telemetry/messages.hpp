@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "config/load/daemon_config.hpp"
-#include "daemon/wiring.hpp"
+#include "daemon/wiring/wiring.hpp"
 
 namespace wheelwright::daemon::telemetry {
 

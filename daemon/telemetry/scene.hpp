@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "daemon/wiring.hpp"
+#include "daemon/wiring/wiring.hpp"
 #include "model/route/route.hpp"
 
 namespace wheelwright::daemon::telemetry {

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "daemon/mcap/schemas.hpp"
+#include "daemon/recording/mcap/schemas.hpp"
 
 namespace wheelwright::daemon::telemetry::schema {
 namespace {

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "model/pose.hpp"
+#include "model/geometry/pose.hpp"
 
 namespace wheelwright::daemon::telemetry {
 

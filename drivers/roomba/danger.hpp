@@ -2,7 +2,7 @@
 #pragma once
 
 #include "drivers/open_interface/reading.hpp"
-#include "model/sensor_frame.hpp"
+#include "model/log/sensor_frame.hpp"
 
 namespace wheelwright::roomba {
 

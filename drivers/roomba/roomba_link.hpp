@@ -20,7 +20,7 @@
 #include "drivers/open_interface/stream_reader.hpp"
 #include "drivers/roomba/link_config.hpp"
 #include "drivers/roomba/unarmed_motion.hpp"
-#include "model/sensor_frame.hpp"
+#include "model/log/sensor_frame.hpp"
 
 namespace wheelwright::roomba {
 

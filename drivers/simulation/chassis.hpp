@@ -4,7 +4,7 @@
 #include "drivers/simulation/caster.hpp"
 #include "drivers/simulation/drive_unit.hpp"
 #include "drivers/simulation/room.hpp"
-#include "model/pose.hpp"
+#include "model/geometry/pose.hpp"
 
 namespace wheelwright::simulation {
 

@@ -15,7 +15,7 @@
 
 #include "drivers/simulation/sensor_board.hpp"
 #include "drivers/simulation/serial_line.hpp"
-#include "model/drive_log.hpp"
+#include "model/log/drive_log.hpp"
 
 namespace wheelwright::simulation {
 

@@ -20,7 +20,7 @@
 #include "drivers/simulation/fault.hpp"
 #include "drivers/simulation/recording.hpp"
 #include "drivers/simulation/simulation_config.hpp"
-#include "model/pose.hpp"
+#include "model/geometry/pose.hpp"
 
 namespace wheelwright::simulation {
 

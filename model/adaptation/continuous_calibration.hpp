@@ -16,8 +16,8 @@
 #include "model/adaptation/model_adaptation.hpp"
 #include "model/adaptation/model_trial.hpp"
 #include "model/filter/hybrid_filter.hpp"
-#include "model/robot_model.hpp"
-#include "model/sensor_frame.hpp"
+#include "model/log/sensor_frame.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright {
 

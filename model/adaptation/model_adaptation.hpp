@@ -18,9 +18,9 @@
 #include <cstdint>
 
 #include "model/adaptation/directional_fit.hpp"
-#include "model/linear_model.hpp"
-#include "model/robot_model.hpp"
-#include "model/sensor_frame.hpp"
+#include "model/log/sensor_frame.hpp"
+#include "model/simulation/linear_model.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright {
 

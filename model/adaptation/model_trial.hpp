@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "model/linear_model.hpp"
-#include "model/pose.hpp"
-#include "model/sensor_frame.hpp"
+#include "model/geometry/pose.hpp"
+#include "model/log/sensor_frame.hpp"
+#include "model/simulation/linear_model.hpp"
 
 namespace wheelwright {
 

@@ -21,9 +21,9 @@
 #include "model/brain/manoeuvre.hpp"
 #include "model/brain/mission.hpp"
 #include "model/brain/random_drive.hpp"
-#include "model/odometry.hpp"
+#include "model/log/sensor_frame.hpp"
 #include "model/route/route_follower.hpp"
-#include "model/sensor_frame.hpp"
+#include "model/simulation/odometry.hpp"
 
 namespace wheelwright {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "model/settled_travel.hpp"
+#include "model/log/settled_travel.hpp"
 
 namespace wheelwright {
 namespace {

@@ -12,11 +12,11 @@
 #include "model/adaptation/continuous_calibration.hpp"
 #include "model/brain/mission.hpp"
 #include "model/calibration/punctuality.hpp"
-#include "model/drive_log.hpp"
 #include "model/identification/arx_fit.hpp"
 #include "model/identification/fir_fit.hpp"
-#include "model/robot_model.hpp"
-#include "model/sensor_frame.hpp"
+#include "model/log/drive_log.hpp"
+#include "model/log/sensor_frame.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright {
 

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "model/filter/hybrid_filter.hpp"
-#include "model/motion_predictor.hpp"
-#include "model/robot_model.hpp"
+#include "model/simulation/motion_predictor.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright {
 

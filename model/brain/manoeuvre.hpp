@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "model/brain/mission.hpp"
-#include "model/sensor_frame.hpp"
+#include "model/log/sensor_frame.hpp"
 
 namespace wheelwright {
 

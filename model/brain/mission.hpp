@@ -8,7 +8,7 @@
 
 #include "model/brain/commanded_drive.hpp"
 #include "model/calibration/encoder_scale_fit.hpp"
-#include "model/pose.hpp"
+#include "model/geometry/pose.hpp"
 #include "model/route/route.hpp"
 
 namespace wheelwright {

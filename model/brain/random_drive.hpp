@@ -18,7 +18,7 @@
 #include <random>
 
 #include "model/brain/mission.hpp"
-#include "model/pose.hpp"
+#include "model/geometry/pose.hpp"
 
 namespace wheelwright {
 

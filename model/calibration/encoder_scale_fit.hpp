@@ -14,9 +14,9 @@
 
 #include <tl/expected.hpp>
 
+#include "model/geometry/pose.hpp"
 #include "model/identification/refusal.hpp"
-#include "model/pose.hpp"
-#include "model/sensor_frame.hpp"
+#include "model/log/sensor_frame.hpp"
 
 namespace wheelwright {
 

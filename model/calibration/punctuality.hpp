@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
+#include "model/geometry/pose.hpp"
 #include "model/identification/refusal.hpp"
-#include "model/pose.hpp"
-#include "model/sensor_frame.hpp"
+#include "model/log/sensor_frame.hpp"
 
 namespace wheelwright {
 

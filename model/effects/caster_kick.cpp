@@ -10,7 +10,7 @@ namespace {
 
 constexpr double moving_m_s = 0.005;
 
-// Variants, all of which come a second time at the wheels (model/at_the_wheels.hpp).
+// Variants, all of which come a second time at the wheels (model/effects/library/at_the_wheels.hpp).
 constexpr std::size_t alternating = 1;
 constexpr std::size_t swivel = 2;
 constexpr std::size_t swing = 3;

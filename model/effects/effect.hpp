@@ -17,7 +17,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "model/pose.hpp"
+#include "model/geometry/pose.hpp"
 
 namespace wheelwright {
 

@@ -23,7 +23,7 @@
 
 #include "model/filter/current_model.hpp"
 #include "model/filter/usual_level.hpp"
-#include "model/pose.hpp"
+#include "model/geometry/pose.hpp"
 
 namespace wheelwright {
 

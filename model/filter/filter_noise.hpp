@@ -2,8 +2,8 @@
 // rests on.
 #pragma once
 
-#include "model/pose.hpp"
-#include "model/robot_model.hpp"
+#include "model/geometry/pose.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright {
 

@@ -19,7 +19,7 @@
 #include <array>
 #include <cstddef>
 
-#include "model/pose.hpp"
+#include "model/geometry/pose.hpp"
 
 namespace wheelwright {
 

@@ -32,10 +32,10 @@
 #include "model/filter/pose_with_covariance.hpp"
 #include "model/filter/scale_drift_test.hpp"
 #include "model/filter/wheel_filter.hpp"
-#include "model/linear_model.hpp"
-#include "model/model_simulation.hpp"
-#include "model/robot_model.hpp"
-#include "model/sensor_frame.hpp"
+#include "model/log/sensor_frame.hpp"
+#include "model/simulation/linear_model.hpp"
+#include "model/simulation/model_simulation.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright {
 

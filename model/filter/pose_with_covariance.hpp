@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "model/pose.hpp"
+#include "model/geometry/pose.hpp"
 
 namespace wheelwright {
 

@@ -7,11 +7,11 @@
 
 #include <tl/expected.hpp>
 
-#include "model/drive_log.hpp"
 #include "model/gap/conclusion/analysis_result.hpp"
 #include "model/gap/data_checks/dataset.hpp"
 #include "model/gap/fit/problem.hpp"
-#include "model/robot_model.hpp"
+#include "model/log/drive_log.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright::gap {
 

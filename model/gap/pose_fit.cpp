@@ -8,13 +8,13 @@
 #include <optional>
 #include <vector>
 
-#include "model/effect_library.hpp"
+#include "model/effects/library/effect_library.hpp"
 #include "model/gap/data_checks/data_gate.hpp"
 #include "model/gap/data_checks/gate_state.hpp"
 #include "model/gap/fit/parameter_intervals.hpp"
 #include "model/gap/selection/search_start.hpp"
 #include "model/identification/excitation.hpp"
-#include "model/near_periods.hpp"
+#include "model/log/near_periods.hpp"
 
 namespace wheelwright::gap {
 namespace {

@@ -11,11 +11,11 @@
 
 #include <tl/expected.hpp>
 
-#include "model/drive_log.hpp"
 #include "model/gap/fit/problem.hpp"
 #include "model/gap/selection/search.hpp"
 #include "model/identification/refusal.hpp"
-#include "model/robot_model.hpp"
+#include "model/log/drive_log.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright::gap {
 

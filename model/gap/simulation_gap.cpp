@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "model/gap/conclusion/linear_verdict.hpp"
-#include "model/near_periods.hpp"
+#include "model/log/near_periods.hpp"
 
 namespace wheelwright::gap {
 namespace {

@@ -6,17 +6,17 @@
 #include <utility>
 #include <vector>
 
-#include "model/free_run.hpp"
 #include "model/identification/arx_accumulator.hpp"
 #include "model/identification/fit_checks.hpp"
 #include "model/identification/free_run_refinement.hpp"
 #include "model/identification/free_run_starts.hpp"
 #include "model/identification/held_out_error.hpp"
-#include "model/identification/known_stretches.hpp"
-#include "model/identification/run_periods.hpp"
 #include "model/identification/small_solve.hpp"
-#include "model/near_periods.hpp"
-#include "model/score.hpp"
+#include "model/log/near_periods.hpp"
+#include "model/log/run_periods.hpp"
+#include "model/prediction/free_run.hpp"
+#include "model/prediction/known_stretches.hpp"
+#include "model/prediction/score.hpp"
 
 namespace wheelwright {
 namespace {

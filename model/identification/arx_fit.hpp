@@ -23,11 +23,11 @@
 
 #include <tl/expected.hpp>
 
-#include "model/drive_log.hpp"
 #include "model/identification/fir_fit.hpp"
 #include "model/identification/order_sweep.hpp"
 #include "model/identification/refusal.hpp"
-#include "model/linear_model.hpp"
+#include "model/log/drive_log.hpp"
+#include "model/simulation/linear_model.hpp"
 
 namespace wheelwright {
 
@@ -58,9 +58,10 @@ struct ArxFit {
   LinearModel model;
   ArxWheelFit left;
   ArxWheelFit right;
-  std::size_t rows = 0;                  // of eq. (12)
-  double free_run_distance_rms_m = 0.0;  // over the known stretches of the runs, as model/score.hpp has it
-  std::optional<OrderSweep> sweep;       // where the order was to be found
+  std::size_t rows = 0;  // of eq. (12)
+  double free_run_distance_rms_m =
+      0.0;  // over the known stretches of the runs, as model/prediction/score.hpp has it
+  std::optional<OrderSweep> sweep;  // where the order was to be found
 };
 
 // Fits all runs together. Runs start from rest; rows whose past is not known because of a gap are left out.

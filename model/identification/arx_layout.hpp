@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "model/linear_model.hpp"
+#include "model/simulation/linear_model.hpp"
 
 namespace wheelwright {
 

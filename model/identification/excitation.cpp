@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "model/command_timeline.hpp"
-#include "model/identification/run_periods.hpp"
+#include "model/log/command_timeline.hpp"
+#include "model/log/run_periods.hpp"
 
 namespace wheelwright {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "model/identification/arx_layout.hpp"
 #include "model/identification/travel_runs.hpp"
-#include "model/linear_model.hpp"
+#include "model/simulation/linear_model.hpp"
 
 namespace wheelwright {
 

@@ -8,7 +8,7 @@
 #include "model/identification/least_squares.hpp"
 #include "model/identification/response_prior.hpp"
 #include "model/identification/travel_equations.hpp"
-#include "model/near_periods.hpp"
+#include "model/log/near_periods.hpp"
 
 namespace wheelwright {
 namespace {

@@ -21,10 +21,11 @@
 
 #include <tl/expected.hpp>
 
-#include "model/drive_log.hpp"
 #include "model/identification/refusal.hpp"
 #include "model/identification/response_prior.hpp"
-#include "model/linear_model.hpp"
+#include "model/log/drive_log.hpp"
+#include "model/simulation/linear_model.hpp"
+#include "model/simulation/wheel_fit.hpp"
 
 namespace wheelwright {
 
@@ -32,14 +33,6 @@ struct FirFitOptions {
   std::optional<std::size_t> length;  // periods; found from the data where absent
   std::size_t longest = 40;           // periods, upper bound of the search
   std::optional<double> period_s;     // of the model; that of the first log where absent
-};
-
-// What one wheel's fit says of itself.
-struct WheelFit {
-  DcGain gain;  // m/s per m/s
-  DcGain gain_standard_error;
-  double position_noise_m = 0.0;    // standard deviation of one reading of wheel travel
-  double drift_m_per_sqrt_s = 0.0;  // random walk of wheel travel at first; may fade
 };
 
 struct FirFit {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "model/identification/excitation.hpp"
-#include "model/near_periods.hpp"
+#include "model/log/near_periods.hpp"
 
 namespace wheelwright {
 namespace {

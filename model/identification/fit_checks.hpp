@@ -4,8 +4,8 @@
 #include <optional>
 #include <span>
 
-#include "model/drive_log.hpp"
 #include "model/identification/refusal.hpp"
+#include "model/log/drive_log.hpp"
 
 namespace wheelwright {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "model/identification/arx_accumulator.hpp"
-#include "model/identification/run_periods.hpp"
 #include "model/identification/small_solve.hpp"
+#include "model/log/run_periods.hpp"
 
 namespace wheelwright {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "model/free_run.hpp"
-#include "model/identification/run_periods.hpp"
+#include "model/log/run_periods.hpp"
+#include "model/prediction/free_run.hpp"
 
 namespace wheelwright {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "model/drive_log.hpp"
-#include "model/linear_model.hpp"
+#include "model/log/drive_log.hpp"
+#include "model/simulation/linear_model.hpp"
 
 namespace wheelwright {
 

@@ -10,9 +10,9 @@
 #include <span>
 #include <vector>
 
-#include "model/drive_log.hpp"
 #include "model/identification/fir_fit.hpp"
-#include "model/linear_model.hpp"
+#include "model/log/drive_log.hpp"
+#include "model/simulation/linear_model.hpp"
 
 namespace wheelwright {
 

@@ -17,9 +17,9 @@
 
 #include <tl/expected.hpp>
 
-#include "model/drive_log.hpp"
 #include "model/identification/refusal.hpp"
-#include "model/linear_model.hpp"
+#include "model/log/drive_log.hpp"
+#include "model/simulation/linear_model.hpp"
 
 namespace wheelwright {
 

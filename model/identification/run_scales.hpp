@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "model/drive_log.hpp"
+#include "model/log/drive_log.hpp"
 
 namespace wheelwright {
 

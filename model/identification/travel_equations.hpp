@@ -8,8 +8,8 @@
 
 #include <Eigen/Core>
 
-#include "model/drive_log.hpp"
 #include "model/identification/travel_whitener.hpp"
+#include "model/log/drive_log.hpp"
 
 namespace wheelwright {
 

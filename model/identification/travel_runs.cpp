@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/command_timeline.hpp"
-#include "model/identification/run_periods.hpp"
+#include "model/log/command_timeline.hpp"
+#include "model/log/run_periods.hpp"
 
 namespace wheelwright {
 namespace {

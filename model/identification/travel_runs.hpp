@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "model/drive_log.hpp"
+#include "model/log/drive_log.hpp"
 
 namespace wheelwright {
 

@@ -8,7 +8,7 @@
 
 #include <cstddef>
 
-#include "model/pose.hpp"
+#include "model/geometry/pose.hpp"
 #include "model/route/route.hpp"
 
 namespace wheelwright {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "model/brain/mission.hpp"
-#include "model/linear_model.hpp"
-#include "model/robot_model.hpp"
+#include "model/simulation/linear_model.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright::test {
 

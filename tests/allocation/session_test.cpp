@@ -3,8 +3,8 @@
 #include <memory>
 #include <thread>
 
-#include "daemon/predictor_thread.hpp"
-#include "daemon/ring_client.hpp"
+#include "daemon/threads/predictor_thread.hpp"
+#include "daemon/threads/ring_client.hpp"
 #include "drivers/simulation/pseudo_terminal.hpp"
 #include "drivers/simulation/simulated_robot.hpp"
 #include "tests/allocation/heap_calls.hpp"

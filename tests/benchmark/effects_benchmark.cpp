@@ -1,7 +1,7 @@
 // A model with effects: one simulated sample.
 #include <benchmark/benchmark.h>
 
-#include "model/model_simulation.hpp"
+#include "model/simulation/model_simulation.hpp"
 #include "tests/benchmark/plant_log.hpp"
 
 namespace wheelwright::benchmarks {

@@ -1,8 +1,8 @@
 // Identification and free run.
 #include <benchmark/benchmark.h>
 
-#include "model/free_run.hpp"
 #include "model/identification/fir_fit.hpp"
+#include "model/prediction/free_run.hpp"
 #include "tests/benchmark/plant_log.hpp"
 
 namespace wheelwright::benchmarks {

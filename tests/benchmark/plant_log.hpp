@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "model/drive_log.hpp"
-#include "model/linear_model.hpp"
+#include "model/log/drive_log.hpp"
+#include "model/simulation/linear_model.hpp"
 #include "tests/support/published_plant.hpp"
 
 namespace wheelwright::benchmarks {

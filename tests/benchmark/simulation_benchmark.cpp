@@ -4,7 +4,7 @@
 
 #include "config/load/route_file.hpp"
 #include "config/load/simulation_config.hpp"
-#include "daemon/virtual_run.hpp"
+#include "daemon/replay/virtual_run.hpp"
 #include "drivers/open_interface/commands.hpp"
 #include "tests/benchmark/plant_log.hpp"
 

@@ -10,8 +10,8 @@
 #include <thread>
 #include <vector>
 
-#include "daemon/ring_client.hpp"
-#include "daemon/wiring.hpp"
+#include "daemon/threads/ring_client.hpp"
+#include "daemon/wiring/wiring.hpp"
 
 namespace wheelwright::benchmarks {
 namespace {

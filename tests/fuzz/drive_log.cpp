@@ -3,7 +3,7 @@
 
 #include "config/load/drive_log_file.hpp"
 #include "drivers/simulation/recording.hpp"
-#include "model/command_timeline.hpp"
+#include "model/log/command_timeline.hpp"
 #include "tests/fuzz/fuzz_input.hpp"
 
 using namespace wheelwright;

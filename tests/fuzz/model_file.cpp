@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "config/load/model_file.hpp"
-#include "model/motion_predictor.hpp"
+#include "model/simulation/motion_predictor.hpp"
 #include "tests/fuzz/fuzz_input.hpp"
 
 using namespace wheelwright;

@@ -5,7 +5,7 @@
 
 #include "config/load/drive_log_file.hpp"
 #include "tests/fuzz/fuzz_input.hpp"
-#include "tools/wheelwright/commands.hpp"
+#include "tools/wheelwright/common/commands.hpp"
 #include "tools/wheelwright/export/plain_csv.hpp"
 #include "tools/wheelwright/export/recorded_run.hpp"
 #include "tools/wheelwright/export/tum.hpp"

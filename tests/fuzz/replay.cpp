@@ -1,5 +1,5 @@
 // The daemon's brain over a drive log in which anything may stand: ticks jump, clocks step, nothing is valid.
-#include "daemon/replay.hpp"
+#include "daemon/replay/replay.hpp"
 
 #include "config/load/drive_log_file.hpp"
 #include "tests/fuzz/fuzz_input.hpp"

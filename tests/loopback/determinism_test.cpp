@@ -4,7 +4,7 @@
 #include "config/load/daemon_config.hpp"
 #include "config/load/model_file.hpp"
 #include "config/load/simulation_config.hpp"
-#include "daemon/virtual_run.hpp"
+#include "daemon/replay/virtual_run.hpp"
 #include "tests/loopback/bench/bench.hpp"
 #include "tests/support/catch.hpp"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "model/filter/hybrid_filter.hpp"
-#include "model/odometry.hpp"
+#include "model/simulation/odometry.hpp"
 #include "tests/support/recorded_drive.hpp"
 
 namespace wheelwright::test {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "model/effect_library.hpp"
+#include "model/effects/library/effect_library.hpp"
 #include "model/gap/analysis.hpp"
 
 namespace wheelwright::gap {

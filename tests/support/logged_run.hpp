@@ -5,9 +5,9 @@
 #include <fstream>
 
 #include "config/load/daemon_config.hpp"
-#include "daemon/log_format.hpp"
-#include "daemon/plan.hpp"
-#include "daemon/virtual_run.hpp"
+#include "daemon/recording/log_format.hpp"
+#include "daemon/replay/virtual_run.hpp"
+#include "daemon/wiring/plan.hpp"
 #include "tests/support/simulated_run.hpp"
 
 namespace wheelwright::test {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "model/model_simulation.hpp"
+#include "model/simulation/model_simulation.hpp"
 
 namespace wheelwright::test {
 

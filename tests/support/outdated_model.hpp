@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "model/robot_model.hpp"
 #include "model/route/route.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright::test {
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <random>
 
-#include "model/drive_log.hpp"
+#include "model/log/drive_log.hpp"
 #include "tests/support/published_plant.hpp"
 
 namespace wheelwright::test {

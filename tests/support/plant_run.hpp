@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <random>
 
-#include "model/drive_log.hpp"
+#include "model/log/drive_log.hpp"
 #include "tests/support/published_plant.hpp"
 
 namespace wheelwright::test {

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "daemon/virtual_run.hpp"
-#include "model/robot_model.hpp"
+#include "daemon/replay/virtual_run.hpp"
+#include "model/simulation/robot_model.hpp"
 #include "tests/support/simulated_run.hpp"
-#include "tests/unit/drivers/linked_robot.hpp"
+#include "tests/unit/drivers/roomba/linked_robot.hpp"
 
 namespace wheelwright::test {
 

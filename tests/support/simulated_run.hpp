@@ -10,7 +10,7 @@
 #include "config/load/simulation_config.hpp"
 #include "drivers/open_interface/commands.hpp"
 #include "drivers/simulation/simulated_robot.hpp"
-#include "model/motion_predictor.hpp"
+#include "model/simulation/motion_predictor.hpp"
 
 namespace wheelwright::test {
 

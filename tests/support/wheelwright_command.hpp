@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/wheelwright/command_line.hpp"
+#include "tools/wheelwright/common/command_line.hpp"
 
 namespace wheelwright::test {
 

@@ -1,6 +1,6 @@
 #include <iostream>
 
-#include "tools/wheelwright/command_line.hpp"
+#include "tools/wheelwright/common/command_line.hpp"
 
 int main(int argc, char** argv) {
   const auto status = wheelwright::tools::run_command_line({argv + 1, argv + argc}, {std::cout, std::cerr});

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "model/at_the_wheels.hpp"
+#include "model/effects/library/at_the_wheels.hpp"
 
 namespace wheelwright::gap {
 namespace {

@@ -7,7 +7,7 @@
 #include <map>
 #include <sstream>
 
-#include "model/effect_library.hpp"
+#include "model/effects/library/effect_library.hpp"
 #include "model/gap/candidates/decoys.hpp"
 #include "model/gap/candidates/travel_directions.hpp"
 #include "model/gap/runs/gyro_turns.hpp"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "model/drive_log.hpp"
 #include "model/gap/candidates/screening.hpp"
+#include "model/log/drive_log.hpp"
 
 namespace wheelwright::gap {
 

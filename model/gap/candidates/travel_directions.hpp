@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "model/drive_log.hpp"
+#include "model/log/drive_log.hpp"
 
 namespace wheelwright::gap {
 

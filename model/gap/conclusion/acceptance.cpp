@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "model/effect_library.hpp"
+#include "model/effects/library/effect_library.hpp"
 
 namespace wheelwright::gap {
 namespace {

@@ -12,7 +12,7 @@
 #include "model/gap/figures/figures.hpp"
 #include "model/gap/linear_changes/linear_changes.hpp"
 #include "model/gap/selection/search.hpp"
-#include "model/robot_model.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright::gap {
 

@@ -10,7 +10,7 @@
 #include "model/gap/candidates/testability.hpp"
 #include "model/gap/data_checks/data_gate.hpp"
 #include "model/gap/selection/search.hpp"
-#include "model/robot_model.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright::gap {
 

@@ -7,7 +7,7 @@
 
 #include "model/gap/conclusion/finding.hpp"
 #include "model/gap/fit/trial_model.hpp"
-#include "model/robot_model.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright::gap {
 

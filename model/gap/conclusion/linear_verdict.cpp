@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "model/effect_library.hpp"
+#include "model/effects/library/effect_library.hpp"
 
 namespace wheelwright::gap {
 namespace {

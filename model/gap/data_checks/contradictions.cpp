@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "model/command_timeline.hpp"
 #include "model/gap/runs/gyro_turns.hpp"
+#include "model/log/command_timeline.hpp"
 
 namespace wheelwright::gap {
 namespace {

@@ -13,8 +13,8 @@
 #include "model/gap/data_checks/frozen_reference.hpp"
 #include "model/gap/data_checks/gate_state.hpp"
 #include "model/gap/data_checks/held_reference.hpp"
-#include "model/identification/known_stretches.hpp"
 #include "model/identification/run_scales.hpp"
+#include "model/prediction/known_stretches.hpp"
 
 namespace wheelwright::gap {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "model/gap/fit/free_run_errors.hpp"
-#include "model/near_periods.hpp"
+#include "model/log/near_periods.hpp"
 
 namespace wheelwright::gap {
 namespace {

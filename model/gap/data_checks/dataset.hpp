@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "model/drive_log.hpp"
 #include "model/gap/data_checks/data_gate.hpp"
 #include "model/gap/runs/run_set.hpp"
+#include "model/log/drive_log.hpp"
 
 namespace wheelwright::gap {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "model/pose.hpp"
+#include "model/geometry/pose.hpp"
 
 namespace wheelwright::gap {
 namespace {

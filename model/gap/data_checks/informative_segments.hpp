@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "model/drive_log.hpp"
+#include "model/log/drive_log.hpp"
 
 namespace wheelwright::gap {
 

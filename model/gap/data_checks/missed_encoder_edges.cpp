@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "model/command_timeline.hpp"
+#include "model/log/command_timeline.hpp"
 
 namespace wheelwright::gap {
 namespace {

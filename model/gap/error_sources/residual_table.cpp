@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "model/free_run.hpp"
+#include "model/prediction/free_run.hpp"
 
 namespace wheelwright::gap {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "model/gap/data_checks/data_gate.hpp"
-#include "model/robot_model.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright::gap {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "model/score.hpp"
+#include "model/prediction/score.hpp"
 
 namespace wheelwright::gap {
 

@@ -6,10 +6,10 @@
 #include <random>
 #include <vector>
 
-#include "model/free_run.hpp"
 #include "model/gap/data_checks/encoder_dropout.hpp"
-#include "model/identification/known_stretches.hpp"
-#include "model/open_loop_runs.hpp"
+#include "model/prediction/free_run.hpp"
+#include "model/prediction/known_stretches.hpp"
+#include "model/prediction/open_loop_runs.hpp"
 
 namespace wheelwright::gap {
 namespace {

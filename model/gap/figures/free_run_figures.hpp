@@ -3,10 +3,10 @@
 
 #include <span>
 
-#include "model/drive_log.hpp"
 #include "model/gap/fit/problem.hpp"
-#include "model/robot_model.hpp"
-#include "model/score.hpp"
+#include "model/log/drive_log.hpp"
+#include "model/prediction/score.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright::gap {
 

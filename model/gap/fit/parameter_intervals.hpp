@@ -5,7 +5,7 @@
 
 #include "model/gap/fit/problem.hpp"
 #include "model/gap/fit/profile_intervals.hpp"
-#include "model/robot_model.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright::gap {
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "model/gap/fit/problem.hpp"
-#include "model/robot_model.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright::gap {
 

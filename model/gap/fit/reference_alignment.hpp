@@ -1,9 +1,9 @@
 // What an analysis found of the references of a log: needed before figures of them are computed or drawn.
 #pragma once
 
-#include "model/drive_log.hpp"
 #include "model/gap/fit/trial_model.hpp"
 #include "model/gap/runs/run.hpp"
+#include "model/log/drive_log.hpp"
 
 namespace wheelwright::gap {
 

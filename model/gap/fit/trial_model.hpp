@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "model/effects/effect.hpp"
-#include "model/linear_model.hpp"
-#include "model/model_simulation.hpp"
+#include "model/simulation/linear_model.hpp"
+#include "model/simulation/model_simulation.hpp"
 
 namespace wheelwright::gap {
 

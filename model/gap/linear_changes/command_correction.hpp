@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "model/linear_model.hpp"
-#include "model/pose.hpp"
+#include "model/geometry/pose.hpp"
+#include "model/simulation/linear_model.hpp"
 
 namespace wheelwright::gap {
 

@@ -7,7 +7,7 @@
 #include <iomanip>
 #include <sstream>
 
-#include "model/effect_library.hpp"
+#include "model/effects/library/effect_library.hpp"
 #include "model/gap/adequacy/variance_ratio.hpp"
 #include "model/gap/fit/parameter_intervals.hpp"
 

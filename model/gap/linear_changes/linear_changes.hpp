@@ -12,7 +12,7 @@
 
 #include "model/gap/fit/problem.hpp"
 #include "model/gap/linear_changes/command_correction.hpp"
-#include "model/robot_model.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright::gap {
 

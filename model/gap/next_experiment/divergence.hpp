@@ -5,9 +5,9 @@
 
 #include <Eigen/Core>
 
-#include "model/drive_log.hpp"
 #include "model/gap/fit/problem.hpp"
 #include "model/gap/next_experiment/manoeuvres.hpp"
+#include "model/log/drive_log.hpp"
 
 namespace wheelwright::gap {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "model/pose.hpp"
+#include "model/geometry/pose.hpp"
 
 namespace wheelwright::gap {
 

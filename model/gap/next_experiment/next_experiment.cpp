@@ -4,10 +4,10 @@
 #include <cmath>
 #include <iterator>
 
-#include "model/effect_library.hpp"
+#include "model/effects/library/effect_library.hpp"
 #include "model/gap/candidates/decoys.hpp"
 #include "model/gap/next_experiment/divergence.hpp"
-#include "model/near_periods.hpp"
+#include "model/log/near_periods.hpp"
 
 namespace wheelwright::gap {
 namespace {

@@ -15,9 +15,9 @@
 #include <string>
 #include <vector>
 
-#include "model/drive_log.hpp"
 #include "model/gap/conclusion/analysis_result.hpp"
 #include "model/gap/next_experiment/manoeuvres.hpp"
+#include "model/log/drive_log.hpp"
 
 namespace wheelwright::gap {
 

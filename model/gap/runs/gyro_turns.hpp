@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
-#include "model/drive_log.hpp"
 #include "model/gap/runs/run.hpp"
+#include "model/log/drive_log.hpp"
 
 namespace wheelwright::gap {
 

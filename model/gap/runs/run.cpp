@@ -5,8 +5,8 @@
 #include <limits>
 #include <optional>
 
-#include "model/command_timeline.hpp"
 #include "model/gap/runs/gyro_turns.hpp"
+#include "model/log/command_timeline.hpp"
 
 namespace wheelwright::gap {
 namespace {

@@ -18,8 +18,8 @@
 #include <string>
 #include <vector>
 
-#include "model/drive_log.hpp"
-#include "model/pose.hpp"
+#include "model/geometry/pose.hpp"
+#include "model/log/drive_log.hpp"
 
 namespace wheelwright::gap {
 

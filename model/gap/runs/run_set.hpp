@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "model/drive_log.hpp"
 #include "model/gap/runs/run.hpp"
+#include "model/log/drive_log.hpp"
 
 namespace wheelwright::gap {
 

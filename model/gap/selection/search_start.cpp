@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/effect_library.hpp"
+#include "model/effects/library/effect_library.hpp"
 
 namespace wheelwright::gap {
 namespace {

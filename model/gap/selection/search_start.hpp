@@ -3,7 +3,7 @@
 
 #include "model/gap/fit/problem.hpp"
 #include "model/gap/fit/trial_model.hpp"
-#include "model/robot_model.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright::gap {
 

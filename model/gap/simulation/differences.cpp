@@ -6,7 +6,7 @@
 #include <iomanip>
 #include <sstream>
 
-#include "model/effect_library.hpp"
+#include "model/effects/library/effect_library.hpp"
 
 namespace wheelwright::gap {
 namespace {

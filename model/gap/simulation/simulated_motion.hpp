@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "model/drive_log.hpp"
-#include "model/free_run.hpp"
-#include "model/score.hpp"
+#include "model/log/drive_log.hpp"
+#include "model/prediction/free_run.hpp"
+#include "model/prediction/score.hpp"
 
 namespace wheelwright::gap {
 

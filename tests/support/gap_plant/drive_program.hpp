@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "model/pose.hpp"
+#include "model/geometry/pose.hpp"
 
 namespace wheelwright::test {
 

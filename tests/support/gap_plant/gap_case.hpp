@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "model/drive_log.hpp"
+#include "model/log/drive_log.hpp"
 #include "tests/support/gap_plant/drive_program.hpp"
 #include "tests/support/gap_plant/hidden_effect.hpp"
 

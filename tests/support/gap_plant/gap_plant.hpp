@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "model/drive_log.hpp"
+#include "model/log/drive_log.hpp"
 #include "tests/support/gap_plant/plant_parameters.hpp"
 
 namespace wheelwright::test {

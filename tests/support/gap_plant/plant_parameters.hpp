@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "model/pose.hpp"
+#include "model/geometry/pose.hpp"
 #include "tests/support/gap_plant/hidden_effect.hpp"
 
 namespace wheelwright::test {

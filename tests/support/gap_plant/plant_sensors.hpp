@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <random>
 
-#include "model/drive_log.hpp"
+#include "model/log/drive_log.hpp"
 #include "tests/support/gap_plant/plant_parameters.hpp"
 
 namespace wheelwright::test {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "drivers/simulation/cable_fault.hpp"
-#include "model/sensor_frame.hpp"
+#include "model/log/sensor_frame.hpp"
 
 namespace wheelwright::soak {
 

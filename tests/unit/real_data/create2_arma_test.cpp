@@ -1,8 +1,8 @@
 // ARMA models of a real Create 2, where its logs are.
 #include "config/load/drive_log_file.hpp"
-#include "model/free_run.hpp"
 #include "model/identification/arx_fit.hpp"
-#include "model/score.hpp"
+#include "model/prediction/free_run.hpp"
+#include "model/prediction/score.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/create2_logs.hpp"
 

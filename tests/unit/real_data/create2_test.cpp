@@ -3,13 +3,13 @@
 #include <sstream>
 
 #include "config/load/drive_log_file.hpp"
-#include "model/free_run.hpp"
 #include "model/identification/fir_fit.hpp"
-#include "model/score.hpp"
+#include "model/prediction/free_run.hpp"
+#include "model/prediction/score.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/create2_logs.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "tools/wheelwright/command_line.hpp"
+#include "tools/wheelwright/common/command_line.hpp"
 
 using namespace wheelwright;
 

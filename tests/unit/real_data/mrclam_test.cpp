@@ -2,11 +2,11 @@
 #include <sstream>
 
 #include "config/load/drive_log_file.hpp"
-#include "model/command_timeline.hpp"
+#include "model/log/command_timeline.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/mrclam_logs.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "tools/wheelwright/command_line.hpp"
+#include "tools/wheelwright/common/command_line.hpp"
 
 using namespace wheelwright;
 

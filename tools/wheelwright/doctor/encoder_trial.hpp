@@ -2,7 +2,7 @@
 #pragma once
 
 #include "config/load/daemon_config.hpp"
-#include "model/sensor_frame.hpp"
+#include "model/log/sensor_frame.hpp"
 #include "tools/wheelwright/doctor/conversation.hpp"
 #include "tools/wheelwright/doctor/finding.hpp"
 #include "tools/wheelwright/doctor/robot_line.hpp"

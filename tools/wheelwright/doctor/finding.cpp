@@ -6,8 +6,8 @@
 #include <ostream>
 #include <string_view>
 
-#include "tools/wheelwright/json_text.hpp"
-#include "tools/wheelwright/printable_stream.hpp"
+#include "tools/wheelwright/common/json_text.hpp"
+#include "tools/wheelwright/common/printable_stream.hpp"
 
 namespace wheelwright::tools::doctor {
 namespace {

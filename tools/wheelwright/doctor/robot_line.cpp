@@ -9,7 +9,7 @@
 #include <cerrno>
 
 #include "drivers/open_interface/commands.hpp"
-#include "tools/wheelwright/commands.hpp"
+#include "tools/wheelwright/common/commands.hpp"
 #include "tools/wheelwright/doctor/interruption.hpp"
 
 namespace wheelwright::tools::doctor {

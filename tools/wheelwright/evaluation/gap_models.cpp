@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "model/gap/analysis.hpp"
+#include "tools/wheelwright/common/side_by_side.hpp"
 #include "tools/wheelwright/evaluation/learning_drives.hpp"
-#include "tools/wheelwright/gap/side_by_side.hpp"
 
 namespace wheelwright::tools {
 namespace {

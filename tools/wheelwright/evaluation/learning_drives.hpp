@@ -8,7 +8,7 @@
 
 #include "drivers/simulation/noise.hpp"
 #include "model/brain/mission.hpp"
-#include "model/drive_log.hpp"
+#include "model/log/drive_log.hpp"
 #include "tools/wheelwright/evaluation/robot_trial.hpp"
 
 namespace wheelwright::tools {

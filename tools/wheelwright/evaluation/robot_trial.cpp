@@ -3,7 +3,7 @@
 #include <chrono>
 #include <numbers>
 
-#include "model/settled_travel.hpp"
+#include "model/log/settled_travel.hpp"
 
 namespace wheelwright::tools {
 namespace {

@@ -11,15 +11,15 @@
 
 #include <tl/expected.hpp>
 
-#include "daemon/virtual_run.hpp"
+#include "daemon/replay/virtual_run.hpp"
 #include "drivers/roomba/link_config.hpp"
 #include "drivers/simulation/noise.hpp"
 #include "drivers/simulation/simulation_config.hpp"
 #include "model/brain/mission.hpp"
-#include "model/drive_log.hpp"
-#include "model/pose.hpp"
-#include "model/robot_model.hpp"
+#include "model/geometry/pose.hpp"
+#include "model/log/drive_log.hpp"
 #include "model/route/route.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright::tools {
 

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "config/load/printable_text.hpp"
-#include "model/effect_library.hpp"
+#include "model/effects/library/effect_library.hpp"
 
 namespace wheelwright::tools {
 namespace {

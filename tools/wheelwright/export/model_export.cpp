@@ -7,12 +7,12 @@
 #include "config/load/model_file.hpp"
 #include "config/load/output_file.hpp"
 #include "tools/option_checks.hpp"
+#include "tools/wheelwright/common/json_text.hpp"
 #include "tools/wheelwright/export/c/c_header.hpp"
 #include "tools/wheelwright/export/mujoco.hpp"
 #include "tools/wheelwright/export/ros2_control.hpp"
 #include "tools/wheelwright/export/sdf.hpp"
-#include "tools/wheelwright/json_text.hpp"
-#include "tools/wheelwright/log_checks.hpp"
+#include "tools/wheelwright/logs/log_checks.hpp"
 
 namespace wheelwright::tools {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "tools/wheelwright/commands.hpp"
+#include "tools/wheelwright/common/commands.hpp"
 
 namespace wheelwright::tools {
 

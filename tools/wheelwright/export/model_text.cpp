@@ -4,7 +4,7 @@
 #include <charconv>
 
 #include "config/load/printable_text.hpp"
-#include "model/effect_library.hpp"
+#include "model/effects/library/effect_library.hpp"
 
 namespace wheelwright::tools {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "model/robot_model.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright::tools {
 

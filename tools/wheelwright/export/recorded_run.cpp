@@ -8,7 +8,7 @@
 
 #include "config/load/drive_log_file.hpp"
 #include "config/load/text_format.hpp"
-#include "tools/wheelwright/commands.hpp"
+#include "tools/wheelwright/common/commands.hpp"
 
 namespace wheelwright::tools {
 namespace {

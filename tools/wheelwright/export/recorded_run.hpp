@@ -6,7 +6,7 @@
 #include <string>
 
 #include "config/load/csv_table.hpp"
-#include "daemon/mcap/robot_recording.hpp"
+#include "daemon/recording/mcap/robot_recording.hpp"
 
 namespace wheelwright::tools {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "config/load/text_format.hpp"
-#include "tools/wheelwright/commands.hpp"
+#include "tools/wheelwright/common/commands.hpp"
 
 namespace wheelwright::tools {
 namespace {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "config/load/text_format.hpp"
-#include "tools/wheelwright/report/html.hpp"
-#include "tools/wheelwright/report/number_text.hpp"
-#include "tools/wheelwright/report/plot.hpp"
+#include "tools/wheelwright/page/html.hpp"
+#include "tools/wheelwright/page/number_text.hpp"
+#include "tools/wheelwright/page/plot.hpp"
 
 namespace wheelwright::tools {
 namespace {

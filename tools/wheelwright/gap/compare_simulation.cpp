@@ -7,8 +7,8 @@
 #include "config/load/text_format.hpp"
 #include "model/gap/data_checks/informative_segments.hpp"
 #include "model/gap/simulation/simulated_motion.hpp"
-#include "tools/wheelwright/commands.hpp"
-#include "tools/wheelwright/gap/side_by_side.hpp"
+#include "tools/wheelwright/common/commands.hpp"
+#include "tools/wheelwright/common/side_by_side.hpp"
 
 namespace wheelwright::tools {
 namespace {

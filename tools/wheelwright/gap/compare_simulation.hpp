@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "model/gap/simulation_gap.hpp"
+#include "tools/wheelwright/common/progress_line.hpp"
 #include "tools/wheelwright/gap/simulator.hpp"
-#include "tools/wheelwright/log_input.hpp"
-#include "tools/wheelwright/progress_line.hpp"
+#include "tools/wheelwright/logs/log_input.hpp"
 
 namespace wheelwright::tools {
 

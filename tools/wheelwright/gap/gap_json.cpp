@@ -2,10 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "model/effect_library.hpp"
+#include "model/effects/library/effect_library.hpp"
+#include "tools/wheelwright/common/json_text.hpp"
 #include "tools/wheelwright/gap/check_section.hpp"
 #include "tools/wheelwright/gap/simulation_section.hpp"
-#include "tools/wheelwright/json_text.hpp"
 
 namespace wheelwright::tools {
 namespace {

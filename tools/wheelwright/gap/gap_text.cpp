@@ -5,9 +5,9 @@
 #include <ostream>
 
 #include "config/load/text_format.hpp"
-#include "model/effect_library.hpp"
+#include "model/effects/library/effect_library.hpp"
 #include "tools/wheelwright/gap/check_section.hpp"
-#include "tools/wheelwright/report/number_text.hpp"
+#include "tools/wheelwright/page/number_text.hpp"
 
 namespace wheelwright::tools {
 namespace {

@@ -7,13 +7,13 @@
 #include "model/gap/error_sources/residual_table.hpp"
 #include "model/gap/fit/reference_alignment.hpp"
 #include "model/gap/runs/run.hpp"
-#include "model/open_loop_runs.hpp"
+#include "model/prediction/open_loop_runs.hpp"
 #include "tools/wheelwright/gap/check_section.hpp"
 #include "tools/wheelwright/gap/gap_text.hpp"
 #include "tools/wheelwright/gap/report_tables.hpp"
 #include "tools/wheelwright/gap/run_plots.hpp"
 #include "tools/wheelwright/gap/simulation_section.hpp"
-#include "tools/wheelwright/report/html.hpp"
+#include "tools/wheelwright/page/html.hpp"
 
 namespace wheelwright::tools {
 namespace {

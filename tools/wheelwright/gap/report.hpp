@@ -6,9 +6,9 @@
 #include <span>
 #include <string>
 
-#include "model/drive_log.hpp"
 #include "model/gap/analysis.hpp"
 #include "model/gap/next_experiment/next_experiment.hpp"
+#include "model/log/drive_log.hpp"
 #include "tools/wheelwright/gap/compare_simulation.hpp"
 
 namespace wheelwright::tools {

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <vector>
 
-#include "model/effect_library.hpp"
+#include "model/effects/library/effect_library.hpp"
 #include "model/gap/candidates/decoys.hpp"
 #include "tools/wheelwright/gap/check_section.hpp"
 #include "tools/wheelwright/gap/gap_text.hpp"
-#include "tools/wheelwright/report/html.hpp"
-#include "tools/wheelwright/report/number_text.hpp"
+#include "tools/wheelwright/page/html.hpp"
+#include "tools/wheelwright/page/number_text.hpp"
 
 namespace wheelwright::tools {
 namespace {

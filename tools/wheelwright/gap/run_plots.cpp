@@ -1,7 +1,7 @@
 #include "tools/wheelwright/gap/run_plots.hpp"
 
-#include "model/free_run.hpp"
-#include "model/open_loop_runs.hpp"
+#include "model/prediction/free_run.hpp"
+#include "model/prediction/open_loop_runs.hpp"
 #include "tools/wheelwright/report/wheel_plots.hpp"
 
 namespace wheelwright::tools {

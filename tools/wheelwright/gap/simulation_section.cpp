@@ -6,9 +6,9 @@
 
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/gap/check_section.hpp"
-#include "tools/wheelwright/report/html.hpp"
-#include "tools/wheelwright/report/number_text.hpp"
-#include "tools/wheelwright/score_json.hpp"
+#include "tools/wheelwright/page/html.hpp"
+#include "tools/wheelwright/page/number_text.hpp"
+#include "tools/wheelwright/prediction/score_json.hpp"
 
 namespace wheelwright::tools {
 namespace {

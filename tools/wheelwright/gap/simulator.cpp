@@ -14,7 +14,7 @@
 #include "config/load/printable_text.hpp"
 #include "config/load/text_file.hpp"
 #include "config/load/text_format.hpp"
-#include "tools/wheelwright/commands.hpp"
+#include "tools/wheelwright/common/commands.hpp"
 #include "tools/wheelwright/import/conversion/repair_checks.hpp"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): by POSIX, the program declares it

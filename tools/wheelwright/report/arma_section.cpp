@@ -2,13 +2,13 @@
 #include <array>
 #include <cmath>
 
-#include "model/free_run.hpp"
-#include "model/poles.hpp"
-#include "model/score.hpp"
+#include "model/prediction/free_run.hpp"
+#include "model/prediction/score.hpp"
+#include "model/simulation/poles.hpp"
+#include "tools/wheelwright/page/html.hpp"
+#include "tools/wheelwright/page/number_text.hpp"
+#include "tools/wheelwright/page/plot.hpp"
 #include "tools/wheelwright/report/calibration_section.hpp"
-#include "tools/wheelwright/report/html.hpp"
-#include "tools/wheelwright/report/number_text.hpp"
-#include "tools/wheelwright/report/plot.hpp"
 #include "tools/wheelwright/report/wheel_plots.hpp"
 
 namespace wheelwright::tools {

@@ -5,9 +5,9 @@
 #include <numeric>
 
 #include "model/calibration/turn_signal.hpp"
-#include "tools/wheelwright/report/html.hpp"
-#include "tools/wheelwright/report/number_text.hpp"
-#include "tools/wheelwright/report/plot.hpp"
+#include "tools/wheelwright/page/html.hpp"
+#include "tools/wheelwright/page/number_text.hpp"
+#include "tools/wheelwright/page/plot.hpp"
 #include "tools/wheelwright/report/response_plots.hpp"
 
 namespace wheelwright::tools {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "tools/wheelwright/report/plot.hpp"
+#include "tools/wheelwright/page/plot.hpp"
 #include "tools/wheelwright/report/run_material.hpp"
 
 namespace wheelwright::tools {

@@ -6,11 +6,11 @@
 
 #include "config/load/csv_table.hpp"
 #include "config/load/text_format.hpp"
-#include "tools/wheelwright/commands.hpp"
+#include "tools/wheelwright/common/commands.hpp"
+#include "tools/wheelwright/common/json_text.hpp"
 #include "tools/wheelwright/evaluation/contender.hpp"
-#include "tools/wheelwright/json_text.hpp"
-#include "tools/wheelwright/report/html.hpp"
-#include "tools/wheelwright/report/plot.hpp"
+#include "tools/wheelwright/page/html.hpp"
+#include "tools/wheelwright/page/plot.hpp"
 
 namespace wheelwright::tools {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "config/load/text_format.hpp"
-#include "tools/wheelwright/report/html.hpp"
-#include "tools/wheelwright/report/plot.hpp"
+#include "tools/wheelwright/page/html.hpp"
+#include "tools/wheelwright/page/plot.hpp"
 
 namespace wheelwright::tools {
 namespace {

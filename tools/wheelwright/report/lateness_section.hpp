@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "daemon/lateness_file.hpp"
+#include "daemon/recording/lateness_file.hpp"
 
 namespace wheelwright::tools {
 

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "model/drive_log.hpp"
-#include "model/linear_model.hpp"
-#include "tools/wheelwright/report/plot.hpp"
+#include "model/log/drive_log.hpp"
+#include "model/simulation/linear_model.hpp"
+#include "tools/wheelwright/page/plot.hpp"
 
 namespace wheelwright::tools {
 

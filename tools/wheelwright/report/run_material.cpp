@@ -5,7 +5,7 @@
 #include "config/load/drive_log_file.hpp"
 #include "config/load/model_file.hpp"
 #include "config/load/text_file.hpp"
-#include "daemon/recorded_frames.hpp"
+#include "daemon/replay/recorded_frames.hpp"
 #include "tools/wheelwright/export/recorded_run.hpp"
 
 namespace wheelwright::tools {

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "config/load/daemon_config.hpp"
-#include "daemon/lateness_file.hpp"
-#include "daemon/mcap/robot_recording.hpp"
+#include "daemon/recording/lateness_file.hpp"
+#include "daemon/recording/mcap/robot_recording.hpp"
 #include "model/brain/calibrator.hpp"
-#include "model/drive_log.hpp"
-#include "model/robot_model.hpp"
+#include "model/log/drive_log.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright::tools {
 

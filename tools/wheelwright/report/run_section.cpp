@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "config/load/text_format.hpp"
-#include "tools/wheelwright/report/html.hpp"
-#include "tools/wheelwright/report/plot.hpp"
+#include "tools/wheelwright/page/html.hpp"
+#include "tools/wheelwright/page/plot.hpp"
 #include "tools/wheelwright/report/true_path.hpp"
 #include "tools/wheelwright/report/wheel_plots.hpp"
 

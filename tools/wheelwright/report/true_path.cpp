@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "model/pose.hpp"
+#include "model/geometry/pose.hpp"
 
 namespace wheelwright::tools {
 namespace {

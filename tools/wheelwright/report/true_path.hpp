@@ -2,7 +2,7 @@
 #pragma once
 
 #include "config/load/csv_table.hpp"
-#include "tools/wheelwright/report/plot.hpp"
+#include "tools/wheelwright/page/plot.hpp"
 
 namespace wheelwright::tools {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "model/drive_log.hpp"
-#include "model/free_run.hpp"
-#include "tools/wheelwright/report/plot.hpp"
+#include "model/log/drive_log.hpp"
+#include "model/prediction/free_run.hpp"
+#include "tools/wheelwright/page/plot.hpp"
 
 namespace wheelwright::tools {
 

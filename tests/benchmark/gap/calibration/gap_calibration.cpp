@@ -7,7 +7,7 @@
 #include <iostream>
 #include <map>
 
-#include "model/effect_library.hpp"
+#include "model/effects/library/effect_library.hpp"
 #include "model/gap/analysis.hpp"
 #include "model/gap/fit/trial_model.hpp"
 #include "tests/benchmark/gap/calibration/hidden_setting.hpp"

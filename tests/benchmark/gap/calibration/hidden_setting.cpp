@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/free_run.hpp"
+#include "model/prediction/free_run.hpp"
 
 namespace wheelwright::calibration {
 namespace {

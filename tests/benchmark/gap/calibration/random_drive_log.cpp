@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "model/model_simulation.hpp"
+#include "model/simulation/model_simulation.hpp"
 
 namespace wheelwright::calibration {
 namespace {

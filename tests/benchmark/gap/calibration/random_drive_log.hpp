@@ -6,8 +6,8 @@
 #include <random>
 #include <string>
 
-#include "model/drive_log.hpp"
-#include "model/robot_model.hpp"
+#include "model/log/drive_log.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright::calibration {
 

@@ -77,8 +77,8 @@ std::string c_array(const std::string& name, const std::vector<double>& values) 
   return text + "};\n";
 }
 
-// In four sums, as model/linear_model.cpp adds: a wheel that stands at the very edge of sticking then does
-// the same in both.
+// In four sums, as model/simulation/linear_model.cpp adds: a wheel that stands at the very edge of sticking
+// then does the same in both.
 std::string c_core(const LinearModel& core) {
   const Wheel left(core.left);
   const Wheel right(core.right);

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "model/linear_model.hpp"
+#include "model/simulation/linear_model.hpp"
 
 namespace wheelwright::tools {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "config/load/text_format.hpp"
-#include "model/effect_library.hpp"
+#include "model/effects/library/effect_library.hpp"
 #include "tools/wheelwright/export/c/c_core.hpp"
 #include "tools/wheelwright/export/c/c_fragment.hpp"
 

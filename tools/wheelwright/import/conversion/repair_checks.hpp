@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "model/drive_log.hpp"
+#include "model/log/drive_log.hpp"
 
 namespace wheelwright::import {
 

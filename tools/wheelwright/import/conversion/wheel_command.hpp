@@ -4,7 +4,7 @@
 #include <array>
 #include <span>
 
-#include "model/drive_log.hpp"
+#include "model/log/drive_log.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
 #include "tools/wheelwright/import/mapping/mapping.hpp"
 

@@ -1,0 +1,70 @@
+#include "daemon/recording/growing_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace wheelwright::daemon {
+namespace {
+
+constexpr std::size_t most_pending_bytes = 1UL << 20U;  // about a minute of ticks
+constexpr auto sync_every = std::chrono::milliseconds(500);
+
+}  // namespace
+
+GrowingFile::~GrowingFile() {
+  close();
+}
+
+bool GrowingFile::create(const std::filesystem::path& path, const std::string& head) {
+  path_ = path;
+  descriptor_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644);
+  if (descriptor_ < 0) {
+    error_ = path.string() + ": cannot be created: " + std::strerror(errno);
+    return false;
+  }
+  pending_ = head;
+  write_pending();
+  return true;
+}
+
+bool GrowingFile::add(std::string_view piece) {
+  if (descriptor_ < 0 || pending_.size() + piece.size() > most_pending_bytes) return false;
+  pending_ += piece;
+  return true;
+}
+
+void GrowingFile::add_line(const std::string& line) {
+  if (!add(line + '\n')) ++lost_lines_;
+}
+
+bool GrowingFile::write_pending() {
+  while (!pending_.empty()) {
+    const ssize_t written = ::write(descriptor_, pending_.data(), pending_.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) {
+      if (!error_) error_ = path_.string() + ": cannot be written: " + std::strerror(errno);
+      return false;
+    }
+    pending_.erase(0, static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+void GrowingFile::flush(std::chrono::steady_clock::time_point now) {
+  if (descriptor_ < 0 || now < next_sync_) return;
+  next_sync_ = now + sync_every;
+  if (write_pending()) ::fdatasync(descriptor_);
+}
+
+void GrowingFile::close() {
+  if (descriptor_ < 0) return;
+  write_pending();
+  ::fdatasync(descriptor_);
+  ::close(descriptor_);
+  descriptor_ = -1;
+}
+
+}  // namespace wheelwright::daemon

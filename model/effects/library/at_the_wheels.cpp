@@ -1,0 +1,51 @@
+#include "model/effects/library/at_the_wheels.hpp"
+
+#include <utility>
+
+namespace wheelwright {
+namespace {
+
+class AtTheWheels final : public Effect {
+ public:
+  explicit AtTheWheels(std::unique_ptr<Effect> inner) : inner_(std::move(inner)) {}
+
+  void wheel(WheelPair& speed_m_s, const Surroundings& around) override {
+    Surroundings now = around;
+    now.next_speed_m_s = speed_m_s;
+    Twist twist = twist_of_wheels(speed_m_s, around.wheel_base_m);
+    inner_->body(twist, now);
+    speed_m_s = wheels_of_twist(twist, around.wheel_base_m);
+  }
+  EffectHooks hooks() const override { return {.wheel = true}; }
+  void reset() override { inner_->reset(); }
+  std::unique_ptr<Effect> clone() const override { return at_the_wheels(inner_->clone()); }
+  void assign(const Effect& other) override {
+    inner_->assign(*static_cast<const AtTheWheels&>(other).inner_);
+  }
+
+ private:
+  std::unique_ptr<Effect> inner_;
+};
+
+}  // namespace
+
+std::unique_ptr<Effect> at_the_wheels(std::unique_ptr<Effect> effect) {
+  return std::make_unique<AtTheWheels>(std::move(effect));
+}
+
+EffectInfo with_variants_at_the_wheels(EffectInfo info) {
+  const std::size_t count = info.variants.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    EffectVariant variant = info.variants[i];
+    variant.name += variant.name.empty() ? "at_wheels" : "_at_wheels";
+    variant.stage = EffectStage::wheel;
+    info.variants.push_back(std::move(variant));
+  }
+  info.make = [make = std::move(info.make), count](const EffectArguments& arguments) {
+    if (arguments.variant < count) return make(arguments);
+    return at_the_wheels(make({arguments.parameters, arguments.variant - count}));
+  };
+  return info;
+}
+
+}  // namespace wheelwright

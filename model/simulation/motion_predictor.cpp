@@ -1,0 +1,61 @@
+#include "model/simulation/motion_predictor.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace wheelwright {
+namespace {
+
+constexpr double standing_m_s = 1e-4;
+constexpr int longest_coast_periods = 80;
+
+}  // namespace
+
+MotionPredictor::MotionPredictor(const LinearModel& model)
+    : MotionPredictor(model, std::span<const EffectSetting>{}) {}
+
+MotionPredictor::MotionPredictor(const RobotModel& model)
+    : MotionPredictor(model.core, effect_settings(model)) {}
+
+MotionPredictor::MotionPredictor(const LinearModel& core, std::span<const EffectSetting> effects)
+    : period_s_(core.period_s),
+      wheel_base_m_(core.wheel_base_m),
+      left_gain_(dc_gain(core.left)),
+      right_gain_(dc_gain(core.right)),
+      simulation_(core, effects),
+      scratch_(simulation_) {
+  const double determinant =
+      left_gain_.from_left * right_gain_.from_right - left_gain_.from_right * right_gain_.from_left;
+  if (!(std::abs(determinant) > 1e-6)) {
+    throw std::invalid_argument("the model has no gain: no command makes both wheels move as wanted");
+  }
+  if (!effects.empty()) settled_.emplace(core, effects);
+}
+
+WheelPair MotionPredictor::step(const WheelPair& command) {
+  return simulation_.step(command).wheel_m_s;
+}
+
+Pose MotionPredictor::rest_pose() {
+  scratch_ = simulation_;
+  for (int k = 0; k < longest_coast_periods; ++k) {
+    const WheelPair& speed = scratch_.step({}).wheel_m_s;
+    // The dead time passes before a command shows, so a slow start is no standstill.
+    if (k > 8 && std::abs(speed.left) < standing_m_s && std::abs(speed.right) < standing_m_s) break;
+  }
+  return scratch_.pose();
+}
+
+WheelPair MotionPredictor::command_for(const WheelPair& speed_m_s) const {
+  if (settled_) return settled_->command_for(speed_m_s);
+  const double determinant =
+      left_gain_.from_left * right_gain_.from_right - left_gain_.from_right * right_gain_.from_left;
+  return {(right_gain_.from_right * speed_m_s.left - left_gain_.from_right * speed_m_s.right) / determinant,
+          (left_gain_.from_left * speed_m_s.right - right_gain_.from_left * speed_m_s.left) / determinant};
+}
+
+void MotionPredictor::reset(const Pose& pose) {
+  simulation_.reset(pose);
+}
+
+}  // namespace wheelwright

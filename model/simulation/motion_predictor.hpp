@@ -1,0 +1,57 @@
+// The model at the wheel: commands in, pose out, one period at a time; and where the robot would come to
+// rest.
+#pragma once
+
+#include <optional>
+
+#include "model/geometry/pose.hpp"
+#include "model/simulation/linear_model.hpp"
+#include "model/simulation/model_simulation.hpp"
+#include "model/simulation/robot_model.hpp"
+#include "model/simulation/settled_speeds.hpp"
+
+namespace wheelwright {
+
+// Allocates when it is made and never after.
+class MotionPredictor {
+ public:
+  explicit MotionPredictor(const LinearModel& model);
+  // With the effects of the model: the predictor plans through them.
+  explicit MotionPredictor(const RobotModel& model);
+
+  // Moves on by one period with this command in force. Returns the mean wheel speeds over the period.
+  WheelPair step(const WheelPair& command);
+
+  // Motion since the last reset, from commands alone.
+  const Pose& pose() const { return simulation_.pose(); }
+  const WheelPair& speed_m_s() const { return simulation_.motion().wheel_m_s; }
+
+  // The pose at which the robot comes to rest if it is told to stop now.
+  Pose rest_pose();
+
+  // The commands that hold these wheel speeds once settled.
+  WheelPair command_for(const WheelPair& speed_m_s) const;
+
+  // Sets the pose, not the motion.
+  void set_pose(const Pose& pose) { simulation_.set_pose(pose); }
+  // To rest at a pose.
+  void reset(const Pose& pose);
+  // Goes on from the pose of another predictor of the same robot; the motion is its own.
+  void take_over(const MotionPredictor& before) { simulation_.take_over(before.simulation_); }
+
+  double period_s() const { return period_s_; }
+  double wheel_base_m() const { return wheel_base_m_; }
+
+ private:
+  MotionPredictor(const LinearModel& core, std::span<const EffectSetting> effects);
+
+  double period_s_;
+  double wheel_base_m_;
+  DcGain left_gain_;
+  DcGain right_gain_;
+  std::optional<SettledSpeeds> settled_;  // where there are effects
+  ModelSimulation simulation_;
+  ModelSimulation scratch_;
+};
+
+}  // namespace wheelwright

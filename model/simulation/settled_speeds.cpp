@@ -1,0 +1,62 @@
+#include "model/simulation/settled_speeds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/simulation/model_simulation.hpp"
+
+namespace wheelwright {
+namespace {
+
+constexpr int steps_each_way = 100;
+constexpr double largest_command_m_s = 0.5;  // of the Open Interface
+constexpr double settling_s = 2.0;
+constexpr double averaged_s = 1.0;  // of the settled motion: a ripple is not the curve
+
+WheelPair settled_at(ModelSimulation simulation, double command, double period_s) {
+  const auto periods = [period_s](double time_s) { return static_cast<int>(std::lround(time_s / period_s)); };
+  for (int k = 0; k < periods(settling_s); ++k) simulation.step({command, command});
+  WheelPair sum;
+  const int count = std::max(1, periods(averaged_s));
+  for (int k = 0; k < count; ++k) {
+    const WheelPair& speed = simulation.step({command, command}).floor_m_s;
+    sum.left += speed.left;
+    sum.right += speed.right;
+  }
+  return {sum.left / count, sum.right / count};
+}
+
+}  // namespace
+
+SettledSpeeds::SettledSpeeds(const LinearModel& core, std::span<const EffectSetting> effects) {
+  const ModelSimulation at_rest(core, effects);
+  for (int i = -steps_each_way; i <= steps_each_way; ++i) {
+    const double command = largest_command_m_s * i / steps_each_way;
+    const WheelPair speed = settled_at(at_rest, command, core.period_s);
+    left_.push_back({command, left_.empty() ? speed.left : std::max(speed.left, left_.back().speed)});
+    right_.push_back({command, right_.empty() ? speed.right : std::max(speed.right, right_.back().speed)});
+  }
+}
+
+WheelPair SettledSpeeds::command_for(const WheelPair& speed_m_s) const {
+  return {command_on(left_, speed_m_s.left), command_on(right_, speed_m_s.right)};
+}
+
+double SettledSpeeds::command_on(const std::vector<Point>& curve, double speed) {
+  if (speed == 0.0) return 0.0;
+  const auto above = std::ranges::lower_bound(curve, speed, {}, &Point::speed);
+  if (above == curve.begin()) return above->command;
+  if (above == curve.end()) {
+    // The smallest command that gives the fastest speed there is.
+    return std::ranges::lower_bound(curve, curve.back().speed, {}, &Point::speed)->command;
+  }
+  const Point& low = *(above - 1);
+  const Point& high = *above;
+  const double jump = high.speed - low.speed;
+  // Across the edge of a dead zone there is nothing between rest and the slowest motion.
+  const double usual = high.command - low.command;
+  if (jump > 2.0 * usual) return speed - low.speed < 0.5 * jump ? low.command : high.command;
+  return low.command + (high.command - low.command) * (speed - low.speed) / jump;
+}
+
+}  // namespace wheelwright

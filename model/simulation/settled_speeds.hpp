@@ -1,0 +1,35 @@
+// Which command makes a wheel settle at which speed: the inverse of a model's curve from command to speed.
+//
+// A linear model has one gain; with effects the curve bends, has a dead zone, ends in saturation. The curve
+// is taken once, by running the model straight at many commands until it settles.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "model/effects/effect.hpp"
+#include "model/geometry/pose.hpp"
+#include "model/simulation/linear_model.hpp"
+
+namespace wheelwright {
+
+class SettledSpeeds {
+ public:
+  SettledSpeeds(const LinearModel& core, std::span<const EffectSetting> effects);
+
+  // The commands at which the wheels settle at these speeds. A speed that cannot be had gives the nearest one
+  // that can: in a dead zone either rest or the slowest motion, beyond saturation the fastest.
+  WheelPair command_for(const WheelPair& speed_m_s) const;
+
+ private:
+  struct Point {
+    double command;
+    double speed;
+  };
+  static double command_on(const std::vector<Point>& curve, double speed);
+
+  std::vector<Point> left_;  // rising in both
+  std::vector<Point> right_;
+};
+
+}  // namespace wheelwright

@@ -1,0 +1,117 @@
+#include "model/identification/fir_fit.hpp"
+
+#include <cmath>
+#include <random>
+
+#include "model/prediction/free_run.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/published_plant.hpp"
+
+using namespace wheelwright;
+
+namespace {
+
+struct RunPlan {
+  std::size_t rows = 1500;
+  double metres_per_tick = 1e-8;
+  unsigned seed = 1;
+};
+
+// A run of the paper's own plant on both wheels, with random commands that hold for some periods.
+DriveLog published_plant_run(const RunPlan& plan) {
+  std::mt19937 random(plan.seed);
+  std::normal_distribution<double> normal(0.0, 0.2);
+  test::PublishedPlant left;
+  test::PublishedPlant right;
+  DriveLog log;
+  log.name = "plant";
+  log.wheel_base_m = 0.235;
+  log.period_s = 0.018;
+  log.metres_per_tick = WheelPair{plan.metres_per_tick, plan.metres_per_tick};
+  WheelPair travelled;
+  WheelPair command;
+  for (std::size_t k = 0; k < plan.rows; ++k) {
+    if (k % 7 == 0) command = {normal(random), normal(random)};
+    DriveSample sample;
+    sample.t_s = 0.018 * static_cast<double>(k);
+    sample.command_m_s = command;
+    sample.ticks = WheelTicks{std::llround(travelled.left / plan.metres_per_tick),
+                              std::llround(travelled.right / plan.metres_per_tick)};
+    log.samples.push_back(sample);
+    travelled.left += 0.018 * left.step(command.left);
+    travelled.right += 0.018 * right.step(command.right);
+  }
+  return log;
+}
+
+}  // namespace
+
+TEST_CASE("The FIR response of the published plant is its analytic impulse response") {
+  const DriveLog log = published_plant_run({});
+  const auto fit = fit_fir(std::span(&log, 1));
+  REQUIRE(fit);
+  const auto expected = test::PublishedPlant::impulse_response(fit->model.left.from_left.size());
+  CHECK(expected.size() >= 12);
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    INFO("tap " << i);
+    CHECK_THAT(fit->model.left.from_left[i], WithinAbs(expected[i], 5e-4));
+    CHECK_THAT(fit->model.right.from_right[i], WithinAbs(expected[i], 5e-4));
+    CHECK_THAT(fit->model.left.from_right[i], WithinAbs(0.0, 5e-4));
+  }
+  CHECK_THAT(fit->left.gain.from_left, WithinAbs(0.4108, 1e-3));
+}
+
+TEST_CASE("With a real encoder's ticks the free run on a fresh run stays within a few millimetres") {
+  const DriveLog training = published_plant_run({.metres_per_tick = 0.000444565, .seed = 2});
+  const DriveLog fresh = published_plant_run({.rows = 3000, .metres_per_tick = 1e-8, .seed = 3});
+  const auto fit = fit_fir(std::span(&training, 1));
+  REQUIRE(fit);
+  const auto motion = free_run(fit->model, fresh);
+  double square_sum = 0.0;
+  for (std::size_t k = 0; k < motion.size(); ++k) {
+    const double travelled = static_cast<double>(fresh.samples[k].ticks->left) * 1e-8;
+    square_sum += std::pow(motion[k].distance_m.left - travelled, 2);
+  }
+  CHECK(std::sqrt(square_sum / static_cast<double>(motion.size())) < 0.002);
+}
+
+TEST_CASE("The stated uncertainty of the gain covers the truth") {
+  int covered = 0;
+  constexpr int trials = 20;
+  for (unsigned seed = 100; seed < 100 + trials; ++seed) {
+    const DriveLog log = published_plant_run({.rows = 600, .metres_per_tick = 0.000444565, .seed = seed});
+    const auto fit = fit_fir(std::span(&log, 1));
+    REQUIRE(fit);
+    const double error = std::abs(fit->left.gain.from_left - test::PublishedPlant::dc_gain());
+    if (error < 3.0 * fit->left.gain_standard_error.from_left + 1e-3) ++covered;
+  }
+  CHECK(covered >= trials - 2);
+}
+
+TEST_CASE("A fit is refused, with what is missing, where the commands cannot show the responses") {
+  DriveLog log = published_plant_run({});
+  const auto reason = [&] { return fit_fir(std::span(&log, 1)).error().reason; };
+  for (auto& sample : log.samples) sample.command_m_s.right = sample.command_m_s.left;
+  CHECK_THAT(reason(), ContainsSubstring("add a run that turns"));
+  for (auto& sample : log.samples) sample.command_m_s.right = -sample.command_m_s.left;
+  CHECK_THAT(reason(), ContainsSubstring("add a run that drives straight"));
+  for (auto& sample : log.samples) sample.command_m_s.right = 0.0;
+  CHECK_THAT(reason(), ContainsSubstring("right wheel was never driven"));
+  for (auto& sample : log.samples) sample.command_m_s = {};
+  CHECK_THAT(reason(), ContainsSubstring("never commanded to move"));
+  log = published_plant_run({.rows = 50});
+  CHECK_THAT(reason(), ContainsSubstring("record a longer run"));
+  for (auto& sample : log.samples) sample.ticks.reset();
+  CHECK_THAT(reason(), ContainsSubstring("no encoder counts"));
+}
+
+TEST_CASE("A gap in a log costs the samples around it and nothing else") {
+  DriveLog log = published_plant_run({.rows = 2000});
+  const auto whole = fit_fir(std::span(&log, 1));
+  log.samples.erase(log.samples.begin() + 700, log.samples.begin() + 760);
+  const auto with_gap = fit_fir(std::span(&log, 1));
+  REQUIRE(whole);
+  REQUIRE(with_gap);
+  CHECK(with_gap->rows + 60 + 41 <= whole->rows + 1);
+  CHECK_THAT(with_gap->left.gain.from_left, WithinAbs(whole->left.gain.from_left, 1e-3));
+}

@@ -1,0 +1,111 @@
+#include "model/route/route_follower.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/simulation/motion_predictor.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace wheelwright;
+
+namespace {
+
+// A robot that answers with a dead time of two periods and a lag, as a model.
+LinearModel lagging_model() {
+  LinearModel model;
+  double tap = 0.2;
+  for (int i = 0; i < 30; ++i) {
+    const double weight = i < 2 ? 0.0 : (tap *= 0.8);
+    model.left.from_left.push_back(weight);
+    model.right.from_right.push_back(weight);
+    model.left.from_right.push_back(0.0);
+    model.right.from_left.push_back(0.0);
+  }
+  const double gain = dc_gain(model.left).from_left;
+  for (auto* wheel : {&model.left.from_left, &model.right.from_right}) {
+    for (double& weight : *wheel) weight /= gain;
+  }
+  return model;
+}
+
+struct Drive {
+  Pose end;
+  bool finished = false;
+  double farthest_from_checkpoint_m = 0.0;
+  double largest_wheel_speed_m_s = 0.0;
+  double slowest_moving_m_s = 1.0;
+  double duration_s = 0.0;
+};
+
+Drive follow(const Route& route) {
+  MotionPredictor robot(lagging_model());
+  RouteFollower follower(route, {});
+  std::vector<double> nearest(route.checkpoints.size(), 1e9);
+  Drive drive;
+  int ticks = 0;
+  for (; ticks < 20000 && !follower.finished(); ++ticks) {
+    const WheelPair speed = follower.steer(robot.rest_pose());
+    robot.step(robot.command_for(speed));
+    for (std::size_t i = 0; i < nearest.size(); ++i) {
+      const auto& checkpoint = route.checkpoints[i];
+      nearest[i] = std::min(nearest[i],
+                            std::hypot(robot.pose().x_m - checkpoint.x_m, robot.pose().y_m - checkpoint.y_m));
+    }
+    const double fastest = std::max(std::abs(speed.left), std::abs(speed.right));
+    drive.largest_wheel_speed_m_s = std::max(drive.largest_wheel_speed_m_s, fastest);
+    if (fastest > 0.0) drive.slowest_moving_m_s = std::min(drive.slowest_moving_m_s, fastest);
+  }
+  for (int k = 0; k < 60; ++k) robot.step({});
+  drive.end = robot.pose();
+  drive.finished = follower.finished();
+  drive.farthest_from_checkpoint_m = *std::max_element(nearest.begin(), nearest.end());
+  drive.duration_s = 0.018 * ticks;
+  return drive;
+}
+
+}  // namespace
+
+TEST_CASE("A square is driven through its corners and ends where it began") {
+  const Route square{"square", 0.2, 0.01, {{1, 0}, {1, 1}, {0, 1}, {0, 0}}};
+  const Drive drive = follow(square);
+  REQUIRE(drive.finished);
+  CHECK(std::hypot(drive.end.x_m, drive.end.y_m) < 0.003);
+  CHECK(drive.farthest_from_checkpoint_m < 0.01);
+  CHECK(drive.duration_s < 45.0);
+}
+
+TEST_CASE("A figure of eight is driven without stopping at its checkpoints") {
+  Route eight{"eight", 0.2, 0.03, {}};
+  for (const double side : {1.0, -1.0}) {
+    for (int i = 1; i <= 16; ++i) {
+      const double angle = 2.0 * 3.14159265358979 * i / 16.0;
+      eight.checkpoints.push_back({0.5 * std::sin(angle), side * 0.5 * (1.0 - std::cos(angle))});
+    }
+  }
+  eight.checkpoints.back() = {0.0, 0.0};
+  const Drive drive = follow(eight);
+  REQUIRE(drive.finished);
+  CHECK(drive.farthest_from_checkpoint_m < 0.03);
+  CHECK(std::hypot(drive.end.x_m, drive.end.y_m) < 0.03);
+  // 6.28 m at 0.2 m/s take 31 s; stops would add seconds each.
+  CHECK(drive.duration_s < 40.0);
+}
+
+TEST_CASE("A checkpoint behind the robot is turned to on the spot") {
+  const Drive drive = follow({"back", 0.15, 0.01, {{-0.5, 0.001}}});
+  REQUIRE(drive.finished);
+  CHECK_THAT(drive.end.x_m, WithinAbs(-0.5, 0.003));
+  CHECK_THAT(std::abs(wrap_angle(drive.end.theta_rad)), WithinAbs(3.14159, 0.05));
+}
+
+TEST_CASE("A first checkpoint at the start is visited without moving there") {
+  const Drive drive = follow({"start", 0.15, 0.01, {{0, 0}, {0.3, 0}, {0, 0}}});
+  REQUIRE(drive.finished);
+  CHECK(std::hypot(drive.end.x_m, drive.end.y_m) < 0.01);
+}
+
+TEST_CASE("No wheel is asked for more than its limit, nor for less than what moves it") {
+  const Drive drive = follow({"fast", 0.3, 0.02, {{1, 0}, {0.5, 0.8}, {0, 0}}});
+  CHECK(drive.largest_wheel_speed_m_s <= 0.3 + 1e-12);
+  CHECK(drive.slowest_moving_m_s >= 0.039);
+}

@@ -1,0 +1,112 @@
+// What the circle hides and how it counts what was found; and drives recorded with reference poses.
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "config/load/simulation_config.hpp"
+#include "model/effects/library/effect_library.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tools/wheelwright/circle/circle_report.hpp"
+#include "tools/wheelwright/evaluation/learning_drives.hpp"
+
+using namespace wheelwright;
+
+namespace {
+
+const std::string perfect = WHEELWRIGHT_SOURCE_DIR "/config/robots/perfect.yaml";
+
+tools::HiddenRobot hidden_by(std::uint64_t seed) {
+  return tools::pick_hidden_robot(seed, {}, perfect, "room.yaml");
+}
+
+}  // namespace
+
+TEST_CASE("A hidden robot is a robot file that loads, and differs from what it is based on") {
+  const auto folder = test::temporary_folder();
+  std::set<std::string> kinds;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const auto hidden = hidden_by(seed);
+    std::ofstream(folder / "room.yaml") << hidden.room_yaml;
+    std::ofstream(folder / "robot.yaml") << hidden.robot_yaml;
+    CHECK_NOTHROW(config::load_simulation_config(folder / "robot.yaml"));
+    CHECK((!hidden.imperfections.empty() && hidden.imperfections.size() <= 3));
+    for (const auto& imperfection : hidden.imperfections) {
+      for (const auto& effect : imperfection.effects) CHECK(find_effect(effect) != nullptr);
+      kinds.insert(imperfection.effects.front());
+    }
+  }
+  CHECK(kinds.size() >= 8);
+}
+
+TEST_CASE("The same seed hides the same, another one something else") {
+  CHECK(hidden_by(3).robot_yaml == hidden_by(3).robot_yaml);
+  CHECK(hidden_by(3).robot_yaml != hidden_by(4).robot_yaml);
+}
+
+TEST_CASE("A floor that slopes comes with friction that holds the robot on it") {
+  const auto hides = [](const tools::HiddenRobot& hidden, const std::string& effect) {
+    return std::ranges::any_of(hidden.imperfections, [&](const tools::Imperfection& imperfection) {
+      return imperfection.effects.front() == effect;
+    });
+  };
+  bool any = false;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const auto hidden = hidden_by(seed);
+    if (!hides(hidden, "floor_slope")) continue;
+    any = true;
+    CHECK(hides(hidden, "coulomb_friction"));
+  }
+  CHECK(any);
+}
+
+TEST_CASE("A name counts for what was hidden under it, and else as false") {
+  tools::CircleReport report;
+  report.hidden = {{"play", {"backlash"}}, {"friction", {"coulomb_friction", "stiction"}}};
+  report.named = {"stiction", "saturation"};
+  CHECK(tools::told(report).rightly == 1);
+  CHECK(tools::told(report).falsely == 1);
+}
+
+TEST_CASE("Where no lap came to its end the report says why instead of an offset") {
+  tools::CircleReport report;
+  report.before.failure = "stopped: bump";
+  std::ostringstream out;
+  print_circle(out, report);
+  CHECK_THAT(out.str(), ContainsSubstring("did not come to its end: stopped: bump"));
+}
+
+TEST_CASE("A recorded experiment holds its commands as they stand") {
+  auto robot = config::load_simulation_config(perfect);
+  tools::RobotTrial trial(robot, RobotLimits{}, roomba::LinkConfig{}, simulation::Noise(1));
+  const auto model = trial.calibrate_response();
+  REQUIRE(model);
+  Mission mission;
+  mission.commanded_drive = CommandedDrive{"both ways", {{0.0, {0.1, 0.1}}, {2.0, {-0.1, -0.1}}}, 4.0};
+  const auto log = trial.record(mission, *model, {0.0, 0.0});
+  REQUIRE(log);
+  CHECK(log->samples.size() == 222);
+  CHECK(log->samples.front().command_m_s.left == 0.1);
+  CHECK(log->samples.back().command_m_s.right == -0.1);
+  CHECK_THAT(*log->samples[111].reference_x_m, WithinAbs(0.19, 0.02));
+  CHECK_THAT(*log->samples.back().reference_x_m, WithinAbs(0.0, 0.03));
+}
+
+TEST_CASE("A recorded drive holds commands, counts and a reference that agree") {
+  auto robot = config::load_simulation_config(perfect);
+  tools::RobotTrial trial(robot, RobotLimits{}, roomba::LinkConfig{}, simulation::Noise(1));
+  const auto model = trial.calibrate_response();
+  REQUIRE(model);
+  Mission mission;
+  mission.route = Route{"leg", 0.2, 0.02, {{0.5, 0.0}}};
+  const auto log = trial.record(mission, *model, {0.0, 0.0});
+  REQUIRE(log);
+  const auto& first = log->samples.front();
+  const auto& last = log->samples.back();
+  CHECK(*first.reference_x_m == 0.0);
+  CHECK_THAT(*last.reference_x_m, WithinAbs(0.5, 0.02));
+  const auto counted = static_cast<double>(last.ticks->left - first.ticks->left);
+  CHECK_THAT(counted * log->metres_per_tick->left, WithinAbs(*last.reference_x_m, 0.01));
+}

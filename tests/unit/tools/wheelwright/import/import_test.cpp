@@ -1,0 +1,253 @@
+// From the text of a foreign log to runs.
+#include <cmath>
+
+#include "tests/unit/tools/wheelwright/import/import_text.hpp"
+
+using namespace wheelwright;
+using namespace wheelwright::import;
+using namespace wheelwright::test;
+
+namespace {
+
+const std::string base = "robot.wheel_base_m=0.3";
+
+}  // namespace
+
+TEST_CASE("Commands in millimetres, centimetres and metres per second are told apart by the motion") {
+  const auto drive = foreign_drive();
+  for (const auto& [unit, factor] : {std::pair{"mm/s", 1000.0}, {"cm/s", 100.0}, {"m/s", 1.0}}) {
+    INFO(unit);
+    const auto text =
+        foreign_text(drive, "time,cmdL,cmdR,encL,encR", [&, factor = factor](const ForeignRow& row) {
+          return number(row.t_s) + "," + number(factor * row.command_left) + "," +
+                 number(factor * row.command_right) + "," + counts(row);
+        });
+    const auto outcome = import_text(text, {base, "wheels.metres_per_count=0.0005"});
+    check_same(outcome, drive);
+    CHECK(outcome.understood.mapping.command->unit == unit);
+  }
+}
+
+TEST_CASE("A pulse width gets the speed that it leads to, and says so") {
+  const auto drive = foreign_drive();
+  const auto text = foreign_text(drive, "t,pwmL,pwmR,encL,encR", [&](const ForeignRow& row) {
+    return number(row.t_s) + "," + std::to_string(std::lround(row.command_left * 600.0)) + "," +
+           std::to_string(std::lround(row.command_right * 600.0)) + "," + counts(row);
+  });
+  const auto outcome = import_text(text, {base, "wheels.metres_per_count=0.0005"});
+  check_same(outcome, drive, 0.006);
+  CHECK(outcome.found("duty of 255"));
+}
+
+TEST_CASE("Forward and turning speed become speeds of the wheels") {
+  const auto drive = foreign_drive();
+  const auto text =
+      foreign_text(drive, "t;v_cmd;omega_cmd;ticks_left;ticks_right", [&](const ForeignRow& row) {
+        return number(row.t_s) + ";" + number(row.linear()) + ";" +
+               number(row.angular(ForeignDrive::base_m)) + ";" + std::to_string(row.counts_left) + ";" +
+               std::to_string(row.counts_right);
+      });
+  check_same(import_text(text, {base, "wheels.metres_per_count=0.0005"}), drive);
+}
+
+TEST_CASE("The distance of a count is found where commands are speeds, and the turns suggest a wheel base") {
+  const auto drive = foreign_drive();
+  const auto text = foreign_text(drive, "t,v_cmd,omega_cmd,encL,encR", [&](const ForeignRow& row) {
+    return number(row.t_s) + "," + number(row.linear()) + "," + number(row.angular(ForeignDrive::base_m)) +
+           "," + counts(row);
+  });
+  const auto without = import_text(text);
+  REQUIRE_FALSE(without.conversion);
+  CHECK_THAT(without.conversion.error(), ContainsSubstring("--set robot.wheel_base_m="));
+  CHECK(without.found("wheel base of about 0.3"));
+  check_same(import_text(text, {base}), drive, 1e-3, 0.03);
+}
+
+TEST_CASE("Time in any unit is seconds since the start") {
+  const auto drive = foreign_drive();
+  const std::vector<std::pair<const char*, std::function<std::string(double)>>> forms{
+      {"milliseconds", [](double t) { return std::to_string(std::lround(1e3 * t)); }},
+      {"microseconds", [](double t) { return std::to_string(std::lround(1e6 * t)); }},
+      {"seconds since 1970", [](double t) { return std::to_string(1.7e9 + t); }},
+      {"nanoseconds since 1970",
+       [](double t) { return std::to_string(1'700'000'000'000'000'000LL + std::llround(1e9 * t)); }},
+      {"milliseconds since 1970",
+       [](double t) { return std::to_string(1'700'000'000'000LL + std::llround(1e3 * t)); }},
+  };
+  for (const auto& [name, form] : forms) {
+    INFO(name);
+    const auto text = foreign_text(drive, "stamp,cmd_left,cmd_right,ticks_left,ticks_right",
+                                   [&, form = form](const ForeignRow& row) {
+                                     return form(row.t_s) + "," + number(row.command_left) + "," +
+                                            number(row.command_right) + "," + counts(row);
+                                   });
+    check_same(import_text(text, {base, "wheels.metres_per_count=0.0005"}), drive);
+  }
+}
+
+TEST_CASE("Columns without names are found by what explains the motion") {
+  const auto drive = foreign_drive();
+  const auto text = foreign_text(drive, "", [&](const ForeignRow& row) {
+    return std::to_string(row.counts_left) + "," + std::to_string(row.counts_right) + "," +
+           number(row.command_left) + "," + number(row.command_right) + "," + number(row.t_s) + "," +
+           number(row.x) + "," + number(row.y) + "," + number(row.theta);
+  });
+  const auto outcome = import_text(text, {base, "wheels.metres_per_count=0.0005"});
+  check_same(outcome, drive);
+  CHECK(outcome.understood.mapping.time.column->channel == "5");
+  REQUIRE(outcome.understood.mapping.reference);
+  CHECK(outcome.understood.mapping.reference->x->channel == "6");
+  CHECK(outcome.understood.mapping.reference->theta->channel == "8");
+}
+
+TEST_CASE("Wheel angles and wheel speeds stand for counts") {
+  const auto drive = foreign_drive();
+  const auto angles =
+      foreign_text(drive, "t,cmd_left,cmd_right,angle_left,angle_right", [&](const ForeignRow& row) {
+        return number(row.t_s) + "," + number(row.command_left) + "," + number(row.command_right) + "," +
+               number(static_cast<double>(row.counts_left) * 0.0005 / 0.04) + "," +
+               number(static_cast<double>(row.counts_right) * 0.0005 / 0.04);
+      });
+  check_same(import_text(angles, {base, "wheels.wheel_radius_m=0.04"}), drive);
+  check_same(import_text(angles, {base}), drive, 1e-3, 0.03);
+  const auto& rows = drive.rows;
+  std::size_t k = 0;
+  const auto speeds =
+      foreign_text(drive, "t,cmd_left,cmd_right,vel_left,vel_right", [&](const ForeignRow& row) {
+        const auto& before = rows[k == 0 ? 0 : k - 1];
+        ++k;
+        return number(row.t_s) + "," + number(row.command_left) + "," + number(row.command_right) + "," +
+               number(static_cast<double>(row.counts_left - before.counts_left) * 0.0005 / 0.05) + "," +
+               number(static_cast<double>(row.counts_right - before.counts_right) * 0.0005 / 0.05);
+      });
+  check_same(import_text(speeds, {base}), drive);
+}
+
+TEST_CASE("A reference in degrees and millimetres is converted, and its unit is said") {
+  const auto drive = foreign_drive();
+  const auto text =
+      foreign_text(drive, "t,cmd_left,cmd_right,ticks_left,ticks_right,mocap_x,mocap_y,mocap_yaw",
+                   [&](const ForeignRow& row) {
+                     return number(row.t_s) + "," + number(row.command_left) + "," +
+                            number(row.command_right) + "," + counts(row) + "," + number(1e3 * row.x) + "," +
+                            number(1e3 * row.y) + "," + number(row.theta * 180.0 / 3.14159265358979);
+                   });
+  const auto outcome = import_text(text, {base, "wheels.metres_per_count=0.0005"});
+  check_same(outcome, drive);
+  CHECK(outcome.understood.mapping.reference->unit == "mm");
+  CHECK(outcome.understood.mapping.reference->angle_unit == "deg");
+  const auto& sample = outcome.conversion->runs.front().samples[700];
+  CHECK_THAT(*sample.reference_x_m, WithinAbs(drive.rows[700].x, 1e-3));
+  CHECK_THAT(*sample.reference_theta_rad, WithinAbs(drive.rows[700].theta, 1e-3));
+}
+
+TEST_CASE("A wheel that counts backwards and sides that are swapped are said, and not changed in silence") {
+  const auto drive = foreign_drive();
+  const auto reversed =
+      foreign_text(drive, "t,cmd_left,cmd_right,ticks_left,ticks_right", [&](const ForeignRow& row) {
+        return number(row.t_s) + "," + number(row.command_left) + "," + number(row.command_right) + "," +
+               std::to_string(row.counts_left) + "," + std::to_string(-row.counts_right);
+      });
+  const std::vector<std::string> known{base, "wheels.metres_per_count=0.0005"};
+  auto outcome = import_text(reversed, known);
+  REQUIRE(outcome.understood.inference.doubts.size() == 1);
+  CHECK_THAT(outcome.understood.inference.doubts.front(), ContainsSubstring("right wheel counts backwards"));
+  outcome = import_text(reversed, {base, "wheels.metres_per_count=0.0005", "wheels.reversed=right"});
+  CHECK(outcome.understood.inference.doubts.empty());
+  check_same(outcome, drive);
+  const auto swapped =
+      foreign_text(drive, "t,cmd_left,cmd_right,ticks_left,ticks_right", [&](const ForeignRow& row) {
+        return number(row.t_s) + "," + number(row.command_left) + "," + number(row.command_right) + "," +
+               std::to_string(row.counts_right) + "," + std::to_string(row.counts_left);
+      });
+  outcome = import_text(swapped, known);
+  REQUIRE(outcome.understood.inference.doubts.size() == 1);
+  CHECK_THAT(outcome.understood.inference.doubts.front(), ContainsSubstring("sides are swapped"));
+}
+
+TEST_CASE("A clock that is set in mid-drive leaves a hole, and the rest is used") {
+  auto drive = foreign_drive();
+  for (std::size_t k = 600; k < drive.rows.size(); ++k) drive.rows[k].t_s += 1.7e9;
+  const auto text =
+      foreign_text(drive, "t,cmd_left,cmd_right,ticks_left,ticks_right", [&](const ForeignRow& row) {
+        return number(row.t_s) + "," + number(row.command_left) + "," + number(row.command_right) + "," +
+               counts(row);
+      });
+  const auto outcome = import_text(text, {base, "wheels.metres_per_count=0.0005", "time.unit=s"});
+  REQUIRE(outcome.conversion);
+  REQUIRE(outcome.conversion->runs.size() == 1);
+  const auto& samples = outcome.conversion->runs.front().samples;
+  REQUIRE(samples.size() == 1200);
+  CHECK_THAT(samples[600].t_s - samples[599].t_s, WithinAbs(10.0, 1e-5));
+  CHECK_THAT(samples.back().t_s - samples[600].t_s, WithinAbs(599 * 0.05, 1e-5));
+}
+
+TEST_CASE("A file without commands says what is missing, with the option") {
+  const auto text = foreign_text(foreign_drive(), "t,ticks_left,ticks_right",
+                                 [&](const ForeignRow& row) { return number(row.t_s) + "," + counts(row); });
+  const auto outcome = import_text(text, {base});
+  REQUIRE_FALSE(outcome.conversion);
+  CHECK_THAT(outcome.conversion.error(),
+             ContainsSubstring(
+                 "no commands were found; how far a wheel rolls for a count is not known; give --set"));
+  CHECK_THAT(outcome.conversion.error(), ContainsSubstring("--set command.left="));
+}
+
+TEST_CASE("Two files at different rates make one run with the rows of the wheels") {
+  const auto drive = foreign_drive();
+  std::string commands = "t,cmd_left,cmd_right\n";
+  for (std::size_t k = 0; k < drive.rows.size(); k += 37) {
+    const auto& row = drive.rows[k];
+    commands += number(row.t_s - (k == 0 ? 0.0 : 0.004)) + "," + number(row.command_left) + "," +
+                number(row.command_right) + "\n";
+  }
+  const auto wheels = foreign_text(drive, "t,ticks_left,ticks_right", [&](const ForeignRow& row) {
+    return number(row.t_s) + "," + counts(row);
+  });
+  const auto understood = understand({{file_of("commands.csv", commands), file_of("wheels.csv", wheels)},
+                                      std::nullopt,
+                                      GivenMapping("", {base, "wheels.metres_per_count=0.0005"})});
+  REQUIRE(understood);
+  check_same({*understood, to_runs(*understood)}, drive);
+}
+
+TEST_CASE("The clock of a reference that was recorded elsewhere is found from the motion") {
+  const auto drive = foreign_drive();
+  const auto log =
+      foreign_text(drive, "t,cmd_left,cmd_right,ticks_left,ticks_right", [&](const ForeignRow& row) {
+        return number(row.t_s) + "," + number(row.command_left) + "," + number(row.command_right) + "," +
+               counts(row);
+      });
+  std::string tum;
+  for (const auto& row : drive.rows) {
+    tum += std::to_string(1.7e9 + 12.3 + row.t_s) + " " + number(row.x) + " " + number(row.y) + " 0 0 0 " +
+           number(std::sin(0.5 * row.theta)) + " " + number(std::cos(0.5 * row.theta)) + "\n";
+  }
+  const auto understood = understand({{file_of("drive.csv", log)},
+                                      file_of("mocap.txt", tum),
+                                      GivenMapping("", {base, "wheels.metres_per_count=0.0005"})});
+  REQUIRE(understood);
+  REQUIRE(understood->mapping.reference);
+  CHECK_THAT(*understood->mapping.reference->shift_s, WithinAbs(-1.7e9 - 12.3, 0.06));
+  const auto conversion = to_runs(*understood);
+  REQUIRE(conversion);
+  const auto& sample = conversion->runs.front().samples[700];
+  REQUIRE(sample.reference_pose());
+  CHECK_THAT(sample.reference_pose()->x_m, WithinAbs(drive.rows[700].x, 0.02));
+}
+
+TEST_CASE("Units are found in a long table whose robot stands for most of it") {
+  auto drive = foreign_drive();
+  const auto standing = drive.rows.front();
+  std::vector<ForeignRow> rows(110'000, standing);
+  rows.insert(rows.end(), drive.rows.begin(), drive.rows.end());
+  for (std::size_t k = 0; k < rows.size(); ++k) rows[k].t_s = 0.05 * static_cast<double>(k);
+  drive.rows = std::move(rows);
+  const auto text = foreign_text(drive, "time,cmdL,cmdR,encL,encR", [&](const ForeignRow& row) {
+    return number(row.t_s) + "," + number(1e3 * row.command_left) + "," + number(1e3 * row.command_right) +
+           "," + counts(row);
+  });
+  const auto outcome = import_text(text, {base, "wheels.metres_per_count=0.0005"});
+  check_same(outcome, drive);
+  CHECK(outcome.understood.mapping.command->unit == "mm/s");
+}

@@ -1,0 +1,237 @@
+// wheelwright circle: the whole circle on a simulated robot whose imperfections nobody was told.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <sstream>
+
+#include "config/load/commands_file.hpp"
+#include "config/load/drive_log_file.hpp"
+#include "config/load/model_file.hpp"
+#include "config/load/output_file.hpp"
+#include "config/load/route_file.hpp"
+#include "config/load/shipped_folder.hpp"
+#include "config/load/simulation_config.hpp"
+#include "config/load/text_format.hpp"
+#include "tools/wheelwright/circle/circle_report.hpp"
+#include "tools/wheelwright/circle/hidden_robot.hpp"
+#include "tools/wheelwright/common/command_line.hpp"
+#include "tools/wheelwright/common/commands.hpp"
+#include "tools/wheelwright/common/json_text.hpp"
+#include "tools/wheelwright/common/now.hpp"
+#include "tools/wheelwright/evaluation/learning_drives.hpp"
+
+namespace wheelwright::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CircleOptions {
+  std::uint64_t seed = 1;
+  std::size_t drives = 6;
+  std::size_t laps = 5;
+  std::string robot = config::shipped_folder() / "robots/perfect.yaml";
+  std::string route = config::shipped_folder() / "routes/paper_loop.yaml";
+  std::vector<std::string> hide;  // nothing: what chance picks
+  std::string output;
+  bool json = false;
+};
+
+// What chance decides after the robot is made: calibration, recorded drives, and laps do not share their
+// luck.
+enum class Purpose : std::uint64_t { calibrate = 1, learn, drive, experiment };
+
+constexpr std::size_t most_experiments = 2;
+
+void write(const fs::path& path, const std::string& text) {
+  if (const auto error = config::write_output({path, config::OutputKind::any}, text))
+    throw UsageError(*error);
+}
+
+void make_folder(const fs::path& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) throw UsageError(path.string() + ": cannot be made a folder: " + error.message());
+}
+
+class Circle {
+ public:
+  Circle(const CircleOptions& options, Streams streams)
+      : options_(options), streams_(streams), folder_(options.output) {
+    route_ = config::load_route(options.route);
+    if (!is_closed(route_))
+      throw UsageError(options.route +
+                       ": the route is not closed; end it at [0, 0], so that start and end can be compared");
+  }
+
+  ExitStatus run() {
+    hide();
+    const RobotModel calibrated = calibrate();
+    report_.before = laps(calibrated);
+    record(calibrated);
+    find_gap(calibrated);
+    report_.after = laps(config::load_model(folder_ / "gap" / "model.yaml"));
+    print();
+    return ExitStatus::done;
+  }
+
+ private:
+  // A folder of its own: an empty one, or one that a circle filled before.
+  void check_folder() const {
+    std::error_code ignored;
+    if (!fs::exists(folder_, ignored)) return;
+    if (fs::is_directory(folder_, ignored) &&
+        (fs::is_empty(folder_, ignored) || fs::exists(folder_ / "sealed" / "robot.yaml", ignored))) {
+      return;
+    }
+    throw UsageError(folder_.string() + ": holds something else than a circle; give a folder of its own");
+  }
+
+  void hide() {
+    check_folder();
+    const fs::path sealed = folder_ / "sealed";
+    make_folder(sealed);
+    const HiddenRobot hidden =
+        pick_hidden_robot(options_.seed, options_.hide, fs::absolute(options_.robot), "room.yaml");
+    write(sealed / "room.yaml", hidden.room_yaml);
+    write(sealed / "robot.yaml", hidden.robot_yaml);
+    robot_ = config::load_simulation_config(sealed / "robot.yaml");
+    report_.hidden = hidden.imperfections;
+    report_.sealed_file = (sealed / "robot.yaml").string();
+  }
+
+  RobotTrial trial(Purpose purpose) const {
+    const auto seed = simulation::Noise(options_.seed).bits() + static_cast<std::uint64_t>(purpose);
+    return {robot_, RobotLimits{}, roomba::LinkConfig{}, simulation::Noise(seed)};
+  }
+
+  RobotModel calibrate() const {
+    RobotTrial robot = trial(Purpose::calibrate);
+    MaybeModel model = robot.calibrate_response();
+    if (model) model = robot.calibrate_arma(*model);
+    if (!model)
+      throw DataRefusal("the hidden robot of seed " + std::to_string(options_.seed) + ": " + model.error());
+    model->created = now_as_text();
+    model->robot = robot_.name;
+    config::save_model(*model, folder_ / "calibrated.yaml");
+    return *model;
+  }
+
+  // By both models with the same luck.
+  Laps laps(const RobotModel& model) const {
+    RobotTrial robot = trial(Purpose::drive);
+    Laps laps;
+    for (std::size_t i = 0; i < options_.laps; ++i) {
+      const DriveOutcome outcome = robot.drive(route_, PoseSource::arma, model);
+      if (outcome.end) laps.offsets_m.push_back(std::hypot(outcome.end->x_m, outcome.end->y_m));
+      if (!outcome.end) laps.failure = outcome.failure;
+    }
+    return laps;
+  }
+
+  void record(const RobotModel& model) {
+    RobotTrial robot = trial(Purpose::learn);
+    simulation::Noise chance(simulation::Noise(options_.seed).bits());
+    const auto logs = learning_drives(options_.drives, robot, model, chance);
+    if (!logs) throw DataRefusal("a recorded drive: " + logs.error());
+    for (const DriveLog& log : *logs) keep(log, logs_.end());
+  }
+
+  void keep(const DriveLog& log, std::vector<std::string>::const_iterator place) {
+    const fs::path path = folder_ / (log.name + ".csv");
+    config::save_drive_log(log, path);
+    logs_.insert(place, path.string());
+  }
+
+  // Where the workflow cannot decide, what it asks for is driven, and it is asked again.
+  void find_gap(const RobotModel& model) {
+    auto json = analyse();
+    RobotTrial robot = trial(Purpose::experiment);
+    for (std::size_t i = 1; i <= most_experiments; ++i) {
+      const auto& next = json["next_experiment"];
+      if (json["verdict"] != "ambiguous" || next.is_null()) break;
+      if (!drive_experiment(robot, model, next, i)) break;
+      json = analyse();
+    }
+    report_.verdict = json["verdict"];
+    for (const auto& added : json["added"]) report_.named.push_back(added["effect"]);
+  }
+
+  // False where the robot did not come to its end.
+  bool drive_experiment(RobotTrial& robot, const RobotModel& model, const nlohmann::json& next,
+                        std::size_t number) {
+    Mission mission;
+    mission.commanded_drive = config::load_commands(next["route_or_commands"].get<std::string>(),
+                                                    RobotLimits{}.largest_wheel_speed_m_s);
+    auto log = robot.record(mission, model, {});
+    report_.experiments.push_back(
+        {next["manoeuvre"], next["seconds"], next["separates"], log ? "" : log.error()});
+    if (!log) return false;
+    log->name = "experiment_" + std::to_string(number);
+    // First, since the last runs are held out.
+    keep(*log, logs_.begin());
+    return true;
+  }
+
+  nlohmann::json analyse() {
+    const fs::path folder = folder_ / "gap";
+    std::vector<std::string> arguments{"gap", "--train"};
+    arguments.insert(arguments.end(), logs_.begin(), logs_.end());
+    arguments.insert(arguments.end(),
+                     {"--model", (folder_ / "calibrated.yaml").string(), "-o", folder.string()});
+    std::ostringstream text;
+    const ExitStatus status = run_command_line(arguments, {text, streams_.err});
+    if (status != ExitStatus::done) throw DataRefusal("the gap workflow did not come to its end");
+    write(folder / "gap.txt", text.str());
+    return load_json(folder / "gap.json");
+  }
+
+  void print() const {
+    if (!options_.json) return print_circle(streams_.out, report_);
+    nlohmann::ordered_json json{{"seed", options_.seed}, {"laps", options_.laps}};
+    json.update(circle_json(report_));
+    streams_.out << json_text(json) << "\n";
+  }
+
+  const CircleOptions& options_;
+  Streams streams_;
+  fs::path folder_;
+  Route route_;
+  simulation::SimulationConfig robot_;
+  std::vector<std::string> logs_;
+  CircleReport report_;
+};
+
+}  // namespace
+
+Action add_circle(CLI::App& app) {
+  const auto options = std::make_shared<CircleOptions>();
+  CLI::App* command =
+      app.add_subcommand("circle", "Hide imperfections in a simulated robot, find them, drive better");
+  command->add_option("--seed", options->seed, "Of the imperfections and all noise")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->add_option("--robot", options->robot, "Simulated robot to hide them in")
+      ->check(CLI::ExistingFile)
+      ->capture_default_str();
+  command->add_option("--hide", options->hide, "What to hide instead of what the seed picks")
+      ->check(CLI::IsMember(imperfection_names()));
+  command->add_option("--route", options->route, "Closed route")->capture_default_str();
+  command->add_option("--drives", options->drives, "Drives of about a minute to learn from")
+      ->check(CLI::Range(2, 100))
+      ->capture_default_str();
+  command->add_option("--laps", options->laps, "Drives of the route by each model")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->add_option("-o,--output", options->output, "Folder for everything that comes of it")->required();
+  command->add_flag("--json", options->json, "As JSON");
+  command->footer(
+      "All on the virtual clock. Offsets are true distances from start to end of the route, driven by the\n"
+      "model alone: A by the calibrated one, B by the one with the effects that were found.\n"
+      "Example: wheelwright circle --seed 7 -o out/circle");
+  return [options](Streams streams) { return Circle(*options, streams).run(); };
+}
+
+}  // namespace wheelwright::tools
