@@ -20,7 +20,7 @@ struct ProcessOptions {
   std::filesystem::path commands_file;  // drive log whose commands are driven, and nothing else; empty: none
   std::filesystem::path lateness_file;  // histogram of the loop's wake-ups, written at the end; empty: none
   std::filesystem::path
-      status_file;  // written anew every second (daemon/telemetry/status_file.hpp); empty: none
+      status_file;  // written again every second (daemon/telemetry/status_file.hpp); empty: none
   bool as_service = false;
 };
 

@@ -11,9 +11,9 @@ namespace wheelwright::daemon {
 // How busy the machine was.
 struct MachineLoad {
   double processes = 0.0;  // that ran or waited to, mean of the last minute
-  int cores = 1;
+  int linear_parts = 1;
 
-  bool is_busy() const { return processes > cores; }
+  bool is_busy() const { return processes > linear_parts; }
 };
 MachineLoad machine_load();
 

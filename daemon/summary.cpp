@@ -42,13 +42,13 @@ void add_calibration(Table& table, const CalibrationReport& calibration) {
     table.row("repetition of the signal", "{:.3f} of 1, over {:.1f} turns", scale->correlation, scale->turns);
   }
   if (const auto& model = calibration.model) {
-    const std::size_t length = model->core.left.from_left.size();
-    if (model->core.type == ModelType::arma) {
-      table.row("order", "{}, largest pole {:.3f}", model->core.left.from_own_past.size(),
-                std::max(largest_pole(model->core.left), largest_pole(model->core.right)));
+    const std::size_t length = model->linear_part.left.from_left.size();
+    if (model->linear_part.type == ModelType::arma) {
+      table.row("order", "{}, largest pole {:.3f}", model->linear_part.left.from_own_past.size(),
+                std::max(largest_pole(model->linear_part.left), largest_pole(model->linear_part.right)));
     } else {
       table.row("response", "{} periods, {:.0f} ms", length,
-                1e3 * static_cast<double>(length) * model->core.period_s);
+                1e3 * static_cast<double>(length) * model->linear_part.period_s);
     }
     table.row("gain, left wheel", "{:.4f} +- {:.4f}", model->left_fit->gain.from_left,
               model->left_fit->gain_standard_error.from_left);

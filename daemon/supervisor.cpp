@@ -65,7 +65,7 @@ bool Supervisor::moves() const {
   return latest && latest->frame.armed && latest->frame.command.activity != Activity::finished;
 }
 
-// All of a configuration may change, since all is built anew from it; but not under a robot that drives.
+// All of a configuration may change, since all is built again from it; but not under a robot that drives.
 std::optional<RunOutcome> Supervisor::reload() {
   if (moves()) {
     spdlog::error("not reloaded: the robot drives; stop it first (SIGUSR2)");

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double rounding_m_s = 1e-9;
 constexpr double longest_s = 86400.0;
-constexpr std::size_t most_commands = 100'000;
+constexpr std::size_t max_commands = 100'000;
 
 void check_speed(const DriveLog& log, std::size_t row, double largest_speed_m_s) {
   const WheelPair& command = log.samples[row].command_m_s;
@@ -30,9 +30,9 @@ CommandedDrive load_commands(const std::filesystem::path& path, double largest_s
   const DriveLog log = load_drive_log(path);
   for (std::size_t row = 0; row < log.samples.size(); ++row) check_speed(log, row, largest_speed_m_s);
   CommandedDrive drive = commanded_drive_of(log);
-  if (drive.rows.size() > most_commands) {  // they become part of the run's config.yaml
+  if (drive.rows.size() > max_commands) {  // they become part of the run's config.yaml
     throw ConfigError(log.name + ": commands " + std::to_string(drive.rows.size()) +
-                      " changes of speed, but at most " + std::to_string(most_commands) +
+                      " changes of speed, but at most " + std::to_string(max_commands) +
                       " can be driven in one run; split the file");
   }
   drive.name = path.filename().string();

@@ -25,9 +25,9 @@ constexpr std::size_t absent = std::numeric_limits<std::size_t>::max();
 constexpr double largest_command_m_s = 100.0;
 constexpr double largest_tick_count = 9e15;
 constexpr double restart_below_s = 1.0;
-constexpr std::size_t most_rows = 10'000'000;  // two days of 18 ms
-constexpr std::size_t most_heads = 1'000'000;  // columns and lines of metadata, times runs
-constexpr double most_off_period = 50.0;
+constexpr std::size_t max_rows = 10'000'000;  // two days of 18 ms
+constexpr std::size_t max_heads = 1'000'000;  // columns and lines of metadata, times runs
+constexpr double max_off_period = 50.0;
 constexpr std::size_t fewest_for_period = 5;
 
 string_view trim(string_view text) {
@@ -176,8 +176,8 @@ class Parser {
     const auto t = field(time, 1e9);
     if (!t) fail("'t' is empty; each row needs its time in seconds");
     sample.t_s = *t;
-    if (++rows_ > most_rows) {
-      fail("holds more than " + std::to_string(most_rows) + " rows; split the file");
+    if (++rows_ > max_rows) {
+      fail("holds more than " + std::to_string(max_rows) + " rows; split the file");
     }
     start_run_if_needed(sample.t_s);
     DriveLog& run = runs_.back();
@@ -233,7 +233,7 @@ class Parser {
   // Each run has the head of the file as its own.
   void check_run_count() const {
     const std::size_t of_each = 1 + extra_position_.size() + header_.other_metadata.size();
-    if ((runs_.size() + 1) * of_each <= most_heads) return;
+    if ((runs_.size() + 1) * of_each <= max_heads) return;
     fail("here begins run " + std::to_string(runs_.size() + 1) + " of a log with " +
          std::to_string(of_each - 1) +
          " further columns and lines of metadata, which is more than fits; split the file");
@@ -259,7 +259,7 @@ class Parser {
   void check_period(const DriveLog& run) const {
     if (run.samples.size() < fewest_for_period) return;
     const double step_s = median_step(run);
-    if (run.period_s <= most_off_period * step_s && step_s <= most_off_period * run.period_s) return;
+    if (run.period_s <= max_off_period * step_s && step_s <= max_off_period * run.period_s) return;
     throw LogError(name_ + ":" + std::to_string(run.first_line) + ": its rows are " + plain_number(step_s) +
                    " s apart (median), but '# period_s' says " + plain_number(run.period_s) +
                    " s; correct it, or leave it out");

@@ -12,7 +12,7 @@
 namespace wheelwright::config {
 namespace {
 
-constexpr std::size_t most_taps = 200;
+constexpr std::size_t max_taps = 200;
 constexpr double largest_stable_pole = 1.0 - 1e-9;  // an integrator comes out below 1 by rounding
 constexpr Range weight{-1e6, 1e6};
 constexpr Range gain{-100.0, 100.0};  // no drive reaches a hundred times what it is told
@@ -21,9 +21,9 @@ constexpr Range deviation{0.0, 1e6};
 std::vector<double> weights(YamlReader& wheel, std::string_view key) {
   std::vector<double> values = wheel.numbers(key, weight);
   if (values.empty()) wheel.fail(key, "is empty, but must hold at least one weight");
-  if (values.size() > most_taps) {
+  if (values.size() > max_taps) {
     wheel.fail(key, "holds " + std::to_string(values.size()) + " weights, but at most " +
-                        std::to_string(most_taps) + " are allowed");
+                        std::to_string(max_taps) + " are allowed");
   }
   return values;
 }
@@ -84,18 +84,21 @@ void read_wheel(YamlReader wheel, ModelType type, WheelResponse& response, std::
   wheel.finish();
 }
 
-void read_core(YamlReader core, RobotModel& model) {
-  if (!core.has("type")) core.fail("type", "is missing here; it must be fir or arma");
-  model.core.type = core.choice("type", {{"fir", ModelType::fir}, {"arma", ModelType::arma}}, ModelType::fir);
-  read_wheel(required_section(core, "left"), model.core.type, model.core.left, model.left_fit);
-  read_wheel(required_section(core, "right"), model.core.type, model.core.right, model.right_fit);
-  const WheelResponse& left = model.core.left;
-  const WheelResponse& right = model.core.right;
+void read_linear_part(YamlReader linear_part, RobotModel& model) {
+  if (!linear_part.has("type")) linear_part.fail("type", "is missing here; it must be fir or arma");
+  model.linear_part.type =
+      linear_part.choice("type", {{"fir", ModelType::fir}, {"arma", ModelType::arma}}, ModelType::fir);
+  read_wheel(required_section(linear_part, "left"), model.linear_part.type, model.linear_part.left,
+             model.left_fit);
+  read_wheel(required_section(linear_part, "right"), model.linear_part.type, model.linear_part.right,
+             model.right_fit);
+  const WheelResponse& left = model.linear_part.left;
+  const WheelResponse& right = model.linear_part.right;
   if (left.from_left.size() != right.from_left.size() ||
       left.from_own_past.size() != right.from_own_past.size()) {
-    core.fail("right", "holds lists of other lengths than 'left'; fill the shorter ones with zeros");
+    linear_part.fail("right", "holds lists of other lengths than 'left'; fill the shorter ones with zeros");
   }
-  core.finish();
+  linear_part.finish();
 }
 
 EncoderScale read_encoder_scale(YamlReader scale) {
@@ -117,10 +120,10 @@ RobotModel read_model(YamlReader file) {
   model.robot = one_line_text(file, "robot", "");
   model.created = file.text("created", "");
   model.source = file.texts("source");
-  model.core.wheel_base_m = file.number("wheel_base_m", {0.001, 10.0, "m"});
-  model.core.period_s = file.number("period_s", {0.0001, 10.0, "s"});
+  model.linear_part.wheel_base_m = file.number("wheel_base_m", {0.001, 10.0, "m"});
+  model.linear_part.period_s = file.number("period_s", {0.0001, 10.0, "s"});
   if (auto scale = file.section("encoder_scale")) model.encoder_scale = read_encoder_scale(std::move(*scale));
-  read_core(required_section(file, "core"), model);
+  read_linear_part(required_section(file, "core"), model);
   model.effects = read_effects(file);
   file.finish();
   return model;
@@ -161,18 +164,18 @@ std::string wheel_to_yaml(const std::string& key, const WheelResponse& wheel,
   return text;
 }
 
-std::string core_to_yaml(const RobotModel& model) {
+std::string linear_part_to_yaml(const RobotModel& model) {
   std::string text =
       "\n# How the wheels answer to commands. The speed of a wheel over one period is the sum of\n"
       "#   from_left[i]     x the left command, i periods ago  (i = 0: the period itself), and\n"
       "#   from_right[i]    x the right command, i periods ago";
-  text += model.core.type == ModelType::arma
+  text += model.linear_part.type == ModelType::arma
               ? ", and\n#   from_own_past[i] x the wheel's own speed, i+1 periods ago.\n"
               : ".\n";
   text += "# `fit` says how well it is known: one standard error of what the data gave.\ncore:\n";
-  text += line(2, "type", model.core.type == ModelType::arma ? "arma" : "fir");
-  text += wheel_to_yaml("left", model.core.left, model.left_fit);
-  text += wheel_to_yaml("right", model.core.right, model.right_fit);
+  text += line(2, "type", model.linear_part.type == ModelType::arma ? "arma" : "fir");
+  text += wheel_to_yaml("left", model.linear_part.left, model.left_fit);
+  text += wheel_to_yaml("right", model.linear_part.right, model.right_fit);
   return text;
 }
 
@@ -196,8 +199,9 @@ std::string model_to_yaml(const RobotModel& model) {
   text += "source:" + std::string(model.source.empty() ? " []" : "") + "  # what it was made from\n";
   for (const auto& source : model.source) text += "  - " + quoted(source) + "\n";
   text += "\n# The one given constant, and the time step of the model.\n";
-  text += line(0, "wheel_base_m", plain_number(model.core.wheel_base_m), "distance between the wheels");
-  text += line(0, "period_s", plain_number(model.core.period_s));
+  text +=
+      line(0, "wheel_base_m", plain_number(model.linear_part.wheel_base_m), "distance between the wheels");
+  text += line(0, "period_s", plain_number(model.linear_part.period_s));
   if (const auto& scale = model.encoder_scale) {
     text += "\n# What a wheel rolls per encoder tick, found by turning in place. It depends on the floor.\n";
     text += "encoder_scale:\n";
@@ -207,7 +211,7 @@ std::string model_to_yaml(const RobotModel& model) {
                  "of one wheel, full turn of the robot");
     text += line(2, "relative_standard_error", plain_number(scale->relative_standard_error));
   }
-  return text + core_to_yaml(model) + effects_to_yaml(model.effects);
+  return text + linear_part_to_yaml(model) + effects_to_yaml(model.effects);
 }
 
 void save_model(const RobotModel& model, const std::filesystem::path& path) {

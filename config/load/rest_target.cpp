@@ -11,7 +11,7 @@
 namespace wheelwright::config {
 namespace {
 
-constexpr int most_cuts = 100;
+constexpr int max_cuts = 100;
 constexpr FileKind configuration{"a configuration", 1U << 20U};
 
 // The first `count` lines of a text.
@@ -24,7 +24,7 @@ std::string first_lines(const std::string& text, int count) {
 // The document up to the line that is no YAML.
 YAML::Node readable_part(const std::string& text) {
   std::string part = text;
-  for (int cut = 0; cut < most_cuts && !part.empty(); ++cut) {
+  for (int cut = 0; cut < max_cuts && !part.empty(); ++cut) {
     try {
       check_yaml_bounds(part);
       return YAML::Load(part);

@@ -6,13 +6,13 @@
 namespace wheelwright::config {
 namespace {
 
-constexpr std::size_t most_checkpoints = 10000;
+constexpr std::size_t max_checkpoints = 10000;
 
 void check(const YamlReader& file, const std::vector<Checkpoint>& checkpoints) {
   if (checkpoints.empty()) file.fail("checkpoints", "is empty, but must hold at least one [x, y]");
-  if (checkpoints.size() > most_checkpoints) {
+  if (checkpoints.size() > max_checkpoints) {
     file.fail("checkpoints", "holds " + std::to_string(checkpoints.size()) + " checkpoints, but at most " +
-                                 std::to_string(most_checkpoints) + " are allowed");
+                                 std::to_string(max_checkpoints) + " are allowed");
   }
   for (std::size_t i = 1; i < checkpoints.size(); ++i) {
     const Checkpoint& here = checkpoints[i];

@@ -30,7 +30,7 @@ std::string why_not_opened(int error) {
 }
 
 std::string too_large(const FileKind& kind, const std::string& size) {
-  return "is " + size + " than the " + std::to_string(kind.most_bytes / mebibyte) + " MiB that " +
+  return "is " + size + " than the " + std::to_string(kind.max_bytes / mebibyte) + " MiB that " +
          std::string(kind.name) + " may have; split it, or name another file";
 }
 
@@ -50,8 +50,8 @@ std::optional<std::string> refusal(const std::filesystem::path& path, const stru
   const mode_t type = status.st_mode & static_cast<mode_t>(S_IFMT);
   if (type == S_IFREG) {
     const auto size = static_cast<std::uint64_t>(std::max<off_t>(status.st_size, 0));
-    return size > kind.most_bytes ? std::optional(too_large(kind, "of " + in_mebibytes(size) + ", more"))
-                                  : std::nullopt;
+    return size > kind.max_bytes ? std::optional(too_large(kind, "of " + in_mebibytes(size) + ", more"))
+                                 : std::nullopt;
   }
   if (type == S_IFDIR) return "is a folder, but must be a file";
   if (type == S_IFSOCK) return "is a socket, but must be a file";
@@ -85,7 +85,7 @@ tl::expected<std::string, std::string> read_to_end(int descriptor, const struct 
   text.resize(announced + 1);
   while (true) {
     if (filled == text.size())
-      text.resize(std::min<std::uint64_t>(std::max(2 * filled, pipe_block_bytes), kind.most_bytes + 1));
+      text.resize(std::min<std::uint64_t>(std::max(2 * filled, pipe_block_bytes), kind.max_bytes + 1));
     const ssize_t count = ::read(descriptor, text.data() + filled, text.size() - filled);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) {
@@ -94,7 +94,7 @@ tl::expected<std::string, std::string> read_to_end(int descriptor, const struct 
     }
     if (count == 0) break;
     filled += static_cast<std::size_t>(count);
-    if (filled > kind.most_bytes) return Failure(too_large(kind, "longer"));
+    if (filled > kind.max_bytes) return Failure(too_large(kind, "longer"));
   }
   if (filled < announced) {
     return Failure("became shorter while it was read, from " + std::to_string(announced) + " to " +

@@ -15,7 +15,7 @@ namespace wheelwright::config {
 
 struct FileKind {
   std::string_view name;  // with its article
-  std::uint64_t most_bytes;
+  std::uint64_t max_bytes;
 };
 inline constexpr FileKind yaml_file{"a YAML file", 8U << 20U};
 inline constexpr FileKind log_file{"a log", 1U << 30U};

@@ -42,9 +42,9 @@ class ValueCounter final : public YAML::EventHandler {
   };
 
   void add(const YAML::Mark& mark, int values) {
-    if (values > most_yaml_values - values_) {
+    if (values > max_yaml_values - values_) {
       throw YamlRefused(
-          mark, "holds more than " + std::to_string(most_yaml_values) + " values, which no file here needs");
+          mark, "holds more than " + std::to_string(max_yaml_values) + " values, which no file here needs");
     }
     values_ += values;
   }
@@ -57,8 +57,8 @@ class ValueCounter final : public YAML::EventHandler {
   void open(const YAML::Mark& mark, YAML::anchor_t anchor) {
     open_.push_back({anchor, values_});
     add(mark, 1);
-    if (open_.size() > static_cast<std::size_t>(most_yaml_levels)) {
-      throw YamlRefused(mark, "is nested deeper than " + std::to_string(most_yaml_levels) +
+    if (open_.size() > static_cast<std::size_t>(max_yaml_levels)) {
+      throw YamlRefused(mark, "is nested deeper than " + std::to_string(max_yaml_levels) +
                                   " levels, which no file here needs");
     }
   }

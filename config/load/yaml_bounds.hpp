@@ -8,8 +8,8 @@
 
 namespace wheelwright::config {
 
-inline constexpr int most_yaml_levels = 64;
-inline constexpr int most_yaml_values = 500'000;  // keys included, aliases as what they stand for
+inline constexpr int max_yaml_levels = 64;
+inline constexpr int max_yaml_values = 500'000;  // keys included, aliases as what they stand for
 
 // It is YAML, but not what a file may hold.
 class YamlRefused : public YAML::Exception {

@@ -122,9 +122,9 @@ bool Guardian::responds() {
   const auto since_last = std::min<std::chrono::nanoseconds>(now - asked_, longest_interval);
   asked_ = now;
   const std::uint64_t looks = board_->looks.load(std::memory_order_relaxed);
-  unheard_for_ = looks == looks_seen_ ? unheard_for_ + since_last : std::chrono::nanoseconds(0);
+  silent_for_ = looks == looks_seen_ ? silent_for_ + since_last : std::chrono::nanoseconds(0);
   looks_seen_ = looks;
-  return unheard_for_ < response_patience;
+  return silent_for_ < response_patience;
 }
 
 void Guardian::leave_wheels_to_guardian() {

@@ -82,7 +82,7 @@ class Guardian final : public roomba::PortGuard {
   std::uint64_t acts_seen_ = 0;
   std::uint64_t looks_seen_ = 0;
   std::chrono::steady_clock::time_point asked_{};
-  std::chrono::nanoseconds unheard_for_{0};
+  std::chrono::nanoseconds silent_for_{0};
 };
 
 }  // namespace wheelwright::daemon

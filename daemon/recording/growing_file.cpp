@@ -9,7 +9,7 @@
 namespace wheelwright::daemon {
 namespace {
 
-constexpr std::size_t most_pending_bytes = 1UL << 20U;  // about a minute of ticks
+constexpr std::size_t max_pending_bytes = 1UL << 20U;  // about a minute of ticks
 constexpr auto sync_every = std::chrono::milliseconds(500);
 
 }  // namespace
@@ -31,7 +31,7 @@ bool GrowingFile::create(const std::filesystem::path& path, const std::string& h
 }
 
 bool GrowingFile::add(std::string_view piece) {
-  if (descriptor_ < 0 || pending_.size() + piece.size() > most_pending_bytes) return false;
+  if (descriptor_ < 0 || pending_.size() + piece.size() > max_pending_bytes) return false;
   pending_ += piece;
   return true;
 }

@@ -25,9 +25,9 @@ const ExtraColumn& column_of(const DriveLog& log, std::string_view name) {
 }
 
 // What the columns of a daemon's log can hold.
-constexpr double most_ticks = 1e9;  // half a year of them
-constexpr double most_travel_ticks = 9e15;
-constexpr double most_amperes = 1e3;
+constexpr double max_ticks = 1e9;  // half a year of them
+constexpr double max_travel_ticks = 9e15;
+constexpr double max_amperes = 1e3;
 constexpr double largest_byte = 255.0;
 constexpr double largest_word = 65535.0;
 
@@ -62,7 +62,7 @@ RecordedFrames::RecordedFrames(const DriveLog& log)
 }
 
 std::int64_t RecordedFrames::tick(std::size_t row) const {
-  return whole(row, tick_, 0.0, most_ticks);
+  return whole(row, tick_, 0.0, max_ticks);
 }
 
 std::uint16_t RecordedFrames::model_version(std::size_t row) const {
@@ -119,8 +119,8 @@ SensorFrame RecordedFrames::before_start() const {
 }
 
 WheelTicks RecordedFrames::travel(std::size_t row) const {
-  return {whole(row, travel_left_, -most_travel_ticks, most_travel_ticks),
-          whole(row, travel_right_, -most_travel_ticks, most_travel_ticks)};
+  return {whole(row, travel_left_, -max_travel_ticks, max_travel_ticks),
+          whole(row, travel_right_, -max_travel_ticks, max_travel_ticks)};
 }
 
 double RecordedFrames::number(std::size_t row, const ExtraColumn& column, double least, double most) const {
@@ -137,7 +137,7 @@ std::int64_t RecordedFrames::whole(std::size_t row, const ExtraColumn& column, d
 
 // Of the milliamperes that the robot reports, by the same product as then.
 double RecordedFrames::amperes(std::size_t row, const ExtraColumn& column) const {
-  return 1e-3 * std::round(1e3 * number(row, column, -most_amperes, most_amperes));
+  return 1e-3 * std::round(1e3 * number(row, column, -max_amperes, max_amperes));
 }
 
 StopReason RecordedFrames::stop_reason(std::size_t row) const {

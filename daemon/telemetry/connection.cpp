@@ -20,7 +20,7 @@ constexpr std::uint32_t largest_header = 8 * 1024;
 constexpr std::uint64_t largest_body = 1024;
 constexpr std::size_t largest_message = 64 * 1024;  // from a client
 // What a slow client may be behind: about two seconds of everything, after which it is dropped.
-constexpr std::size_t most_queued_bytes = 1024 * 1024;
+constexpr std::size_t max_queued_bytes = 1024 * 1024;
 // More than this is a backlog: about an eighth of a second of everything.
 constexpr std::size_t backlog_bytes = 64 * 1024;
 // The system holds no more than about this for a client, so that what is queued here is what it is behind.
@@ -162,7 +162,7 @@ void Connection::on_message() {
 void Connection::send(Outgoing message) {
   if (!is_open_ || is_closing_ || is_closed_) return;
   queued_bytes_ += message.size();
-  if (queued_bytes_ > most_queued_bytes) {
+  if (queued_bytes_ > max_queued_bytes) {
     drop();
     return;
   }

@@ -6,7 +6,7 @@
 namespace wheelwright::daemon::telemetry {
 namespace {
 
-constexpr std::size_t most_stop_channels = 64;
+constexpr std::size_t max_stop_channels = 64;
 constexpr std::string_view only_watches = "this connection may only watch";
 
 }  // namespace
@@ -70,7 +70,7 @@ void Conversation::answer(const request::Unsubscribe& unsubscribe, Reply& reply)
 
 void Conversation::answer(const request::Advertise& advertise, Reply& reply) {
   for (const auto& [id, topic] : advertise.channels) {
-    if (!info_.may_control || topic != stop_topic || stop_channels_.size() >= most_stop_channels) {
+    if (!info_.may_control || topic != stop_topic || stop_channels_.size() >= max_stop_channels) {
       const std::string why =
           info_.may_control ? "nothing is taken but " + std::string(stop_topic) : std::string(only_watches);
       reply.messages.push_back(status(StatusLevel::warning, why));

@@ -24,7 +24,7 @@ constexpr auto goodbye_patience = milliseconds(2500);
 constexpr std::size_t kept_messages = 200;
 // What all clients together get; beyond it, ticks are left out rather than sent late. About a fifth of one
 // core of a small board.
-constexpr double most_messages_per_s = 20000.0;
+constexpr double max_messages_per_s = 20000.0;
 constexpr int niceness = 10;
 
 std::int64_t nanoseconds_since_epoch(auto time) {
@@ -131,7 +131,7 @@ void LiveView::wait() {
 
 void LiveView::look() {
   const double per_s = static_cast<double>(server_->subscriptions()) / config_.link.period_s;
-  every_ = static_cast<std::uint64_t>(std::max(1.0, std::ceil(per_s / most_messages_per_s)));
+  every_ = static_cast<std::uint64_t>(std::max(1.0, std::ceil(per_s / max_messages_per_s)));
   LogEntry entry;
   while (wiring_.telemetry.entries.pop(entry)) take(entry);
   const auto now = steady_clock::now();

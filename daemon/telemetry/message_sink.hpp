@@ -27,13 +27,13 @@ class MessageSink final : public spdlog::sinks::base_sink<std::mutex> {
 
  protected:
   void sink_it_(const spdlog::details::log_msg& message) override {
-    if (lines_.size() >= most_lines) return;
+    if (lines_.size() >= max_lines) return;
     lines_.push_back({message.time, message.level, {message.payload.data(), message.payload.size()}});
   }
   void flush_() override {}
 
  private:
-  static constexpr std::size_t most_lines = 1000;
+  static constexpr std::size_t max_lines = 1000;
   std::vector<Line> lines_;
 };
 

@@ -81,7 +81,7 @@ std::string loop_message(std::uint64_t time_ns, double lateness_s) {
 }
 
 std::string state_message(std::uint64_t time_ns, const LogEntry& entry, const config::DaemonConfig& config,
-                          const Surroundings& surroundings) {
+                          const StepContext& step_context) {
   const SensorFrame& frame = entry.frame;
   const PoseRecord& record = entry.record;
   std::string text = stamped(time_ns) + field("robot", json_quoted(config.robot_name)) +
@@ -89,7 +89,7 @@ std::string state_message(std::uint64_t time_ns, const LogEntry& entry, const co
                      field("activity", json_quoted(name_of(frame.command.activity))) +
                      field("repetition", std::to_string(frame.command.repetition)) +
                      field("armed", flag(frame.armed)) +
-                     field("robot_answers", flag(surroundings.robot_answers)) +
+                     field("robot_answers", flag(step_context.robot_answers)) +
                      field("stop", json_quoted(name_of(frame.stop))) +
                      field("pose_source", json_quoted(name_of(config.pose_source)));
   if (config.route) {
@@ -101,10 +101,10 @@ std::string state_message(std::uint64_t time_ns, const LogEntry& entry, const co
           field("recalibration_due", flag(record.hybrid && record.hybrid->recalibration_due));
   if (frame.valid) text += field("battery_v", number(frame.battery_v, 2));
   return text + field("period_s", number(config.link.period_s, 6)) +
-         field("dropped", std::to_string(surroundings.dropped)) +
-         field("watchers", std::to_string(surroundings.watchers)) +
-         field("result", json_quoted(surroundings.result)) +
-         field("outcome", json_quoted(surroundings.outcome)) + "}";
+         field("dropped", std::to_string(step_context.dropped)) +
+         field("watchers", std::to_string(step_context.watchers)) +
+         field("result", json_quoted(step_context.result)) +
+         field("outcome", json_quoted(step_context.outcome)) + "}";
 }
 
 std::string log_message(std::uint64_t time_ns, LogLevel level, std::string_view text) {

@@ -24,7 +24,7 @@ std::string light_bumper_message(std::uint64_t time_ns, const SensorFrame& frame
 std::string loop_message(std::uint64_t time_ns, double lateness_s);
 
 // What no tick knows.
-struct Surroundings {
+struct StepContext {
   bool robot_answers = false;
   std::uint64_t dropped = 0;  // ticks that the live view has lost
   std::size_t watchers = 0;
@@ -32,7 +32,7 @@ struct Surroundings {
   std::string outcome;  // of one that has finished, its figures in words
 };
 std::string state_message(std::uint64_t time_ns, const LogEntry& entry, const config::DaemonConfig& config,
-                          const Surroundings& surroundings);
+                          const StepContext& step_context);
 
 enum class LogLevel : int { debug = 1, info = 2, warning = 3, error = 4, fatal = 5 };
 std::string log_message(std::uint64_t time_ns, LogLevel level, std::string_view text);

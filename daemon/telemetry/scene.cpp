@@ -14,7 +14,7 @@ namespace {
 
 constexpr double point_every_m = 0.01;
 constexpr std::size_t points_in_piece = 64;
-constexpr std::size_t most_pieces = 128;  // 80 m of way; what is older is forgotten
+constexpr std::size_t max_pieces = 128;  // 80 m of way; what is older is forgotten
 
 struct Look {
   std::string_view id;
@@ -86,7 +86,7 @@ void Scene::Way::add(const Pose& pose) {
   if (!changed) first_changed = pieces.back().number;
   changed = true;
   pieces.back().points.push_back({pose.x_m, pose.y_m});
-  if (pieces.size() > most_pieces) {
+  if (pieces.size() > max_pieces) {
     forgotten.push_back(pieces.front().number);
     pieces.pop_front();
   }
@@ -99,7 +99,7 @@ void Scene::Way::clear() {
   first_changed = next_number;
 }
 
-void Scene::start_anew() {
+void Scene::restart() {
   for (Way& way : ways_) way.clear();
   ellipse_.reset();
   visited_ = 0;
@@ -109,13 +109,13 @@ void Scene::start_anew() {
 bool Scene::take(const LogEntry& entry) {
   const PoseRecord& record = entry.record;
   const Activity activity = entry.frame.command.activity;
-  // Where the route starts, all poses are zero anew; so are they where another run begins.
+  // Where the route starts, all poses are zero again; so are they where another run begins.
   const bool drives = activity == Activity::route || activity == Activity::commanded_drive;
   const bool begins = activity != activity_ &&
                       (drives || activity_ == Activity::idle ||
                        (activity == Activity::wait_until_still && activity_ != Activity::commanded_drive));
   activity_ = activity;
-  if (begins) start_anew();
+  if (begins) restart();
   if (activity == Activity::idle) return begins;
   if (record.has_prediction) ways_[0].add(record.predicted);
   if (record.valid) ways_[1].add(record.odometry);

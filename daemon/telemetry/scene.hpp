@@ -22,7 +22,7 @@ class Scene {
  public:
   explicit Scene(std::optional<Route> route) : route_(std::move(route)) {}
 
-  // One tick, in order. Returns whether all ways begin anew with it, as their poses do.
+  // One tick, in order. Returns whether all ways begin again with it, as their poses do.
   bool take(const LogEntry& entry);
   // Where a simulated robot truly is, in the frame of the route.
   void take_truth(const Pose& pose);
@@ -58,7 +58,7 @@ class Scene {
     double xx_m2 = 0.0, xy_m2 = 0.0, yy_m2 = 0.0;
   };
 
-  void start_anew();
+  void restart();
   std::string entity(std::uint64_t time_ns, std::string_view frame, const std::string& id,
                      const std::string& shapes) const;
   std::vector<std::string> route_entities(std::uint64_t time_ns) const;

@@ -1,4 +1,4 @@
-// How a running daemon is: one JSON object in a file that is written anew every second, and one line of it
+// How a running daemon is: one JSON object in a file that is written again every second, and one line of it
 // for the service manager. `wheelwright status` shows it.
 //
 // A file and not a socket: nothing listens, nobody can hold the daemon up, and the last state of a daemon

@@ -10,7 +10,7 @@ namespace wheelwright::daemon::telemetry {
 namespace {
 
 // While no start is known, so much of the past is kept: the start may lie in it.
-constexpr std::size_t most_unread = 2000;
+constexpr std::size_t max_unread = 2000;
 constexpr std::streamoff longest_line = 64 * 1024;  // what is longer is none of the truth, and is left out
 constexpr std::string_view start_key = "# started_unix_ms: ";
 
@@ -39,7 +39,7 @@ std::vector<TimedPose> TruthTrail::read() {
   for (const TimedPose& sample : unread_) {
     if (sample.time_ns < *start_ns_) continue;
     if (!origin_) origin_ = sample.pose;
-    poses.push_back({sample.time_ns, relative_to(*origin_, sample.pose)});
+    poses.push_back({sample.time_ns, between(*origin_, sample.pose)});
   }
   unread_.clear();
   return poses;
@@ -95,7 +95,7 @@ void TruthTrail::take_line(std::string_view line) {
   if (!file_started_ns_ || line.starts_with('#') || !read_numbers(line, numbers)) return;
   const auto since_start_ns = static_cast<std::uint64_t>(std::llround(1e9 * numbers[0]));
   unread_.push_back({*file_started_ns_ + since_start_ns, {numbers[1], numbers[2], numbers[3]}});
-  if (unread_.size() > most_unread) unread_.pop_front();
+  if (unread_.size() > max_unread) unread_.pop_front();
 }
 
 }  // namespace wheelwright::daemon::telemetry

@@ -26,15 +26,15 @@ void check_type(const config::DaemonConfig& config, ModelType type, const std::s
 
 void check_model(const config::DaemonConfig& config, const RobotModel& model) {
   const std::string file = config.model_file.string();
-  if (std::abs(model.core.period_s / config.link.period_s - 1.0) > 0.005) {
+  if (std::abs(model.linear_part.period_s / config.link.period_s - 1.0) > 0.005) {
     throw ConfigError(file + ": was made for another period than link.period_s; calibrate again");
   }
-  check_type(config, model.core.type, file + ": holds");
+  check_type(config, model.linear_part.type, file + ": holds");
   if (!config.commanded_drive && config.pose_source == PoseSource::hybrid && !model.encoder_scale) {
     throw ConfigError(file +
                       ": has no encoder_scale, but run.pose_source is 'hybrid', which needs metres per tick; "
                       "calibrate again, or set it to '" +
-                      std::string(name_of(model.core.type)) + "'");
+                      std::string(name_of(model.linear_part.type)) + "'");
   }
 }
 

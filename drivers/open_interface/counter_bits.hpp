@@ -15,7 +15,7 @@ class CounterBits {
  public:
   // Takes a count, and the change since the one before.
   void take(std::uint16_t raw, int change) {
-    if (std::abs(change) > most_step) forget();
+    if (std::abs(change) > max_step) forget();
     travel_ += change;
     lowest_ = std::min(lowest_, travel_);
     highest_ = std::max(highest_, travel_);
@@ -33,7 +33,7 @@ class CounterBits {
   }
 
  private:
-  static constexpr int most_step = 96;
+  static constexpr int max_step = 96;
   static constexpr int enough_travel = 512;  // twice what the low byte counts
   static constexpr unsigned judged = 0x60;
 

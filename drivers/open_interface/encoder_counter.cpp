@@ -12,9 +12,10 @@ namespace {
 // and most where it is not driven.
 constexpr int standing_ticks = 2;
 constexpr int rocking_ticks = 4;
-// A command acts only after 31-47 ms (GAP.md), and shows a refresh later; nothing turns round before.
+// A command acts only after 31-47 ms (measured on a Create 2), and shows a refresh later; nothing turns round
+// before.
 constexpr int dead_time_samples = 2;
-// By then it has (125-145 ms, GAP.md).
+// By then it has (125-145 ms on a Create 2).
 constexpr int longest_turn_samples = 8;
 // Without a command the slowest of old motors still creep for so long.
 constexpr int longest_coast_samples = 60;
@@ -47,10 +48,10 @@ void EncoderCounter::forget_signs() {
   counts_by_rule_ = false;
 }
 
-bool EncoderCounter::update(std::uint16_t raw, double command, int most_change) {
+bool EncoderCounter::update(std::uint16_t raw, double command, int max_change) {
   if (!last_raw_) last_raw_ = raw;
   const int change = static_cast<std::int16_t>(static_cast<std::uint16_t>(raw - *last_raw_));
-  if (std::abs(change) > most_change) return false;
+  if (std::abs(change) > max_change) return false;
   last_raw_ = raw;
   counted_ += change;
   note_command(sign_of(command));

@@ -18,9 +18,9 @@ namespace wheelwright::open_interface {
 class EncoderCounter {
  public:
   // Takes the raw count of a sample and the command (any unit, only its sign matters) in force before it.
-  // Returns false, and takes nothing, where the change is more than `most_change` ticks: no wheel moves so
+  // Returns false, and takes nothing, where the change is more than `max_change` ticks: no wheel moves so
   // fast.
-  bool update(std::uint16_t raw, double command, int most_change);
+  bool update(std::uint16_t raw, double command, int max_change);
 
   // Forgets where the raw count was; the next sample continues from the same total.
   void rebase();

@@ -8,7 +8,7 @@ namespace {
 
 using enum PacketId;
 
-constexpr int most_voltage_change_mv = 300;  // between the first and the last packet of one reply
+constexpr int max_voltage_change_mv = 300;  // between the first and the last packet of one reply
 
 }  // namespace
 
@@ -25,7 +25,7 @@ QueryReader::QueryReader() {
     add_marks((kind & 2U) == 0);
   }
   for (std::size_t i = 0; i < list_size_; ++i) reply_bytes_ += packet_info(lists_[0].at(i)).bytes;
-  if (reply_bytes_ > most_bytes) std::abort();
+  if (reply_bytes_ > max_bytes) std::abort();
 }
 
 std::span<const PacketId> QueryReader::begin() {
@@ -86,7 +86,7 @@ std::optional<Reading> QueryReader::decode_window() const {
     if (packet.id == oi_mode && first_mode < 0) first_mode = value;
   }
   const bool marks_agree =
-      std::abs(reading.voltage_mv - first_voltage) <= most_voltage_change_mv && reading.oi_mode == first_mode;
+      std::abs(reading.voltage_mv - first_voltage) <= max_voltage_change_mv && reading.oi_mode == first_mode;
   return marks_agree ? std::optional(reading) : std::nullopt;
 }
 

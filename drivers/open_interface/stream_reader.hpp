@@ -45,8 +45,8 @@ class StreamReader {
   StrayText& stray_text() { return stray_text_; }
 
  private:
-  static constexpr std::size_t most_packets = 32;
-  static constexpr std::size_t most_bytes = 128;
+  static constexpr std::size_t max_packets = 32;
+  static constexpr std::size_t max_bytes = 128;
   static constexpr std::uint32_t frames_that_settle_the_rule = 20;
 
   bool may_be_frame() const;
@@ -54,10 +54,10 @@ class StreamReader {
   std::optional<Reading> decode() const;
   void drop_first_byte();
 
-  std::array<PacketId, most_packets> list_{};
+  std::array<PacketId, max_packets> list_{};
   std::size_t list_size_ = 0;
   std::size_t frame_bytes_ = 0;
-  std::array<std::uint8_t, most_bytes> buffer_{};
+  std::array<std::uint8_t, max_bytes> buffer_{};
   std::size_t size_ = 0;
   ChecksumRule rule_ = ChecksumRule::unknown;
   std::array<std::uint32_t, 2> passes_{};  // header included, header excluded

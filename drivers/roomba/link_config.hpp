@@ -30,7 +30,7 @@ struct LinkConfig {
   double largest_speed_m_s = 0.3;   // commands are limited to this
   double pwm_full_scale_m_s = 0.5;  // command at which the duty is 255
   double blind_limit_s = 0.25;      // without a sound reading for longer, the wheels are stopped
-  double lost_after_s = 1.0;        // without a sound reading for longer, the port is opened anew
+  double lost_after_s = 1.0;        // without a sound reading for longer, the port is opened again
   double lowest_battery_v = 12.0;
   int late_commands_held = 3;  // ticks with a reply for which the last command stays where none came in time
 };

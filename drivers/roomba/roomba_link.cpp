@@ -25,7 +25,7 @@ constexpr double arming_patience_s = 1.0;
 
 // No Roomba moves faster than 0.5 m/s, 1125 ticks/s; some room for slipping wheels and for sensor refreshes
 // that fall between polls.
-constexpr double most_ticks_per_s = 1600.0;
+constexpr double max_ticks_per_s = 1600.0;
 constexpr double refresh_slack_s = 0.04;
 constexpr int implausible_before_new_origin = 3;
 constexpr int standing_ticks_to_trust = 4;
@@ -61,7 +61,7 @@ void RoombaLink::port_opened() {
   says_safe_unasked_ = 0;
   urgent_.clear();
   counts_.stuck_bits = 0;
-  begin_counts_anew();
+  begin_after_counter_reset();
 }
 
 void RoombaLink::port_closed() {
@@ -91,7 +91,7 @@ void RoombaLink::set_encoder_order(EncoderOrder order) {
   after_gap_ = true;  // what was the left total is the right one now
 }
 
-void RoombaLink::begin_counts_anew() {
+void RoombaLink::begin_after_counter_reset() {
   first_counter_.rebase();
   second_counter_.rebase();
   first_bits_.forget();
@@ -122,7 +122,7 @@ bool RoombaLink::stands() const {
   return speed.left == 0.0 && speed.right == 0.0 && standing_ticks_ >= standing_ticks_to_trust;
 }
 
-Command RoombaLink::obeyed_command(const std::optional<Command>& command) {
+Command RoombaLink::applied_command(const std::optional<Command>& command) {
   Command obeyed;
   if (command && std::isfinite(command->speed_m_s.left) && std::isfinite(command->speed_m_s.right)) {
     obeyed = *command;
@@ -161,7 +161,7 @@ std::span<const std::uint8_t> RoombaLink::begin_tick(std::int64_t tick, double h
                                                      const std::optional<Command>& command) {
   last_command_ = frame_.command;
   out_.clear();
-  const Command obeyed = obeyed_command(command);
+  const Command obeyed = applied_command(command);
   frame_ = SensorFrame{};
   frame_.tick = tick;
   frame_.t_s = static_cast<double>(tick) * config_.period_s;
@@ -287,14 +287,14 @@ void RoombaLink::take_reading(const Reading& reading, SensorFrame& frame) {
 void RoombaLink::take_counts(const Reading& reading, SensorFrame& frame) {
   const double elapsed_s =
       static_cast<double>(frame.tick - last_sound_tick_) * config_.period_s + refresh_slack_s;
-  const int most_change = static_cast<int>(std::min(most_ticks_per_s * elapsed_s, 30000.0));
+  const int max_change = static_cast<int>(std::min(max_ticks_per_s * elapsed_s, 30000.0));
   const bool left_first = config_.encoder_order == EncoderOrder::left_is_43;
   const double first_command = left_first ? last_command_.speed_m_s.left : last_command_.speed_m_s.right;
   const double second_command = left_first ? last_command_.speed_m_s.right : last_command_.speed_m_s.left;
   const WheelTicks before{first_counter_.total(), second_counter_.total()};
   const WheelTicks counted_before{first_counter_.counted(), second_counter_.counted()};
-  const bool first_taken = first_counter_.update(reading.left_counts, first_command, most_change);
-  const bool second_taken = second_counter_.update(reading.right_counts, second_command, most_change);
+  const bool first_taken = first_counter_.update(reading.left_counts, first_command, max_change);
+  const bool second_taken = second_counter_.update(reading.right_counts, second_command, max_change);
   const bool turned = first_counter_.total() != before.left || second_counter_.total() != before.right;
   standing_ticks_ = turned ? 0 : standing_ticks_ + 1;
   const std::int64_t ticks = std::max(std::abs(first_counter_.counted() - counted_before.left),
@@ -308,7 +308,7 @@ void RoombaLink::take_counts(const Reading& reading, SensorFrame& frame) {
     frame.valid = false;
     standing_ticks_ = 0;
     if (++implausible_in_a_row_ >= implausible_before_new_origin) {
-      begin_counts_anew();
+      begin_after_counter_reset();
     }
   }
   if (counts_.stuck_bits != 0) frame.valid = false;

@@ -5,7 +5,7 @@
 // Stream transport:             receive bytes -> begin_tick -> write -> complete_tick with the reading.
 //
 // Safety lives here, nearest to the wheels: a bump, cliff, wheel drop, overcurrent, change of mode, charger,
-// low battery, a blind stretch or a missing command stops the wheels in the same tick. The reason is latched;
+// low battery, a blind segment or a missing command stops the wheels in the same tick. The reason is latched;
 // nothing moves again until arm() is called.
 #pragma once
 
@@ -28,7 +28,7 @@ enum class LinkState : std::uint8_t {
   closed,    // no port
   starting,  // port open, robot told to start, no sound reading yet
   running,   // readings come
-  lost,      // they came and stopped; the port should be opened anew
+  lost,      // they came and stopped; the port should be opened again
 };
 std::string_view name_of(LinkState state);
 
@@ -72,7 +72,8 @@ class RoombaLink {
   // What to write before the port is closed: wheels to rest, then Passive, then Off.
   std::span<const std::uint8_t> farewell_bytes();
 
-  // Exchanges the counters of left and right from the next sample on (OI.md 1.6: documents disagree).
+  // Exchanges the counters of left and right from the next sample on (packets 43 and 44: documents of the
+  // protocol disagree).
   void set_encoder_order(EncoderOrder order);
 
   LinkState state() const { return state_; }
@@ -93,7 +94,7 @@ class RoombaLink {
  private:
   enum class ArmState : std::uint8_t { disarmed, asking, armed };
 
-  Command obeyed_command(const std::optional<Command>& command);
+  Command applied_command(const std::optional<Command>& command);
   void add_drive(open_interface::CommandBytes& out, const WheelPair& speed_m_s) const;
   void write_tick_commands();
   void handshake();
@@ -103,7 +104,7 @@ class RoombaLink {
   void take_reading(const open_interface::Reading& reading, SensorFrame& frame);
   void take_counts(const open_interface::Reading& reading, SensorFrame& frame);
   void note_counter_bits(const open_interface::Reading& reading, const WheelTicks& counted_before);
-  void begin_counts_anew();
+  void begin_after_counter_reset();
   void note_silence();
   void follow_mode(std::uint8_t reported_mode);
   int ticks_of(double seconds) const;

@@ -91,7 +91,7 @@ void Session::wait_for_tick() {
 }
 
 void Session::on_timer() {
-  // A frame has come since the wait began. Were the wait begun anew with each frame, Asio would need memory
+  // A frame has come since the wait began. Were the wait begun again with each frame, Asio would need memory
   // for the old and the new one.
   if (steady_clock::now() < timer_due()) {
     wait_for_tick();
@@ -206,9 +206,9 @@ std::int32_t Session::lateness_of_reply_us() {
       std::clamp<std::int64_t>(late / std::chrono::microseconds(1), 0, largest_late_us));
 }
 
-void Session::note_silence(bool heard) {
+void Session::note_silence(bool received) {
   const auto skipped = counts_.skipped_periods.value();
-  if (heard) silence_watch_.heard(skipped, link_.reply_counts());
+  if (received) silence_watch_.received(skipped, link_.reply_counts());
   if (link_.stop_reason() == StopReason::blind && reported_stop_ != StopReason::blind) {
     silence_ = silence_watch_.until(skipped, link_.reply_counts());
   }

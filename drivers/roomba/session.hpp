@@ -112,7 +112,7 @@ class Session {
   void begin_tick();
   void finish_tick(const open_interface::Reading* reading);
   void note_lateness(std::chrono::nanoseconds lateness);
-  void note_silence(bool heard);
+  void note_silence(bool received);
   std::int32_t lateness_of_reply_us();
   void skip_missed_periods();
   void take_requests();

@@ -22,7 +22,7 @@ class SilenceWatch {
     largest_lateness_ = std::max(largest_lateness_, lateness);
   }
 
-  void heard(std::int64_t skipped_periods, const open_interface::ReplyCounts& replies) {
+  void received(std::int64_t skipped_periods, const open_interface::ReplyCounts& replies) {
     begin_ = {skipped_periods, {}, replies};
     largest_lateness_ = {};
   }

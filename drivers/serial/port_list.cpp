@@ -56,13 +56,12 @@ bool brltty_is_installed(const PortPlaces& places) {
 }
 
 std::string ports_that_are_there(const PortPlaces& places) {
-  constexpr std::size_t most_ports = 8;
+  constexpr std::size_t max_ports = 8;
   const auto ports = serial_ports(places);
   std::string text = ports.empty() ? "this machine has no serial port; is the adapter plugged in?"
                                    : "the ports of this machine are ";
-  for (std::size_t i = 0; i < std::min(ports.size(), most_ports); ++i)
-    text += (i == 0 ? "" : ", ") + ports[i];
-  if (ports.size() > most_ports) text += " and " + std::to_string(ports.size() - most_ports) + " more";
+  for (std::size_t i = 0; i < std::min(ports.size(), max_ports); ++i) text += (i == 0 ? "" : ", ") + ports[i];
+  if (ports.size() > max_ports) text += " and " + std::to_string(ports.size() - max_ports) + " more";
   if (brltty_is_installed(places))
     text +=
         "; brltty is installed, and takes CH340 adapters: remove it (apt-get remove brltty) and plug the "

@@ -23,7 +23,7 @@ struct OpenPort {
 };
 
 // Opens a port with 8 data bits, no parity, one stop bit, no flow control. The modem lines are left as they
-// are when it is closed: moving them can reset a robot or change its baud rate (OI.md 4). Only one process at
+// are when it is closed: moving them can reset a robot or change its baud rate. Only one process at
 // a time gets it.
 tl::expected<OpenPort, PortError> open_port(const std::filesystem::path& path, int baud);
 

@@ -11,7 +11,7 @@ constexpr double gravity_m_s2 = 9.81;
 constexpr double still_m_s = 0.002;
 constexpr double still_rad_s = 0.02;
 // Creep is slip per distance rolled; a wheel that hardly rolls still gives a little.
-constexpr double least_rolling_m_s = 0.02;
+constexpr double min_rolling_m_s = 0.02;
 
 }  // namespace
 
@@ -44,7 +44,7 @@ Chassis::WheelLoad Chassis::load(const DriveUnit& wheel, const Surface& surface,
   const double load_n = 0.5 * config_.load_on_drive_wheels * config_.mass_kg * gravity_m_s2;
   const double rolling_m_s = std::abs(wheel.speed_rad_s()) * wheel.rolling_radius_m();
   return {surface.grip > 0.0 ? surface.grip * load_n : -1.0,
-          surface.creep_per_n * std::max(rolling_m_s, least_rolling_m_s)};
+          surface.creep_per_n * std::max(rolling_m_s, min_rolling_m_s)};
 }
 
 // Slope, carpet, scrubbing tyres and the caster. Drags are taken implicitly: they can stop the body but never

@@ -13,7 +13,7 @@ namespace {
 using std::chrono::duration;
 using std::chrono::steady_clock;
 
-constexpr std::size_t heard = 30;  // bytes: most of a reply
+constexpr std::size_t received = 30;  // bytes: most of a reply
 
 double seconds(std::chrono::nanoseconds time) {
   return duration<double>(time).count();
@@ -71,13 +71,13 @@ bool FaultyBridge::carry_to_host(std::chrono::nanoseconds now) {
   if (count == 0 || (errno != EAGAIN && errno != EINTR)) return false;
   while (const std::size_t arrived = cable_.take(Direction::to_host, buffer, now)) {
     if (terminal_) terminal_->write(std::span(buffer).first(arrived));
-    heard_bytes_ += arrived;
+    received_bytes_ += arrived;
   }
   return true;
 }
 
 void FaultyBridge::note_finished(std::chrono::nanoseconds now) {
-  if (waiting_ && heard_bytes_ >= heard) {
+  if (waiting_ && received_bytes_ >= received) {
     waiting_->answered_after_s = seconds(now) + started_unix_s_ - waiting_->until_unix_s;
     finished_.push_back(*std::exchange(waiting_, std::nullopt));
   }
@@ -86,7 +86,7 @@ void FaultyBridge::note_finished(std::chrono::nanoseconds now) {
     waiting_ = BridgeFault{.record = *record,
                            .from_unix_s = started_unix_s_ + seconds(record->fault.from),
                            .until_unix_s = started_unix_s_ + seconds(now)};
-    heard_bytes_ = 0;
+    received_bytes_ = 0;
   }
 }
 

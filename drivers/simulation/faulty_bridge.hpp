@@ -14,7 +14,7 @@
 
 namespace wheelwright::simulation {
 
-// A fault that is over, and how soon after it the robot was heard again.
+// A fault that is over, and how soon after it the robot was received again.
 struct BridgeFault {
   CableFaultRecord record;
   double from_unix_s = 0.0;
@@ -52,8 +52,8 @@ class FaultyBridge {
   double started_unix_s_;
   std::unique_ptr<PseudoTerminal> terminal_;
   std::unique_ptr<TerminalLink> link_;
-  std::optional<BridgeFault> waiting_;  // over, and the robot has not been heard since
-  std::size_t heard_bytes_ = 0;         // since then
+  std::optional<BridgeFault> waiting_;  // over, and the robot has not been received since
+  std::size_t received_bytes_ = 0;      // since then
   std::deque<BridgeFault> finished_;
 };
 

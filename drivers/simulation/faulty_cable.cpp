@@ -11,7 +11,7 @@ namespace wheelwright::simulation {
 namespace {
 
 constexpr Nanoseconds pause_between_packets{5'000'000};
-constexpr std::size_t most_held_back = 4096;  // bytes: what a host's or converter's buffer takes
+constexpr std::size_t max_held_back = 4096;   // bytes: what a host's or converter's buffer takes
 constexpr double noise_bytes_per_s = 5000.0;  // in a silent line, where every byte is noise
 
 }  // namespace
@@ -100,7 +100,7 @@ bool FaultyCable::hits(Direction direction) const {
 }
 
 void FaultyCable::append(Lane& line, std::uint8_t byte, Nanoseconds due) {
-  if (line.bytes.size() >= most_held_back) return;
+  if (line.bytes.size() >= max_held_back) return;
   // What was delayed is not overtaken.
   const Nanoseconds not_before = line.bytes.empty() ? due : std::max(due, line.bytes.back().due);
   line.bytes.push_back({not_before, byte});
@@ -159,7 +159,7 @@ void FaultyCable::spoil(Lane& line, Direction direction, std::uint8_t byte, Nano
 
 void FaultyCable::read_at_wrong_speed(Lane& line, Direction direction, std::uint8_t byte, Nanoseconds now) {
   const double host_over_robot = record_.fault.amount;
-  std::array<std::uint8_t, most_misread> read{};
+  std::array<std::uint8_t, max_misread> read{};
   const double ratio = direction == Direction::to_robot ? host_over_robot : 1.0 / host_over_robot;
   const std::size_t count = misread(byte, ratio, read);
   for (std::size_t i = 0; i < count; ++i) append(line, read.at(i), now);

@@ -15,7 +15,7 @@ bool level(std::uint8_t sent, double at) {
 
 }  // namespace
 
-std::size_t misread(std::uint8_t sent, double ratio, std::span<std::uint8_t, most_misread> out) {
+std::size_t misread(std::uint8_t sent, double ratio, std::span<std::uint8_t, max_misread> out) {
   constexpr double bits = 10.0;
   const double step = ratio;  // one of the receiver's bits, in those of the sender
   std::size_t count = 0;

@@ -12,10 +12,10 @@
 namespace wheelwright::simulation {
 
 // The most bytes that a receiver at four times the speed can read out of one.
-inline constexpr std::size_t most_misread = 8;
+inline constexpr std::size_t max_misread = 8;
 
 // Reads what comes of one byte that a pause follows. `ratio` is the sender's speed over the receiver's.
 // Returns how many bytes were written to `out`.
-std::size_t misread(std::uint8_t sent, double ratio, std::span<std::uint8_t, most_misread> out);
+std::size_t misread(std::uint8_t sent, double ratio, std::span<std::uint8_t, max_misread> out);
 
 }  // namespace wheelwright::simulation

@@ -101,11 +101,11 @@ void OpenInterfaceServer::obey(const HostCommand& command) {
     case 173:
       return enter(OiMode::off);
     default:
-      if (may_drive()) obey_drive_command(command);
+      if (may_drive()) apply_drive_command(command);
   }
 }
 
-void OpenInterfaceServer::obey_drive_command(const HostCommand& command) {
+void OpenInterfaceServer::apply_drive_command(const HostCommand& command) {
   const auto data = command.data;
   constexpr std::int32_t fastest_mm_s = 500;
   constexpr double full_duty = 255.0;

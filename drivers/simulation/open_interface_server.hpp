@@ -50,7 +50,7 @@ class OpenInterfaceServer {
 
   void obey(const HostCommand& command);
   bool may_drive() const { return mode_ == OiMode::safe || mode_ == OiMode::full; }
-  void obey_drive_command(const HostCommand& command);
+  void apply_drive_command(const HostCommand& command);
   void drive(std::int32_t velocity_mm_s, std::int32_t radius_mm);
   void enter(OiMode mode);
   void boot(Nanoseconds now);

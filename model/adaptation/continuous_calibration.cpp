@@ -36,10 +36,10 @@ std::optional<RobotModel> ContinuousCalibration::take(const SensorFrame& frame) 
   }
   if (phase_ == Phase::adapt) {
     adaptation_->take(frame, sound);
-    if (is_driving(frame.command.speed_m_s)) driven_s_ += model_.core.period_s;
+    if (is_driving(frame.command.speed_m_s)) driven_s_ += model_.linear_part.period_s;
     if (driven_s_ < adapt_s) return std::nullopt;
     candidate_ = adaptation_->adapted();
-    trial_.emplace(model_.core, candidate_, model_.encoder_scale->metres_per_tick);
+    trial_.emplace(model_.linear_part, candidate_, model_.encoder_scale->metres_per_tick);
     phase_ = Phase::judge;
     return std::nullopt;
   }
@@ -52,7 +52,7 @@ std::optional<RobotModel> ContinuousCalibration::decide() {
     begin_adapting();
     return std::nullopt;
   }
-  model_.core = candidate_;
+  model_.linear_part = candidate_;
   if (model_.left_fit) model_.left_fit->gain = dc_gain(candidate_.left);
   if (model_.right_fit) model_.right_fit->gain = dc_gain(candidate_.right);
   filter_ = HybridFilter(model_);

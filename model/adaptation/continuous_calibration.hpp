@@ -1,4 +1,4 @@
-// The calibration that never ends (PAPER.md, Idea: "seamless during robot operation"): frames in, now and
+// The calibration that never ends (the source paper: "seamless during robot operation"): frames in, now and
 // then a better model out.
 //
 //   watch   the hybrid filter says whether the model is still that of the robot,

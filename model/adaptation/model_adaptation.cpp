@@ -14,9 +14,9 @@ constexpr double leak_s = 1.0;
 constexpr double memory_s = 20.0;  // of driving
 constexpr double prior_standard_deviation = 0.1;
 // Readings differ by the age of the counters too: more than the noise of a reading alone.
-constexpr double least_reading_sd_m = 0.001;
+constexpr double min_reading_sd_m = 0.001;
 constexpr int ticks_of_doubt = 10;
-constexpr std::int64_t most_ticks_left_out = 200;
+constexpr std::int64_t max_ticks_left_out = 200;
 // A correction makes a response longer; one that follows on many others may not do so for ever.
 constexpr std::size_t longest_response = 100;
 
@@ -30,15 +30,17 @@ WheelPair scale_of(const RobotModel& model) {
 }  // namespace
 
 ModelAdaptation::ModelAdaptation(const RobotModel& model)
-    : model_(model.core),
-      kept_(std::exp(-model.core.period_s / leak_s)),
-      predictor_(model.core),
-      wheels_{Wheel{DirectionalFit({1.0, 0.0, 0.0}, prior_standard_deviation, memory_s / model.core.period_s),
+    : model_(model.linear_part),
+      kept_(std::exp(-model.linear_part.period_s / leak_s)),
+      predictor_(model.linear_part),
+      wheels_{Wheel{DirectionalFit({1.0, 0.0, 0.0}, prior_standard_deviation,
+                                   memory_s / model.linear_part.period_s),
                     scale_of(model).left,
-                    std::max(least_reading_sd_m, filter_noise_of(model).position_noise_m.left)},
-              Wheel{DirectionalFit({1.0, 0.0, 0.0}, prior_standard_deviation, memory_s / model.core.period_s),
+                    std::max(min_reading_sd_m, filter_noise_of(model).position_noise_m.left)},
+              Wheel{DirectionalFit({1.0, 0.0, 0.0}, prior_standard_deviation,
+                                   memory_s / model.linear_part.period_s),
                     scale_of(model).right,
-                    std::max(least_reading_sd_m, filter_noise_of(model).position_noise_m.right)}} {}
+                    std::max(min_reading_sd_m, filter_noise_of(model).position_noise_m.right)}} {}
 
 void ModelAdaptation::predict(Wheel& wheel, double speed_m_s) const {
   std::copy_backward(wheel.speeds_m_s.begin(), wheel.speeds_m_s.end() - 1, wheel.speeds_m_s.end());
@@ -67,7 +69,7 @@ void ModelAdaptation::begin_sums(const SensorFrame& frame) {
 
 void ModelAdaptation::take(const SensorFrame& frame, bool sound) {
   const std::int64_t ticks =
-      started_ ? std::clamp<std::int64_t>(frame.tick - tick_, 0, most_ticks_left_out) : 0;
+      started_ ? std::clamp<std::int64_t>(frame.tick - tick_, 0, max_ticks_left_out) : 0;
   for (std::int64_t i = 0; i < ticks; ++i) {
     const WheelPair speed = predictor_.step(command_);
     predict(wheels_[0], speed.left);

@@ -8,9 +8,9 @@ namespace {
 
 constexpr double block_s = 2.0;
 constexpr double settle_s = 1.5;
-constexpr double least_way_m =
+constexpr double min_way_m =
     0.1;  // of both wheels together within a block; a robot that stands shows nothing
-constexpr std::int64_t most_ticks_left_out = 200;
+constexpr std::int64_t max_ticks_left_out = 200;
 
 }  // namespace
 
@@ -39,7 +39,7 @@ void ModelTrial::compare(Runner& runner, const WheelPair& counted_m) {
 }
 
 void ModelTrial::end_block() {
-  if (commanded_m_ < least_way_m) return;
+  if (commanded_m_ < min_way_m) return;
   const double present = present_.block_squares / block_ticks_;
   const double candidate = candidate_.block_squares / block_ticks_;
   present_.square_sum += present;
@@ -51,7 +51,7 @@ void ModelTrial::end_block() {
 
 void ModelTrial::take(const SensorFrame& frame, bool sound) {
   const std::int64_t ticks =
-      started_ ? std::clamp<std::int64_t>(frame.tick - tick_, 0, most_ticks_left_out) : 0;
+      started_ ? std::clamp<std::int64_t>(frame.tick - tick_, 0, max_ticks_left_out) : 0;
   for (std::int64_t i = 0; i < ticks; ++i) {
     for (Runner* runner : {&present_, &candidate_}) {
       const WheelPair speed = runner->predictor.step(command_);

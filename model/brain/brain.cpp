@@ -187,7 +187,7 @@ PoseRecord Brain::take(const SensorFrame& frame) {
     if (elapsed_s > 0.0) measured_speed_ = {rolled.left / elapsed_s, rolled.right / elapsed_s};
     latest_ = frame;
   } else {
-    // Of a tick whose sensors were not heard only the command and the time are known.
+    // Of a tick whose sensors were not received only the command and the time are known.
     latest_.tick = frame.tick;
     latest_.valid = false;
   }
@@ -319,7 +319,7 @@ Pose Brain::rest_by_sensors(const Pose& measured) {
   const auto slot = static_cast<std::size_t>(latest_.tick) % predictions_.size();
   const Prediction& then = predictions_.at(slot);
   if (then.tick != latest_.tick) return measured;
-  return placed_at(measured, relative_to(then.pose, model_->predictor.rest_pose()));
+  return compose(measured, between(then.pose, model_->predictor.rest_pose()));
 }
 
 WheelPair Brain::rounded(const WheelPair& command) const {

@@ -42,7 +42,7 @@ struct PoseRecord {
       hybrid;                       // where the model knows the encoder scale; at the instant of `odometry`
   std::uint16_t visited = 0;        // checkpoints
   std::uint16_t model_version = 1;  // of the model that was driven by (Brain::exchange_model)
-  bool valid = false;               // the sensors of this tick were heard
+  bool valid = false;               // the sensors of this tick were received
 };
 
 class Brain {

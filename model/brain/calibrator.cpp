@@ -7,12 +7,12 @@
 #include <string>
 #include <utility>
 
-#include "model/log/settled_travel.hpp"
+#include "model/log/sign_corrected_travel.hpp"
 
 namespace wheelwright {
 namespace {
 
-constexpr std::int64_t least_check_ticks = 20;  // of the some 100 that the check makes a wheel turn
+constexpr std::int64_t min_check_ticks = 20;  // of the some 100 that the check makes a wheel turn
 
 bool is_response(Activity activity) {
   return activity == Activity::left_on || activity == Activity::left_off || activity == Activity::right_on ||
@@ -33,7 +33,7 @@ bool is_rest(Activity activity) {
   return activity == Activity::idle || activity == Activity::finished || activity == Activity::stopped;
 }
 
-constexpr int most_refused_counts = 5;  // by chance, of a manoeuvre
+constexpr int max_refused_counts = 5;  // by chance, of a manoeuvre
 constexpr std::size_t settling_samples = 20;
 
 constexpr std::size_t longest_response = 40;  // periods
@@ -75,7 +75,7 @@ Calibrator::Calibrator(const Mission& mission, const RobotLimits& limits,
 
 void Calibrator::watch(const std::optional<RobotModel>& model) {
   continuous_.reset();
-  // A linear core that stands among effects is not to be had from the encoders alone.
+  // A linear part that stands among effects is not to be had from the encoders alone.
   const bool possible = model && model->encoder_scale && model->effects.empty();
   if (mission_.adapt && mission_.route && possible) continuous_.emplace(*model);
 }
@@ -154,7 +154,7 @@ void Calibrator::note_counts(const SensorFrame& frame, bool entered, bool record
 
 // Who loses ticks on the way finds a scale that is wrong by more than the spread of its parts shows.
 std::optional<Refusal> Calibrator::doubt_of_counts() const {
-  if (refused_counts_ > most_refused_counts) {
+  if (refused_counts_ > max_refused_counts) {
     return Refusal{
         std::to_string(refused_counts_) +
         " readings hold encoder counts that no wheel can have made; the serial adapter or the cable "
@@ -181,7 +181,7 @@ CalibrationOutcome Calibrator::encoder_order() const {
   }
   const auto left = std::abs(check_end_.left - check_start_->left);
   const auto right = std::abs(check_end_.right - check_start_->right);
-  if (left < least_check_ticks && right < least_check_ticks) {
+  if (left < min_check_ticks && right < min_check_ticks) {
     outcome.refusal = Refusal{
         "the left wheel was told to move, but neither counter did; do both wheels stand on the floor?"};
   } else if (2 * std::min(left, right) > std::max(left, right)) {
@@ -279,7 +279,7 @@ void Calibrator::begin_random(const SensorFrame& frame) {
   random_start_tick_ = frame.tick;
 }
 
-// Ticks whose sensors were not heard are kept for their commands; the run begins at rest, with a reading.
+// Ticks whose sensors were not received are kept for their commands; the run begins at rest, with a reading.
 void Calibrator::record_random(const SensorFrame& frame) {
   const bool usable = frame.valid && !punctuality_.is_late(frame);
   if (random_run_.samples.empty() && !usable) return;
@@ -316,12 +316,12 @@ CalibrationOutcome Calibrator::arma() const {
   return outcome;
 }
 
-RobotModel Calibrator::model_of(const LinearModel& core, const WheelFit& left, const WheelFit& right,
+RobotModel Calibrator::model_of(const LinearModel& linear_part, const WheelFit& left, const WheelFit& right,
                                 std::string source) const {
   RobotModel model;
   model.source = {std::move(source)};
   model.encoder_scale = encoder_scale_;
-  model.core = core;
+  model.linear_part = linear_part;
   model.left_fit = left;
   model.right_fit = right;
   return model;

@@ -75,7 +75,7 @@ class Calibrator {
   CalibrationOutcome response() const;
   CalibrationOutcome arma() const;
   DriveLog new_run(std::string name) const;
-  RobotModel model_of(const LinearModel& core, const WheelFit& left, const WheelFit& right,
+  RobotModel model_of(const LinearModel& linear_part, const WheelFit& left, const WheelFit& right,
                       std::string source) const;
 
   Mission mission_;

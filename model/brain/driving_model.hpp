@@ -19,7 +19,7 @@ struct DrivingModel {
     filter.emplace(model);
     fresh_filter_ = filter;
   }
-  explicit DrivingModel(const LinearModel& core) : predictor(core) {}
+  explicit DrivingModel(const LinearModel& linear_part) : predictor(linear_part) {}
 
   // As it was made: at rest, and with nothing learnt of the robot since. A run begins so, whatever was before
   // it, since a recording begins with it too.

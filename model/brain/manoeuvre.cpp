@@ -12,7 +12,7 @@ int ticks_of(double seconds, double period_s) {
   return static_cast<int>(std::ceil(seconds / period_s - 1e-9));
 }
 
-// Notices that the wheels stand: counts unchanged for 0.3 s. A robot whose sensors are not heard never
+// Notices that the wheels stand: counts unchanged for 0.3 s. A robot whose sensors are not received never
 // stands.
 class StillnessDetector {
  public:
@@ -80,8 +80,8 @@ class EncoderTurn final : public Manoeuvre {
     wanted_ticks_ = plan.turns * (expected > 0.0 ? expected : roomba_ticks_per_turn);
     // Twice the time that it takes at half the speed ordered: a robot that does not count does not turn for
     // ever.
-    constexpr double usual_metres_per_tick = 0.000444565;
-    longest_ticks_ = ticks_of(4.0 * wanted_ticks_ * usual_metres_per_tick / plan.speed_m_s, period_s);
+    constexpr double default_metres_per_tick = 0.000444565;
+    longest_ticks_ = ticks_of(4.0 * wanted_ticks_ * default_metres_per_tick / plan.speed_m_s, period_s);
   }
 
   void restart() override {

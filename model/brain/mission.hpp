@@ -13,14 +13,14 @@
 
 namespace wheelwright {
 
-// Turning in place for the encoder scale (PAPER.md, calibration A).
+// Turning in place for the encoder scale (calibration A of the source paper).
 struct EncoderTurnPlan {
   double speed_m_s = 0.1;  // of each wheel
   double turns = 3.0;      // at the ticks per turn that are expected
   EncoderScaleOptions options;
 };
 
-// The four response actions (PAPER.md, calibration B).
+// The four response actions (calibration B of the source paper).
 struct ResponsePlan {
   double speed_m_s = 0.15;
   double speed_spread = 0.3;  // relative, over the repetitions: ticks and speed steps then round differently
@@ -30,7 +30,7 @@ struct ResponsePlan {
   bool use_fall = true;             // false with the wheel PID off, where stopping is slower than starting
 };
 
-// The random drive (PAPER.md, calibration C); model/brain/random_drive.hpp.
+// The random drive (calibration C of the source paper); model/brain/random_drive.hpp.
 struct RandomDrivePlan {
   double duration_s = 60.0;
   double spread_m_s = 0.1;  // standard deviation of the wheel speeds

@@ -8,7 +8,7 @@ namespace wheelwright {
 namespace {
 
 constexpr double rest_s = 0.7;  // at the end, so that the whole answer to the last command is recorded
-constexpr int most_draws = 32;
+constexpr int max_draws = 32;
 constexpr int points_on_arc = 4;
 
 int ticks_of(double seconds, double period_s) {
@@ -50,7 +50,7 @@ void RandomDrive::draw(const Pose& rest) {
   const int shortest = ticks_of(plan_.shortest_hold_s, period_s_);
   const int longest = std::max(shortest, ticks_of(plan_.longest_hold_s, period_s_));
   hold_ = shortest + static_cast<int>(uniform() * (longest - shortest + 1));
-  for (int i = 0; i < most_draws; ++i) {
+  for (int i = 0; i < max_draws; ++i) {
     const WheelPair drawn{plan_.spread_m_s * normal(), plan_.spread_m_s * normal()};
     for (const WheelPair& wanted : {drawn, WheelPair{-drawn.left, -drawn.right}}) {
       const WheelPair speed = within_limits(wanted);

@@ -1,5 +1,5 @@
-// The random drive of the ARMA calibration (PAPER.md, calibration C): normally distributed speeds, each held
-// for a random time, that stay inside a circle.
+// The random drive of the ARMA calibration (calibration C of the source paper): normally distributed speeds,
+// each held for a random time, that stay inside a circle.
 //
 // A draw that would leave the circle is replaced by its negative, which goes back the way it came. A normal
 // deviate and its negative are equally likely, so the circle takes nothing from the distribution of speeds;

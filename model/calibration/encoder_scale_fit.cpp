@@ -12,13 +12,13 @@
 namespace wheelwright {
 namespace {
 
-constexpr double step_ticks = 4.0;             // about the ticks of one sample at calibration speed
-constexpr double least_correlation = 0.6;      // a repetition worth the name
-constexpr double least_signal_to_noise = 1.0;  // of the smoothed signal's power to the noise before smoothing
+constexpr double step_ticks = 4.0;           // about the ticks of one sample at calibration speed
+constexpr double min_correlation = 0.6;      // a repetition worth the name
+constexpr double min_signal_to_noise = 1.0;  // of the smoothed signal's power to the noise before smoothing
 
 // A turn is more than this many ticks, whatever the robot.
 constexpr double shortest_turn_ticks = 200.0;
-constexpr std::size_t parts = 8;  // stretches whose periods are compared
+constexpr std::size_t parts = 8;  // segments whose periods are compared
 
 std::string rounded(double value, int decimals) {
   char text[40];
@@ -72,7 +72,7 @@ double signal_to_noise(const TurnSignal& signal) {
   return power / static_cast<double>(signal.values.size() * TurnSignal::sensors);
 }
 
-// The period as one stretch of the turn shows it, and how much that stretch has to say: the energy of its
+// The period as one segment of the turn shows it, and how much that segment has to say: the energy of its
 // slope.
 struct PartialPeriod {
   double period;
@@ -90,7 +90,7 @@ double slope_energy(const TurnSignal& signal, std::size_t first, std::size_t las
   return energy;
 }
 
-// Each stretch is matched with what comes one period later.
+// Each segment is matched with what comes one period later.
 std::vector<PartialPeriod> periods_of_parts(const TurnSignal& signal, double period) {
   std::vector<PartialPeriod> result;
   const double usable = static_cast<double>(signal.values.size()) - 1.05 * period;
@@ -104,7 +104,7 @@ std::vector<PartialPeriod> periods_of_parts(const TurnSignal& signal, double per
   return result;
 }
 
-// Of the mean of the stretches, weighed by what they have to say.
+// Of the mean of the segments, weighed by what they have to say.
 double relative_standard_error(const std::vector<PartialPeriod>& partial, double period) {
   double information = 0.0;
   double largest = 0.0;
@@ -114,13 +114,13 @@ double relative_standard_error(const std::vector<PartialPeriod>& partial, double
     largest = std::max(largest, part.information);
     spread += part.information * (part.period - period) * (part.period - period);
   }
-  // One stretch alone says nothing of its own error.
+  // One segment alone says nothing of its own error.
   const double effective = information / std::max(largest, 1e-300);
   if (effective < 1.5) return 1.0;
   return std::sqrt(spread / information / (effective - 1.0)) / period;
 }
 
-// A stretch in which the summed signal stays high: one pass of the obstacle, in entries of the signal.
+// A segment in which the summed signal stays high: one pass of the obstacle, in entries of the signal.
 struct Pass {
   std::size_t first;
   std::size_t last;
@@ -176,7 +176,7 @@ tl::expected<EncoderScaleFit, Refusal> fit_encoder_scale(std::span<const TurnSam
         Refusal{"only " + rounded(recorded * step_ticks, 0) + " ticks of turning were recorded, but " +
                 rounded(1.3 * longest * step_ticks, 0) + " are needed; let the robot turn longer"});
   }
-  if (signal_to_noise(signal) < least_signal_to_noise) {
+  if (signal_to_noise(signal) < min_signal_to_noise) {
     return tl::unexpected(
         Refusal{"the light bumper sees nothing but noise; put an object within 0.2 m of the robot"});
   }
@@ -199,7 +199,7 @@ tl::expected<EncoderScaleFit, Refusal> fit_encoder_scale(std::span<const TurnSam
     period = best_lag(signal, {period - 2.0, period + 2.0}, 0.1, 0, signal.values.size());
   }
   fit.correlation = match_at_lag(signal, period, 0, signal.values.size());
-  if (fit.correlation < least_correlation) {
+  if (fit.correlation < min_correlation) {
     return tl::unexpected(
         Refusal{"the light-bumper signal has no clear period: its best repetition matches by " +
                 rounded(fit.correlation, 2) + " of 1; do things move around the robot, or does it slip?"});

@@ -1,4 +1,4 @@
-// Metres per encoder tick from turning in place (PAPER.md, calibration A, eq. 13).
+// Metres per encoder tick from turning in place (calibration A and eq. 13 of the source paper).
 //
 // While the robot turns, its six light-bumper sensors sweep over the surroundings. Plotted over encoder ticks
 // instead of time the signals are periodic, whatever the speed does; one period is one full turn, in which

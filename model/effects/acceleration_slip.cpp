@@ -14,16 +14,16 @@ class AccelerationSlip final : public EffectOf<AccelerationSlip> {
         grip_m_s2_(arguments.parameters[1]),
         way_(static_cast<Way>(arguments.variant)) {}
 
-  void floor(WheelPair& speed_m_s, const Surroundings& around) override {
-    const WheelPair& before = around.speed_m_s;
-    const WheelPair& now = around.next_speed_m_s;
+  void floor(WheelPair& speed_m_s, const StepContext& context) override {
+    const WheelPair& before = context.speed_m_s;
+    const WheelPair& now = context.next_speed_m_s;
     if (way_ == Way::sliding) {
-      speed_m_s = {dragged_along(floor_.left, speed_m_s.left, around.period_s),
-                   dragged_along(floor_.right, speed_m_s.right, around.period_s)};
+      speed_m_s = {dragged_along(floor_.left, speed_m_s.left, context.period_s),
+                   dragged_along(floor_.right, speed_m_s.right, context.period_s)};
       return;
     }
-    speed_m_s.left = rolled(speed_m_s.left, (now.left - before.left) / around.period_s);
-    speed_m_s.right = rolled(speed_m_s.right, (now.right - before.right) / around.period_s);
+    speed_m_s.left = rolled(speed_m_s.left, (now.left - before.left) / context.period_s);
+    speed_m_s.right = rolled(speed_m_s.right, (now.right - before.right) / context.period_s);
   }
   void reset() override { floor_ = {}; }
 
@@ -33,13 +33,13 @@ class AccelerationSlip final : public EffectOf<AccelerationSlip> {
     double speed_m_s = 0.0;
     bool slides = false;
   };
-  static constexpr double usual_speed_m_s = 0.2;  // gives the variants the same unit
-  static constexpr double stiffest = 1e-3;        // s^2/m: as good as no slip
+  static constexpr double default_speed_m_s = 0.2;  // gives the variants the same unit
+  static constexpr double stiffest = 1e-3;          // s^2/m: as good as no slip
 
   double rolled(double speed, double acceleration) const {
     const double lost = slip_ * std::max(0.0, std::abs(acceleration) - grip_m_s2_);
     if (way_ == Way::relative) return speed * (1.0 - std::min(lost, 1.0));
-    const double left = std::max(0.0, std::abs(speed) - lost * usual_speed_m_s);
+    const double left = std::max(0.0, std::abs(speed) - lost * default_speed_m_s);
     return std::copysign(left, speed);
   }
 

@@ -47,11 +47,11 @@ class Following final : public EffectOf<Following<Drive>> {
   explicit Following(const EffectArguments& arguments)
       : drive_(arguments.parameters), of_command_(arguments.variant % 2 == 0) {}
 
-  void command(WheelPair& command_m_s, const Surroundings& around) override {
-    if (of_command_) follow(command_m_s, around.period_s);
+  void command(WheelPair& command_m_s, const StepContext& context) override {
+    if (of_command_) follow(command_m_s, context.period_s);
   }
-  void wheel(WheelPair& speed_m_s, const Surroundings& around) override {
-    if (!of_command_) follow(speed_m_s, around.period_s);
+  void wheel(WheelPair& speed_m_s, const StepContext& context) override {
+    if (!of_command_) follow(speed_m_s, context.period_s);
   }
   void reset() override { now_ = {}; }
 

@@ -17,11 +17,11 @@ class Backlash final : public EffectOf<Backlash> {
     Backlash::reset();
   }
 
-  void wheel(WheelPair& speed_m_s, const Surroundings& around) override {
-    if (!behind_encoder_) pass(speed_m_s, around.period_s);
+  void wheel(WheelPair& speed_m_s, const StepContext& context) override {
+    if (!behind_encoder_) pass(speed_m_s, context.period_s);
   }
-  void floor(WheelPair& speed_m_s, const Surroundings& around) override {
-    if (behind_encoder_) pass(speed_m_s, around.period_s);
+  void floor(WheelPair& speed_m_s, const StepContext& context) override {
+    if (behind_encoder_) pass(speed_m_s, context.period_s);
   }
   void reset() override { left_ = right_ = {start_m_, 0.0}; }
 

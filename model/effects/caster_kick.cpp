@@ -10,7 +10,7 @@ namespace {
 
 constexpr double moving_m_s = 0.005;
 
-// Variants, all of which come a second time at the wheels (model/effects/library/at_the_wheels.hpp).
+// Variants, all of which come a second time at the wheels (model/effects/library/wheel_load_variants.hpp).
 constexpr std::size_t alternating = 1;
 constexpr std::size_t swivel = 2;
 constexpr std::size_t swing = 3;
@@ -34,7 +34,7 @@ class CasterKick final : public EffectOf<CasterKick> {
   // The caster's swing grows by itself once begun and settles as it ends: a logistic curve of the distance
   // travelled since the flip. Who turns back half-way has that half of it to swing back. A wheel that ploughs
   // while it stands across pushes for as long as that lasts: who drives slowly is turned farther.
-  void body(Twist& twist, const Surroundings& around) override {
+  void body(Twist& twist, const StepContext& context) override {
     const double v = twist.v_m_s;
     if (std::abs(v) > moving_m_s) {
       const double direction = std::copysign(1.0, v);
@@ -44,11 +44,11 @@ class CasterKick final : public EffectOf<CasterKick> {
       }
       direction_ = direction;
     }
-    const double ahead = (1.0 - swung_) * std::exp(-std::abs(v) * around.period_s / distance_m_);
+    const double ahead = (1.0 - swung_) * std::exp(-std::abs(v) * context.period_s / distance_m_);
     const double before = swung_;
     swung_ /= swung_ + ahead;
     twist.w_rad_s += kick_ * (ploughs_ ? 4.0 * before * (1.0 - before) * std::tanh(std::abs(v) / moving_m_s)
-                                       : (swung_ - before) / (1.0 - aside_) / around.period_s);
+                                       : (swung_ - before) / (1.0 - aside_) / context.period_s);
   }
   void reset() override {
     direction_ = 0.0;
@@ -113,11 +113,11 @@ class StiffSwivel final : public EffectOf<StiffSwivel> {
         ahead_m_(arguments.parameters[2]),
         fork_(arguments.parameters[1], arguments.parameters[2]) {}
 
-  void body(Twist& twist, const Surroundings& around) override {
-    const Fork::Step fork = fork_.drag(twist, around.period_s);
+  void body(Twist& twist, const StepContext& context) override {
+    const Fork::Step fork = fork_.drag(twist, context.period_s);
     const double push_m_s = push_m_s_ * std::tanh(fork.swivel_rad_s / sliding_rad_s);
     // Wheels that give way by that much to a force along the robot turn it by this much for one across.
-    const double arm_1_m = 4.0 * ahead_m_ / (around.wheel_base_m * around.wheel_base_m);
+    const double arm_1_m = 4.0 * ahead_m_ / (context.wheel_base_m * context.wheel_base_m);
     twist.v_m_s += push_m_s * std::sin(fork.middle_rad);
     twist.w_rad_s -= push_m_s * std::cos(fork.middle_rad) * arm_1_m;
   }
@@ -139,8 +139,8 @@ class ScrubbingSwing final : public EffectOf<ScrubbingSwing> {
       : angle_rad_(arguments.parameters[0]),
         fork_(arguments.parameters[1], arguments.parameters[2], arguments.parameters[3]) {}
 
-  void body(Twist& twist, const Surroundings& around) override {
-    twist.w_rad_s += angle_rad_ / std::numbers::pi * fork_.drag(twist, around.period_s).swivel_rad_s;
+  void body(Twist& twist, const StepContext& context) override {
+    twist.w_rad_s += angle_rad_ / std::numbers::pi * fork_.drag(twist, context.period_s).swivel_rad_s;
   }
   void reset() override { fork_.reset(); }
 

@@ -11,7 +11,7 @@ class CommandQuantization final : public EffectOf<CommandQuantization> {
   explicit CommandQuantization(const EffectArguments& arguments)
       : step_(arguments.parameters[0]), rises_at_(arguments.parameters[1]) {}
 
-  void command(WheelPair& command_m_s, const Surroundings&) override {
+  void command(WheelPair& command_m_s, const StepContext&) override {
     if (step_ <= 0.0) return;
     both(command_m_s, [this](double u) {
       constexpr double rounding_error = 1e-9;

@@ -10,9 +10,9 @@ class CoulombFriction final : public EffectOf<CoulombFriction> {
   explicit CoulombFriction(const EffectArguments& arguments)
       : levels_{arguments.parameters[0], arguments.parameters[0], arguments.parameters[1]} {}
 
-  void wheel(WheelPair& speed_m_s, const Surroundings& around) override {
-    speed_m_s = {left_.step(speed_m_s.left, levels_, around.period_s),
-                 right_.step(speed_m_s.right, levels_, around.period_s)};
+  void wheel(WheelPair& speed_m_s, const StepContext& context) override {
+    speed_m_s = {left_.step(speed_m_s.left, levels_, context.period_s),
+                 right_.step(speed_m_s.right, levels_, context.period_s)};
   }
   void reset() override {
     left_.reset();

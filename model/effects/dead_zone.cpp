@@ -12,7 +12,7 @@ class DeadZone final : public EffectOf<DeadZone> {
   explicit DeadZone(const EffectArguments& arguments)
       : threshold_(arguments.parameters[0]), taper_(arguments.parameters[1]) {}
 
-  void command(WheelPair& command_m_s, const Surroundings&) override {
+  void command(WheelPair& command_m_s, const StepContext&) override {
     both(command_m_s, [this](double u) {
       const double above = std::max(0.0, std::abs(u) - threshold_);
       return std::copysign(std::min(std::abs(u), above / taper_), u);

@@ -11,7 +11,7 @@ class DirectionGain final : public EffectOf<DirectionGain> {
   explicit DirectionGain(const EffectArguments& arguments)
       : change_{arguments.parameters.front(), arguments.parameters.back()} {}
 
-  void command(WheelPair& command_m_s, const Surroundings&) override {
+  void command(WheelPair& command_m_s, const StepContext&) override {
     if (command_m_s.left < 0.0) command_m_s.left *= 1.0 + change_.left;
     if (command_m_s.right < 0.0) command_m_s.right *= 1.0 + change_.right;
   }

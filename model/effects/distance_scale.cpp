@@ -8,7 +8,7 @@ class DistanceScale final : public EffectOf<DistanceScale> {
  public:
   explicit DistanceScale(const EffectArguments& arguments) : change_(arguments.parameters[0]) {}
 
-  void floor(WheelPair& speed_m_s, const Surroundings&) override {
+  void floor(WheelPair& speed_m_s, const StepContext&) override {
     both(speed_m_s, [this](double speed) { return speed * (1.0 + change_); });
   }
 

@@ -1,6 +1,7 @@
-// What a linear model of a robot lacks: physical effects that stand before, behind and around its core.
+// What a linear model of a robot lacks: physical effects that stand before, behind and around its linear
+// part.
 //
-//   command -> [command effects] -> linear core -> [wheel effects] -> what the encoders count
+//   command -> [command effects] -> linear part -> [wheel effects] -> what the encoders count
 //           -> [floor effects] -> rolling on the floor -> [body effects] -> motion -> [observation] ->
 //           reference
 //
@@ -25,7 +26,7 @@ namespace wheelwright {
 enum class EffectStage { command, wheel, floor, body, observation, counts };
 
 // What an effect may know at the beginning of a period.
-struct Surroundings {
+struct StepContext {
   double period_s = 0.018;
   double wheel_base_m = 0.235;
   double time_s = 0.0;       // since the start of the run
@@ -55,10 +56,10 @@ class Effect {
   virtual ~Effect() = default;
 
   // Each hook changes what it is given, for one period. An effect overrides the one of its stage.
-  virtual void command(WheelPair& /*command_m_s*/, const Surroundings&) {}
-  virtual void wheel(WheelPair& /*speed_m_s*/, const Surroundings&) {}
-  virtual void floor(WheelPair& /*speed_m_s*/, const Surroundings&) {}
-  virtual void body(Twist& /*twist*/, const Surroundings&) {}
+  virtual void command(WheelPair& /*command_m_s*/, const StepContext&) {}
+  virtual void wheel(WheelPair& /*speed_m_s*/, const StepContext&) {}
+  virtual void floor(WheelPair& /*speed_m_s*/, const StepContext&) {}
+  virtual void body(Twist& /*twist*/, const StepContext&) {}
   // The pose of the point that an outside reference measures.
   virtual Pose observed(const Pose& axle) const { return axle; }
   virtual EffectHooks hooks() const = 0;
@@ -142,15 +143,16 @@ struct EffectInfo {
   std::vector<ParameterInfo> parameters;  // of the variants that have none of their own
   EffectNeeds needs;
   std::function<std::unique_ptr<Effect>(const EffectArguments&)> make;
-  bool may_load_wheels = false;  // what it does to the body may show in the wheels: at_the_wheels.hpp
-  bool linear = false;           // a linear core can take it up, and then hides it
+  bool may_load_wheels = false;  // what it does to the body may show in the wheels: wheel_load_variants.hpp
+  bool linear = false;           // a linear part can take it up, and then hides it
   bool acts_first = false;       // on the command as it was sent, before all that happens to it
   bool by_wheel_angle = false;   // hangs on the angle at which the wheels stood when a run began
   bool by_pose = false;          // hangs on where the robot stands and heads
   bool sudden = false;           // a moment or a place decides: near it, little makes much
   // Whether it is what its name says, in runs with such commands, and not mostly another's; empty: always.
   std::function<bool(const EffectArguments&, double largest_command_m_s)> in_character{};
-  // Parameters with which nothing but a linear lag is left of it; what this explains as well, its core lacks.
+  // Parameters with which nothing but a linear lag is left of it; what this explains as well, its linear part
+  // lacks.
   std::function<std::vector<double>(const EffectArguments&)> linear_part{};
 
   const std::vector<ParameterInfo>& parameters_of(std::size_t variant) const {

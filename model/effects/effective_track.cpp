@@ -8,8 +8,8 @@ class EffectiveTrack final : public EffectOf<EffectiveTrack> {
  public:
   explicit EffectiveTrack(const EffectArguments& arguments) : excess_m_(arguments.parameters[0]) {}
 
-  void body(Twist& twist, const Surroundings& around) override {
-    twist.w_rad_s *= around.wheel_base_m / (around.wheel_base_m + excess_m_);
+  void body(Twist& twist, const StepContext& context) override {
+    twist.w_rad_s *= context.wheel_base_m / (context.wheel_base_m + excess_m_);
   }
 
  private:

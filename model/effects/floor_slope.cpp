@@ -18,19 +18,19 @@ class FloorSlope final : public EffectOf<FloorSlope> {
         creeps_(arguments.variant == 3),
         relative_(arguments.variant == 2) {}
 
-  void wheel(WheelPair& speed_m_s, const Surroundings& around) override {
+  void wheel(WheelPair& speed_m_s, const StepContext& context) override {
     if (!seen_by_encoder_) return;
-    const double pull = along(around.pose);
+    const double pull = along(context.pose);
     both(speed_m_s, [pull, this](double speed) { return speed + pull * (creeps_ ? 1.0 : share(speed)); });
   }
-  void body(Twist& twist, const Surroundings& around) override {
+  void body(Twist& twist, const StepContext& context) override {
     if (seen_by_encoder_) return;
-    const double pull = along(around.pose);
-    twist.v_m_s += relative_ ? pull / usual_speed_m_s * twist.v_m_s : pull * share(twist.v_m_s);
+    const double pull = along(context.pose);
+    twist.v_m_s += relative_ ? pull / default_speed_m_s * twist.v_m_s : pull * share(twist.v_m_s);
   }
 
  private:
-  static constexpr double usual_speed_m_s = 0.2;
+  static constexpr double default_speed_m_s = 0.2;
 
   static double share(double speed) { return std::min(1.0, std::abs(speed) / moving_m_s); }
   double along(const Pose& pose) const {

@@ -1,7 +1,7 @@
 // Dry friction on a wheel whose drive is known only through a lag: what a motor without friction would do
 // goes in, what friction leaves of it comes out.
 //
-// Of a first-order lag v' = (u - f - v) / lag with friction f, the linear core gives the part without
+// Of a first-order lag v' = (u - f - v) / lag with friction f, the linear part gives the part without
 // friction, y' = (u - y) / lag. The rest obeys the same lag, driven by -f alone, and the drive itself is u =
 // y + lag y'. So friction acts where it does in the robot, behind all dead time, and a standing wheel stands
 // exactly.
@@ -20,7 +20,7 @@ struct FrictionLevels {
 
 class FrictionElement {
  public:
-  // The wheel's speed over the period; `frictionless_m_s` is what the core says.
+  // The wheel's speed over the period; `frictionless_m_s` is what the linear part says.
   double step(double frictionless_m_s, const FrictionLevels& levels, double period_s) {
     const double drive =
         frictionless_m_s + levels.lag_s / period_s * (frictionless_m_s - frictionless_before_);

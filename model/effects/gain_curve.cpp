@@ -8,19 +8,19 @@ namespace {
 class GainCurve final : public EffectOf<GainCurve> {
  public:
   explicit GainCurve(const EffectArguments& arguments)
-      : bend_(arguments.parameters[0], arguments.parameters[1] / usual_command_m_s, least_top_m_s),
+      : bend_(arguments.parameters[0], arguments.parameters[1] / default_command_m_s, min_top_m_s),
         of_command_(arguments.variant == 0) {}
 
-  void command(WheelPair& command_m_s, const Surroundings&) override {
+  void command(WheelPair& command_m_s, const StepContext&) override {
     if (of_command_) both(command_m_s, bend_);
   }
-  void wheel(WheelPair& speed_m_s, const Surroundings&) override {
+  void wheel(WheelPair& speed_m_s, const StepContext&) override {
     if (!of_command_) both(speed_m_s, bend_);
   }
 
  private:
-  static constexpr double usual_command_m_s = 0.3;  // gives both parameters the same unit
-  static constexpr double least_top_m_s = 0.35;     // what is level below that is a saturation
+  static constexpr double default_command_m_s = 0.3;  // gives both parameters the same unit
+  static constexpr double min_top_m_s = 0.35;         // what is level below that is a saturation
 
   OddBend bend_;
   bool of_command_;

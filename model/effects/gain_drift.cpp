@@ -13,21 +13,21 @@ class GainDrift final : public EffectOf<GainDrift> {
         time_constant_s_(arguments.parameters[1]),
         by_use_(arguments.variant == 1) {}
 
-  void command(WheelPair& command_m_s, const Surroundings& around) override {
-    const double gone = -std::expm1(-around.time_s / time_constant_s_);
+  void command(WheelPair& command_m_s, const StepContext& context) override {
+    const double gone = -std::expm1(-context.time_s / time_constant_s_);
     command_m_s.left *= 1.0 + change_ * (by_use_ ? warmth_.left : gone);
     command_m_s.right *= 1.0 + change_ * (by_use_ ? warmth_.right : gone);
-    if (by_use_) warm_up(around);
+    if (by_use_) warm_up(context);
   }
   void reset() override { warmth_ = {}; }
 
  private:
-  static constexpr double usual_speed_m_s = 0.2;
+  static constexpr double default_speed_m_s = 0.2;
 
-  void warm_up(const Surroundings& around) {
-    const double share = around.period_s / (around.period_s + time_constant_s_);
-    warmth_.left += share * (std::abs(around.command_m_s.left) / usual_speed_m_s - warmth_.left);
-    warmth_.right += share * (std::abs(around.command_m_s.right) / usual_speed_m_s - warmth_.right);
+  void warm_up(const StepContext& context) {
+    const double share = context.period_s / (context.period_s + time_constant_s_);
+    warmth_.left += share * (std::abs(context.command_m_s.left) / default_speed_m_s - warmth_.left);
+    warmth_.right += share * (std::abs(context.command_m_s.right) / default_speed_m_s - warmth_.right);
   }
 
   double change_;

@@ -1,5 +1,5 @@
 // A map that bends the same way for both signs: size (1 - a size - b size^2), up to where it would fall
-// again, and level from there. Where it would be level below `least_top`, it bends less: what is level is a
+// again, and level from there. Where it would be level below `min_top`, it bends less: what is level is a
 // limit, and that is another effect.
 #pragma once
 
@@ -11,12 +11,12 @@ namespace wheelwright::effects {
 
 class OddBend {
  public:
-  OddBend(double a, double b, double least_top) : a_(a), b_(b) {
+  OddBend(double a, double b, double min_top) : a_(a), b_(b) {
     const double discriminant = a * a + 3.0 * b;
     if (discriminant < 0.0) return;
     const double inverse_of_top = a + std::sqrt(discriminant);
     if (!(inverse_of_top > 0.0)) return;
-    const double less = std::min(1.0, 1.0 / (inverse_of_top * least_top));
+    const double less = std::min(1.0, 1.0 / (inverse_of_top * min_top));
     a_ *= less;
     b_ *= less * less;
     top_ = 1.0 / (less * inverse_of_top);

@@ -13,11 +13,11 @@ class RateLimit final : public EffectOf<RateLimit> {
         drag_per_s_(arguments.parameters[1]),
         of_command_(arguments.variant == 0) {}
 
-  void command(WheelPair& command_m_s, const Surroundings& around) override {
-    if (of_command_) follow(command_m_s, around.period_s);
+  void command(WheelPair& command_m_s, const StepContext& context) override {
+    if (of_command_) follow(command_m_s, context.period_s);
   }
-  void wheel(WheelPair& speed_m_s, const Surroundings& around) override {
-    if (!of_command_) follow(speed_m_s, around.period_s);
+  void wheel(WheelPair& speed_m_s, const StepContext& context) override {
+    if (!of_command_) follow(speed_m_s, context.period_s);
   }
   void reset() override { now_ = {}; }
 

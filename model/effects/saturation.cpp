@@ -16,11 +16,11 @@ class Saturation final : public EffectOf<Saturation> {
         far_below_(std::exp(-16.0 * knee_)),  // there the knee takes less than 1e-7
         of_command_(arguments.variant == 0) {}
 
-  void command(WheelPair& command_m_s, const Surroundings& around) override {
-    if (of_command_) limit(command_m_s, around.period_s);
+  void command(WheelPair& command_m_s, const StepContext& context) override {
+    if (of_command_) limit(command_m_s, context.period_s);
   }
-  void wheel(WheelPair& speed_m_s, const Surroundings& around) override {
-    if (!of_command_) limit(speed_m_s, around.period_s);
+  void wheel(WheelPair& speed_m_s, const StepContext& context) override {
+    if (!of_command_) limit(speed_m_s, context.period_s);
   }
   void reset() override { now_ = {}; }
 

@@ -11,9 +11,9 @@ class Stiction final : public EffectOf<Stiction> {
       : levels_{arguments.parameters[0] + arguments.parameters[1], arguments.parameters[1],
                 arguments.parameters[2], arguments.parameters[3]} {}
 
-  void wheel(WheelPair& speed_m_s, const Surroundings& around) override {
-    speed_m_s = {left_.step(speed_m_s.left, levels_, around.period_s),
-                 right_.step(speed_m_s.right, levels_, around.period_s)};
+  void wheel(WheelPair& speed_m_s, const StepContext& context) override {
+    speed_m_s = {left_.step(speed_m_s.left, levels_, context.period_s),
+                 right_.step(speed_m_s.right, levels_, context.period_s)};
   }
   void reset() override {
     left_.reset();

@@ -21,11 +21,11 @@ class SurfacePatch final : public EffectOf<SurfacePatch> {
         round_(arguments.variant >= 4),
         lag_s_(seen_by_encoder_ ? arguments.parameters[6] : 0.0) {}
 
-  void wheel(WheelPair& speed_m_s, const Surroundings& around) override {
-    if (seen_by_encoder_) slow_down(speed_m_s, around);
+  void wheel(WheelPair& speed_m_s, const StepContext& context) override {
+    if (seen_by_encoder_) slow_down(speed_m_s, context);
   }
-  void floor(WheelPair& speed_m_s, const Surroundings& around) override {
-    if (!seen_by_encoder_) slow_down(speed_m_s, around);
+  void floor(WheelPair& speed_m_s, const StepContext& context) override {
+    if (!seen_by_encoder_) slow_down(speed_m_s, context);
   }
   void reset() override { began_ = false; }
 
@@ -36,13 +36,13 @@ class SurfacePatch final : public EffectOf<SurfacePatch> {
     return std::fmin(1.0, std::fmax(0.0, 0.5 + inside_m / edge_m));
   }
   // The region takes effect where the robot's middle is, or under each wheel by itself.
-  void slow_down(WheelPair& speed_m_s, const Surroundings& around) {
-    const double half = under_each_ ? 0.5 * around.wheel_base_m : 0.0;
-    const double aside_x = -half * std::sin(around.pose.theta_rad);
-    const double aside_y = half * std::cos(around.pose.theta_rad);
-    const WheelPair there{gain_at(around.pose.x_m + aside_x, around.pose.y_m + aside_y),
-                          gain_at(around.pose.x_m - aside_x, around.pose.y_m - aside_y)};
-    const double fresh = began_ && lag_s_ > 0.0 ? -std::expm1(-around.period_s / lag_s_) : 1.0;
+  void slow_down(WheelPair& speed_m_s, const StepContext& context) {
+    const double half = under_each_ ? 0.5 * context.wheel_base_m : 0.0;
+    const double aside_x = -half * std::sin(context.pose.theta_rad);
+    const double aside_y = half * std::cos(context.pose.theta_rad);
+    const WheelPair there{gain_at(context.pose.x_m + aside_x, context.pose.y_m + aside_y),
+                          gain_at(context.pose.x_m - aside_x, context.pose.y_m - aside_y)};
+    const double fresh = began_ && lag_s_ > 0.0 ? -std::expm1(-context.period_s / lag_s_) : 1.0;
     gain_.left += fresh * (there.left - gain_.left);
     gain_.right += fresh * (there.right - gain_.right);
     began_ = true;

@@ -12,9 +12,9 @@ class TransportDelay final : public EffectOf<TransportDelay> {
   explicit TransportDelay(const EffectArguments& arguments) : delay_s_(arguments.parameters[0]) {}
 
   // A delay between whole periods takes its share of both commands, as the mean over a period does.
-  void command(WheelPair& command_m_s, const Surroundings& around) override {
+  void command(WheelPair& command_m_s, const StepContext& context) override {
     past_[at_ % past_.size()] = command_m_s;
-    const double periods = std::fmin(delay_s_ / around.period_s, static_cast<double>(past_.size() - 2));
+    const double periods = std::fmin(delay_s_ / context.period_s, static_cast<double>(past_.size() - 2));
     const auto whole = static_cast<std::size_t>(periods);
     const double share = periods - static_cast<double>(whole);
     const WheelPair& newer = past_[(at_ + past_.size() - whole) % past_.size()];

@@ -16,11 +16,11 @@ class TurnScrub final : public EffectOf<TurnScrub> {
   explicit TurnScrub(const EffectArguments& arguments)
       : loss_(arguments.parameters[0]),
         square_(arguments.parameters[1]),
-        bend_(loss_, square_, least_top_rad_s),
+        bend_(loss_, square_, min_top_rad_s),
         dry_rad_s_(arguments.parameters[2]),
         drags_(arguments.variant == 1) {}
 
-  void body(Twist& twist, const Surroundings&) override {
+  void body(Twist& twist, const StepContext&) override {
     const double bent = drags_ ? dragged(twist.w_rad_s) : bend_(twist.w_rad_s);
     twist.w_rad_s = std::copysign(std::max(0.0, std::abs(bent) - dry_rad_s_), bent);
   }
@@ -28,11 +28,11 @@ class TurnScrub final : public EffectOf<TurnScrub> {
  private:
   double dragged(double rate) const {
     const double size = std::abs(rate);
-    return rate / std::max(least_drag, 1.0 + size * (loss_ + square_ * size));
+    return rate / std::max(min_drag, 1.0 + size * (loss_ + square_ * size));
   }
 
-  static constexpr double least_top_rad_s = 0.5;
-  static constexpr double least_drag = 0.5;
+  static constexpr double min_top_rad_s = 0.5;
+  static constexpr double min_drag = 0.5;
 
   double loss_;
   double square_;

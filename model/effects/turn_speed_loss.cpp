@@ -14,18 +14,19 @@ class TurnSpeedLoss final : public EffectOf<TurnSpeedLoss> {
         onset_per_m_(arguments.parameters[1]),
         absolute_(arguments.variant == 1) {}
 
-  void body(Twist& twist, const Surroundings&) override {
+  void body(Twist& twist, const StepContext&) override {
     const double beyond_onset = std::abs(twist.w_rad_s) - onset_per_m_ * std::abs(twist.v_m_s);
     const double lost = loss_ * std::max(0.0, beyond_onset);
     if (absolute_) {
-      twist.v_m_s = std::copysign(std::max(0.0, std::abs(twist.v_m_s) - usual_speed_m_s * lost), twist.v_m_s);
+      twist.v_m_s =
+          std::copysign(std::max(0.0, std::abs(twist.v_m_s) - default_speed_m_s * lost), twist.v_m_s);
     } else {
       twist.v_m_s *= 1.0 - std::min(lost, 1.0);
     }
   }
 
  private:
-  static constexpr double usual_speed_m_s = 0.2;  // gives both variants the same unit
+  static constexpr double default_speed_m_s = 0.2;  // gives both variants the same unit
 
   double loss_;
   double onset_per_m_;

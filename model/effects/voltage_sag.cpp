@@ -6,17 +6,17 @@
 namespace wheelwright::effects {
 namespace {
 
-constexpr double nominal_v = 14.4;  // its choice only moves gain between this effect and the core
+constexpr double nominal_v = 14.4;  // its choice only moves gain between this effect and the linear part
 
 class VoltageSag final : public EffectOf<VoltageSag> {
  public:
   explicit VoltageSag(const EffectArguments& arguments) : exponent_(arguments.parameters[0]) {}
 
-  void command(WheelPair& command_m_s, const Surroundings& around) override {
-    if (!(around.battery_v > 0.0)) return;
-    if (around.battery_v != last_v_) {
-      last_v_ = around.battery_v;
-      gain_ = std::pow(around.battery_v / nominal_v, exponent_);
+  void command(WheelPair& command_m_s, const StepContext& context) override {
+    if (!(context.battery_v > 0.0)) return;
+    if (context.battery_v != last_v_) {
+      last_v_ = context.battery_v;
+      gain_ = std::pow(context.battery_v / nominal_v, exponent_);
     }
     both(command_m_s, [this](double u) { return gain_ * u; });
   }

@@ -17,17 +17,17 @@ class WheelEccentricity final : public EffectOf<WheelEccentricity> {
         per_metre_(2.0 * std::numbers::pi / arguments.parameters[4]),
         behind_encoder_(arguments.variant == 0) {}
 
-  void wheel(WheelPair& speed_m_s, const Surroundings& around) override {
-    if (!behind_encoder_) ripple(speed_m_s, around);
+  void wheel(WheelPair& speed_m_s, const StepContext& context) override {
+    if (!behind_encoder_) ripple(speed_m_s, context);
   }
-  void floor(WheelPair& speed_m_s, const Surroundings& around) override {
-    if (behind_encoder_) ripple(speed_m_s, around);
+  void floor(WheelPair& speed_m_s, const StepContext& context) override {
+    if (behind_encoder_) ripple(speed_m_s, context);
   }
 
  private:
-  void ripple(WheelPair& speed_m_s, const Surroundings& around) const {
-    const double left = per_metre_ * (around.distance_m.left + 0.5 * speed_m_s.left * around.period_s);
-    const double right = per_metre_ * (around.distance_m.right + 0.5 * speed_m_s.right * around.period_s);
+  void ripple(WheelPair& speed_m_s, const StepContext& context) const {
+    const double left = per_metre_ * (context.distance_m.left + 0.5 * speed_m_s.left * context.period_s);
+    const double right = per_metre_ * (context.distance_m.right + 0.5 * speed_m_s.right * context.period_s);
     speed_m_s.left *= 1.0 + left_sine_ * std::sin(left) + left_cosine_ * std::cos(left);
     speed_m_s.right *= 1.0 + right_sine_ * std::sin(right) + right_cosine_ * std::cos(right);
   }

@@ -17,7 +17,7 @@ class WheelScaleMismatch final : public EffectOf<WheelScaleMismatch> {
     gain_ = {1.0 - share_of_left * mismatch, 1.0 + (1.0 - share_of_left) * mismatch};
   }
 
-  void floor(WheelPair& speed_m_s, const Surroundings&) override {
+  void floor(WheelPair& speed_m_s, const StepContext&) override {
     speed_m_s.left *= gain_.left;
     speed_m_s.right *= gain_.right;
   }

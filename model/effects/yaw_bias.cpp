@@ -14,8 +14,8 @@ class YawBias final : public EffectOf<YawBias> {
   explicit YawBias(const EffectArguments& arguments)
       : rate_(arguments.parameters[0]), on_the_spot_too_(arguments.variant == 1) {}
 
-  void body(Twist& twist, const Surroundings& around) override {
-    const WheelPair& wheels = around.next_speed_m_s;
+  void body(Twist& twist, const StepContext& context) override {
+    const WheelPair& wheels = context.next_speed_m_s;
     const double speed =
         on_the_spot_too_ ? std::max(std::abs(wheels.left), std::abs(wheels.right)) : std::abs(twist.v_m_s);
     twist.w_rad_s += rate_ * std::min(1.0, speed / driving_m_s);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double forgetting = 0.999;  // about four minutes of driving
 constexpr double spread_rate = 0.02;
-constexpr double least_spread_a = 0.008;
+constexpr double min_spread_a = 0.008;
 constexpr double outlier = 4.0;
 constexpr double largest_covariance = 1e4;  // what is not excited must not wind up
 
@@ -24,7 +24,7 @@ CurrentModel::Features CurrentModel::features(double speed_m_s, double accelerat
 }
 
 double CurrentModel::spread_a() const {
-  return std::max(least_spread_a, std::sqrt(variance_a2_));
+  return std::max(min_spread_a, std::sqrt(variance_a2_));
 }
 
 void CurrentModel::take(const Features& features, double current_a) {
@@ -41,7 +41,7 @@ void CurrentModel::learn(const Sample& sample) {
   const double limit_a = outlier * spread_a();
   double residual_a = sample.current_a - expected_a(sample.features);
   if (ready()) residual_a = std::clamp(residual_a, -limit_a, limit_a);
-  if (learnt_ >= least_learnt / 2) {
+  if (learnt_ >= min_learnt / 2) {
     variance_a2_ += spread_rate * (residual_a * residual_a - variance_a2_);
   }
   const Features reach = covariance_ * sample.features;

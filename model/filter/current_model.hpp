@@ -24,7 +24,7 @@ class CurrentModel {
   // Standard deviation of a mean over 0.25 s.
   double spread_a() const;
   // Enough has been learnt to judge by it.
-  bool ready() const { return learnt_ >= least_learnt; }
+  bool ready() const { return learnt_ >= min_learnt; }
 
   // A mean over 0.25 s of driving that was sound.
   void take(const Features& features, double current_a);
@@ -37,7 +37,7 @@ class CurrentModel {
     double current_a = 0.0;
   };
   static constexpr std::size_t delay = 24;
-  static constexpr int least_learnt = 24;
+  static constexpr int min_learnt = 24;
 
   void learn(const Sample& sample);
 

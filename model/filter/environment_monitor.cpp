@@ -13,17 +13,17 @@ constexpr double driving_m_s = 0.03;
 constexpr double excess_smoothing = 0.25;
 // CUSUM: shifts of twice the allowance are found fastest; a single block, however odd, is no proof.
 constexpr double allowance = 0.75;
-constexpr double most_of_one_block = 3.0;
-constexpr double usual_deviation = 0.8;  // mean size of a standard normal deviate
+constexpr double max_of_one_block = 3.0;
+constexpr double default_deviation = 0.8;  // mean size of a standard normal deviate
 constexpr double alarm = 10.0;
 constexpr double innovation_alarm = 16.0;  // its blocks hang together more than those of current
 // Of the alarm, that the sum of each wheel alone has to reach.
 constexpr double share_of_each = 0.25;
-constexpr double least_power = 0.5;  // less is no misfit, however unusual
-constexpr double least_power_spread = 0.2;
+constexpr double min_power = 0.5;  // less is no misfit, however unusual
+constexpr double min_power_spread = 0.2;
 
 double added_up(double sum, double score) {
-  return std::max(0.0, sum + std::min(score, most_of_one_block) - allowance);
+  return std::max(0.0, sum + std::min(score, max_of_one_block) - allowance);
 }
 
 }  // namespace
@@ -62,15 +62,15 @@ EnvironmentMonitor::BlockScore EnvironmentMonitor::close_block(Wheel& wheel) con
   const double n = ticks_per_block_;
   const CurrentModel::Features features = wheel.features / n;
   const double current_a = wheel.current_a / n;
-  const double power = std::log(wheel.innovation2 / n + least_power);
+  const double power = std::log(wheel.innovation2 / n + min_power);
   const double direction = features[0] < 0.0 ? -1.0 : 1.0;
   BlockScore score;
   if (wheel.model.ready()) {
     score.current = direction * (current_a - wheel.model.expected_a(features)) / wheel.model.spread_a();
-    score.other = std::abs(score.current) - usual_deviation;
+    score.other = std::abs(score.current) - default_deviation;
   }
   if (wheel.power.ready()) {
-    const double spread = std::max(least_power_spread, wheel.power.spread());
+    const double spread = std::max(min_power_spread, wheel.power.spread());
     score.power = (power - wheel.power.mean()) / spread;
   }
   wheel.model.take(features, current_a);
@@ -116,7 +116,7 @@ bool EnvironmentMonitor::take(const DrivingEvidence& evidence) {
   }
   const auto& [left_speed, right_speed] = evidence.speed_m_s;
   const bool drives = std::abs(left_speed) > driving_m_s && std::abs(right_speed) > driving_m_s;
-  if (!evidence.heard || !drives) return due_ && !was_due;
+  if (!evidence.received || !drives) return due_ && !was_due;
   // The excess is wanted most while a wheel has a fault; learning waits until it is over.
   const bool counts = evidence.sound && settle_ticks_ == 0;
   add_tick(wheels_[0], left_speed, right_speed, evidence.acceleration_m_s2.left, evidence.current_a.left,

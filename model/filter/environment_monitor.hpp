@@ -28,7 +28,7 @@
 namespace wheelwright {
 
 struct DrivingEvidence {
-  bool heard = false;
+  bool received = false;
   bool sound = false;   // driven, and no wheel has a fault
   WheelPair speed_m_s;  // of the model
   WheelPair acceleration_m_s2;
@@ -45,7 +45,7 @@ class EnvironmentMonitor {
   bool take(const DrivingEvidence& evidence);
 
   bool recalibration_due() const { return due_; }
-  // The model has been made anew: what is usual is learnt anew.
+  // The model has been made again: what is usual is learnt again.
   void recalibrated();
 
   // Motor current beyond what the motion needs, in its direction, smoothed over about 0.1 s; 0 until the need

@@ -37,7 +37,7 @@ struct TickEvidence {
   bool driven = false;  // the robot obeys
   bool wheel_drop = false;
   std::array<bool, 2> overcurrent{};
-  bool counter_jumped = false;  // the link gave the counts a new origin although the robot was heard
+  bool counter_jumped = false;  // the link gave the counts a new origin although the robot was received
 };
 
 // What the filter is to do about it.
@@ -46,7 +46,7 @@ struct FaultVerdict {
   std::array<bool, 2> distrust{};      // discard the encoder until further notice
   std::array<double, 2> take_out_m{};  // offset that a drift brought into the travel
   bool exchange = false;               // left and right counts, from now on
-  bool model_is_off = false;  // both wheels leave the model: believe the encoders until it is made anew
+  bool model_is_off = false;  // both wheels leave the model: believe the encoders until it is made again
 };
 
 class FaultDetector {

@@ -6,7 +6,7 @@ namespace wheelwright {
 namespace {
 
 // Below this the gain that a short calibration states is too good to be true of the rest of the day.
-constexpr double least_gain_error = 0.004;
+constexpr double min_gain_error = 0.004;
 
 }  // namespace
 
@@ -16,14 +16,13 @@ FilterNoise filter_noise_of(const RobotModel& model) {
   if (model.left_fit) {
     noise.position_noise_m.left = model.left_fit->position_noise_m;
     noise.drift_m_per_sqrt_s.left = model.left_fit->drift_m_per_sqrt_s;
-    noise.gain_standard_error.left =
-        std::max(least_gain_error, model.left_fit->gain_standard_error.from_left);
+    noise.gain_standard_error.left = std::max(min_gain_error, model.left_fit->gain_standard_error.from_left);
   }
   if (model.right_fit) {
     noise.position_noise_m.right = model.right_fit->position_noise_m;
     noise.drift_m_per_sqrt_s.right = model.right_fit->drift_m_per_sqrt_s;
     noise.gain_standard_error.right =
-        std::max(least_gain_error, model.right_fit->gain_standard_error.from_right);
+        std::max(min_gain_error, model.right_fit->gain_standard_error.from_right);
   }
   return noise;
 }

@@ -8,11 +8,11 @@ namespace {
 
 constexpr double block_s = 0.5;
 // A wheel that rolls less within a block shows more of its noise than of its gain.
-constexpr double least_way_m = 0.02;
+constexpr double min_way_m = 0.02;
 constexpr double smallest_misfit = 0.04;
 constexpr double certainty = 3.0;  // standard errors
 constexpr double memory_blocks = 120.0;
-constexpr std::size_t least_learnt = 10;  // blocks
+constexpr std::size_t min_learnt = 10;  // blocks
 // How far a window lies off by the speed that it was driven at, as a multiple of the spread of single blocks.
 constexpr double share_of_spread = 1.2;
 
@@ -38,10 +38,10 @@ void GainMisfit::take(const WheelPair& predicted_m, const WheelPair& counted_m) 
   wheels_[1].counted_m += counted_m.right;
   if (++ticks_ < ticks_per_block_) return;
   const bool driven =
-      std::abs(wheels_[0].predicted_m) > least_way_m && std::abs(wheels_[1].predicted_m) > least_way_m;
+      std::abs(wheels_[0].predicted_m) > min_way_m && std::abs(wheels_[1].predicted_m) > min_way_m;
   if (driven) {
     const bool leaves = count_ == blocks;
-    learnt_ = std::min(learnt_ + (leaves ? 1 : 0), least_learnt);
+    learnt_ = std::min(learnt_ + (leaves ? 1 : 0), min_learnt);
     for (Wheel& wheel : wheels_) {
       if (leaves) learn(wheel, wheel.past_predicted_m.at(next_), wheel.past_counted_m.at(next_));
       wheel.past_predicted_m.at(next_) = wheel.predicted_m;
@@ -79,7 +79,7 @@ void GainMisfit::learn(Wheel& wheel, double predicted_m, double counted_m) {
 }
 
 double GainMisfit::spread_of(const Wheel& wheel) const {
-  if (learnt_ < least_learnt) return 0.0;
+  if (learnt_ < min_learnt) return 0.0;
   const double mean = wheel.error / wheel.weight;
   return std::sqrt(std::max(0.0, wheel.square / wheel.weight - mean * mean));
 }

@@ -9,7 +9,7 @@ namespace wheelwright {
 namespace {
 
 // After so many ticks without news the last command has long settled or was stopped.
-constexpr std::int64_t most_ticks_left_out = 200;
+constexpr std::int64_t max_ticks_left_out = 200;
 // While the robot did not obey, its wheels may have done anything; the model forgets it within this time.
 constexpr std::int64_t believed_after_rest_ticks = 45;
 
@@ -41,7 +41,7 @@ WheelNoise wheel_noise(const FilterNoise& noise, double position_noise_m, double
 }  // namespace
 
 HybridFilter::HybridFilter(const RobotModel& model)
-    : HybridFilter(model.core, scale_of(model), filter_noise_of(model), effect_settings(model)) {}
+    : HybridFilter(model.linear_part, scale_of(model), filter_noise_of(model), effect_settings(model)) {}
 
 HybridFilter::HybridFilter(const LinearModel& model, const WheelPair& metres_per_tick,
                            const FilterNoise& noise, std::span<const EffectSetting> effects)
@@ -73,7 +73,7 @@ void HybridFilter::advance_model(const SensorFrame& frame) {
   simulation_.set_pose(pose_.pose());
   simulation_.set_distance_m(rolled_m_);
   const std::int64_t ticks =
-      started_ ? std::clamp<std::int64_t>(frame.tick - tick_, 0, most_ticks_left_out) : 0;
+      started_ ? std::clamp<std::int64_t>(frame.tick - tick_, 0, max_ticks_left_out) : 0;
   for (std::int64_t i = 0; i < ticks; ++i) {
     const auto& motion = simulation_.step(command_, battery_v);
     const WheelPair& speed = motion.wheel_m_s;
@@ -127,30 +127,30 @@ void HybridFilter::step_wheel(Side& side, const SensorFrame& frame, std::int64_t
   }
   side.out.speed_m_s = (1.0 + side.drift.gain_error()) * side.speed_m_s;
   side.out.innovation_m = estimate.innovation_m;
-  side.out.innovation = estimate.heard ? estimate.innovation_m / estimate.innovation_sd_m : 0.0;
+  side.out.innovation = estimate.received ? estimate.innovation_m / estimate.innovation_sd_m : 0.0;
   side.out.accepted = estimate.accepted;
-  side.out.discarded = estimate.heard && !estimate.accepted;
+  side.out.discarded = estimate.received && !estimate.accepted;
 }
 
 void HybridFilter::gather(Side& side, const WheelReading& reading, const WheelEstimate& estimate) {
   WheelEvidence& evidence = side.evidence;
   evidence = {};
-  side.predicted_since_heard_m += side.predicted_m;
+  side.predicted_since_received_m += side.predicted_m;
   evidence.metres_per_tick = side.metres_per_tick;
   evidence.innovation_m = estimate.innovation_m;
   evidence.reading_sd_m = estimate.reading_sd_m;
-  evidence.new_origin = reading.new_origin && estimate.heard;
+  evidence.new_origin = reading.new_origin && estimate.received;
   evidence.accepted = estimate.accepted;
   evidence.suspended = estimate.suspended;
   evidence.resynchronised = estimate.resynchronised;
   evidence.kept_out_m = estimate.kept_out_m;
-  if (!estimate.heard) return;
-  evidence.heard = side.was_heard && !reading.new_origin;
-  evidence.predicted_m = side.predicted_since_heard_m;
+  if (!estimate.received) return;
+  evidence.received = side.was_received && !reading.new_origin;
+  evidence.predicted_m = side.predicted_since_received_m;
   evidence.counted_m = *reading.counted_m - side.counted_m;
-  side.predicted_since_heard_m = 0.0;
+  side.predicted_since_received_m = 0.0;
   side.counted_m = *reading.counted_m;
-  side.was_heard = true;
+  side.was_received = true;
 }
 
 void HybridFilter::obey(Side& side, bool stalled, bool distrusted, double take_out_m) {
@@ -163,7 +163,7 @@ bool HybridFilter::watch_gain(const SensorFrame& frame) {
   const bool settled = frame.tick - last_not_driven_tick_ >= believed_after_rest_ticks;
   if (!frame.armed || !settled || detector_.any()) {
     misfit_.restart();
-  } else if (!left_.evidence.heard || !right_.evidence.heard || frame.doubtful_sign ||
+  } else if (!left_.evidence.received || !right_.evidence.received || frame.doubtful_sign ||
              left_.counts_backwards || right_.counts_backwards) {
     misfit_.drop_block();
   } else {
@@ -175,7 +175,7 @@ bool HybridFilter::watch_gain(const SensorFrame& frame) {
 
 bool HybridFilter::watch_environment(const SensorFrame& frame, bool both_misfit) {
   DrivingEvidence evidence;
-  evidence.heard = frame.valid;
+  evidence.received = frame.valid;
   evidence.sound = frame.armed && !detector_.any();
   evidence.speed_m_s = {left_.speed_m_s, right_.speed_m_s};
   evidence.acceleration_m_s2 = {left_.acceleration_m_s2, right_.acceleration_m_s2};
@@ -195,11 +195,11 @@ void HybridFilter::judge(const SensorFrame& frame, HybridOutput& output) {
   evidence.drift_collected_m = {left_.drift.collected_m(), right_.drift.collected_m()};
   evidence.overcurrent = {frame.valid && (frame.overcurrents & left_overcurrent) != 0,
                           frame.valid && (frame.overcurrents & right_overcurrent) != 0};
-  const bool short_silence = heard_ && frame.tick - last_heard_tick_ <= longest_jump_ticks;
+  const bool short_silence = received_ && frame.tick - last_received_tick_ <= longest_jump_ticks;
   evidence.counter_jumped = frame.valid && frame.after_gap && short_silence;
   if (frame.valid) {
-    heard_ = true;
-    last_heard_tick_ = frame.tick;
+    received_ = true;
+    last_received_tick_ = frame.tick;
   }
   evidence.driven = frame.armed && !model_is_off_;
   evidence.wheel_drop = frame.valid && frame.wheel_drop;
@@ -208,7 +208,7 @@ void HybridFilter::judge(const SensorFrame& frame, HybridOutput& output) {
   obey(right_, verdict.stalled[1], verdict.distrust[1], verdict.take_out_m[1]);
   if (verdict.exchange) {
     exchanged_ = !exchanged_;
-    left_.was_heard = right_.was_heard = false;
+    left_.was_received = right_.was_received = false;
   }
   model_is_off_ = model_is_off_ || verdict.model_is_off;
   const bool other_gain = watch_gain(frame);

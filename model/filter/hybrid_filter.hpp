@@ -1,11 +1,11 @@
-// The hybrid pose: encoder readings filtered against the model (PAPER.md, 'Idea').
+// The hybrid pose: encoder readings filtered against the model (an idea of the source paper).
 //
 //   HybridFilter filter(model);                       // allocates here and never after
 //   const HybridOutput out = filter.step(frame);      // once for each SensorFrame, in order
 //
 // The command of a frame is in force from its tick on, and its counts were read right after it was sent; so
 // the pose that step() returns is that at the beginning of the frame's tick, as PoseRecord::odometry is.
-// Frames may be invalid (sensors not heard) and ticks may be left out: the model then stands in, and for
+// Frames may be invalid (sensors not received) and ticks may be left out: the model then stands in, and for
 // ticks left out the last command is taken to have stayed in force.
 //
 // The prediction is the free run of the whole model, effects included: what the wheels do is compared with
@@ -57,7 +57,7 @@ struct HybridOutput {
   FaultKind left_fault = FaultKind::none;  // that lasts
   FaultKind right_fault = FaultKind::none;
   FaultEvents events;                 // of this tick, to be logged
-  bool recalibration_due = false;     // stays until the filter is made anew or recalibrated() is called
+  bool recalibration_due = false;     // stays until the filter is made again or recalibrated() is called
   bool raised_recalibration = false;  // on this tick
 };
 
@@ -77,7 +77,7 @@ class HybridFilter {
   // as the robot is.
   void prime(const WheelPair& command_m_s) { simulation_.step(command_m_s); }
   // Before the first frame: goes on in the place of a filter by another model of the same robot. The pose,
-  // how well it is known, and which counter is the left one stay; everything else is learnt anew.
+  // how well it is known, and which counter is the left one stay; everything else is learnt again.
   void take_over(const HybridFilter& before) {
     pose_ = before.pose_;
     exchanged_ = before.exchanged_;
@@ -105,9 +105,9 @@ class HybridFilter {
     double predicted_m = 0.0;  // over this tick
     double speed_m_s = 0.0;    // of the model
     double acceleration_m_s2 = 0.0;
-    double counted_m = 0.0;  // total of the last reading that was heard
-    double predicted_since_heard_m = 0.0;
-    bool was_heard = false;
+    double counted_m = 0.0;  // total of the last reading that was received
+    double predicted_since_received_m = 0.0;
+    bool was_received = false;
     bool counts_backwards = false;
     std::int64_t turned_tick = 0;  // when it last stood or was to turn round
     bool stalled = false;
@@ -143,8 +143,8 @@ class HybridFilter {
   PoseWithCovariance pose_;
   bool started_ = false;
   bool model_is_off_ = false;
-  bool heard_ = false;
-  std::int64_t last_heard_tick_ = 0;
+  bool received_ = false;
+  std::int64_t last_received_tick_ = 0;
   bool exchanged_ = false;  // left and right counts
   std::int64_t tick_ = 0;
   std::int64_t last_not_driven_tick_ = 0;

@@ -13,7 +13,7 @@ constexpr double enough_to_call_dropped_m = 0.03;
 constexpr double enough_to_call_still_m = 0.004;
 // No wheel and no age of a reading makes a jump of so many standard deviations and more.
 constexpr double jump_sd = 5.0;
-constexpr double least_jump_m = 0.003;
+constexpr double min_jump_m = 0.003;
 // A motor that pulls at a wheel that stands draws this much more than one that turns it.
 constexpr double stall_excess_a = 0.22;
 constexpr int new_origin_matters_ticks = 40;
@@ -41,7 +41,7 @@ void MisfitRecord::take(const WheelEvidence& evidence) {
   if (evidence.new_origin) after_new_origin_ = true;
   reading_sd_m_ = evidence.reading_sd_m;
   excess_a_ = evidence.excess_a;
-  if (evidence.heard) add({evidence.predicted_m, evidence.counted_m, evidence.metres_per_tick});
+  if (evidence.received) add({evidence.predicted_m, evidence.counted_m, evidence.metres_per_tick});
 }
 
 void MisfitRecord::add(const Step& step) {
@@ -66,7 +66,7 @@ void MisfitRecord::add(const Step& step) {
 
 // A counter that merely misses what the wheel did never goes back, and never ahead of it.
 bool MisfitRecord::jumped() const {
-  const bool large = std::abs(jump_m_) > std::max(least_jump_m, jump_sd * reading_sd_m_);
+  const bool large = std::abs(jump_m_) > std::max(min_jump_m, jump_sd * reading_sd_m_);
   const bool only_missing =
       jump_counted_m_ * jump_predicted_m_ >= 0.0 && std::abs(jump_counted_m_) <= std::abs(jump_predicted_m_);
   return large && !only_missing;

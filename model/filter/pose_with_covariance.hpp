@@ -24,7 +24,7 @@ class PoseWithCovariance {
   // turn in rad), as slip and geometry have it.
   void move(const WheelPair& rolled_m, const TravelVariance& variance, const Twist& beyond = {});
 
-  // Starts anew at a pose that is known.
+  // Starts again at a pose that is known.
   void reset(const Pose& pose);
 
   const Pose& pose() const { return pose_; }

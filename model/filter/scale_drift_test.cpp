@@ -7,7 +7,7 @@ namespace wheelwright {
 namespace {
 
 constexpr double mark_interval_s = 0.25;
-// The gain wanders a little with speed, load and temperature, so it is never known better than this.
+// The gain drifts a little with speed, load and temperature, so it is never known better than this.
 constexpr double gain_floor = 0.001;
 constexpr double gain_walk_per_mark = 2e-5;
 // Over less the windows say nothing of a scale.

@@ -29,11 +29,11 @@ class ScaleDriftTest {
   double gain_error() const { return gain_error_; }
   double gain_standard_error() const;
 
-  // How much more the encoder wanders about the model than the noise figures say, as a factor of standard
+  // How much more the encoder drifts about the model than the noise figures say, as a factor of standard
   // deviations: a model that bends the truth (a robot whose commands act in steps) must not give alarms.
   double roughness() const;
   // Gain and roughness are known well enough to test by.
-  bool ready() const { return learnt_ >= least_learnt; }
+  bool ready() const { return learnt_ >= min_learnt; }
 
   // Largest ratio of all windows, signed as the offset, and the offset collected over that window.
   double statistic() const { return statistic_; }
@@ -48,7 +48,7 @@ class ScaleDriftTest {
     double reading_m2 = 0.0;   // of the reading itself
   };
   static constexpr std::size_t marks = 64;
-  static constexpr int least_learnt = 32;
+  static constexpr int min_learnt = 32;
 
   void look_back();
   void learn(const Mark& older, const Mark& newer);

@@ -11,7 +11,7 @@ namespace wheelwright {
 
 class UsualLevel {
  public:
-  bool ready() const { return learnt_ >= least_learnt; }
+  bool ready() const { return learnt_ >= min_learnt; }
   double mean() const { return mean_; }
   double spread() const { return std::sqrt(variance_); }
 
@@ -29,7 +29,7 @@ class UsualLevel {
 
  private:
   static constexpr std::size_t delay = 24;
-  static constexpr int least_learnt = 24;
+  static constexpr int min_learnt = 24;
   static constexpr double slowest_rate = 0.002;
 
   void learn(double value) {

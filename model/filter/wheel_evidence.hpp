@@ -4,12 +4,12 @@
 namespace wheelwright {
 
 struct WheelEvidence {
-  double predicted_m = 0.0;  // travel of the model since the last reading that was heard
+  double predicted_m = 0.0;  // travel of the model since the last reading that was received
   double counted_m = 0.0;    // and of the encoder
   double metres_per_tick = 0.0;
   double innovation_m = 0.0;
   double reading_sd_m = 0.0;  // of one reading of travel
-  bool heard = false;         // there is a reading, and one before it to compare with
+  bool received = false;      // there is a reading, and one before it to compare with
   bool new_origin = false;    // the link has given the counts a new origin
   bool accepted = false;
   bool suspended = false;  // the model stands in

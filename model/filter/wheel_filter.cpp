@@ -15,21 +15,21 @@ constexpr double sign_gate = 3.0;
 // Speed changes are smeared over about so many ticks; the timing error of each is that of the whole.
 constexpr double ticks_per_change = 5.0;
 // A robot that brakes to rest coasts and rocks by some counts more than the noise figures of driving hold.
-constexpr double least_gate_m = 0.0045;
+constexpr double min_gate_m = 0.0045;
 constexpr double change_fades = 0.955;
 constexpr double unrest_fades = 0.98;
-// The mean over all ages of a robot that keeps its speed wanders by less than half of it.
-constexpr double least_mean_gate_m = 0.003;
+// The mean over all ages of a robot that keeps its speed drifts by less than half of it.
+constexpr double min_mean_gate_m = 0.003;
 // Slower a wheel may stand, and a counter may wait for its next count.
 constexpr double rolling_m_s = 0.03;
 // No wheel makes such a step between two readings, beyond what their ages can differ by.
-constexpr double least_jump_m = 0.003;
+constexpr double min_jump_m = 0.003;
 // A wheel that starts late stands for up to half of it.
 constexpr double no_count_m = 1e-6;
-constexpr int least_still_ticks = 3;
-constexpr double least_still_m = 0.0045;
+constexpr int min_still_ticks = 3;
+constexpr double min_still_m = 0.0045;
 // The encoder has to follow the model over this distance before it is believed again ...
-constexpr double least_proof_m = 0.005;
+constexpr double min_proof_m = 0.005;
 // ... within so many standard deviations of a reading. Twice the half-width of the age's uniform spread.
 constexpr double proof_spread = 4.0;
 // Travel that the model does not know of, per tick, where it does not hold.
@@ -48,7 +48,7 @@ double WheelFilter::reading_variance_m2(double speed_m_s) const {
 
 double WheelFilter::predict(const WheelReading& reading, double speed_m_s) {
   model_m_ += reading.predicted_m;
-  since_heard_m_ += reading.predicted_m;
+  since_received_m_ += reading.predicted_m;
   offset_m_ += reading.gain_error * reading.predicted_m;
   const double distance_m = std::abs(reading.predicted_m);
   const double gain_m = reading.gain_standard_error * distance_m;
@@ -68,7 +68,7 @@ double WheelFilter::predict(const WheelReading& reading, double speed_m_s) {
 // A sign can only be wrong of what was counted while the wheel turned.
 void WheelFilter::note_doubt(const WheelReading& reading, double counted_step_m) {
   if (reading.doubtful) {
-    const double turned_m = std::min(std::abs(counted_step_m), std::abs(since_heard_m_));
+    const double turned_m = std::min(std::abs(counted_step_m), std::abs(since_received_m_));
     const double way_m = 2.0 * turned_m + (ticks_since_doubt_ > 0 ? doubtful_sign_m : 0.0);
     doubt_m_ = std::min(doubt_m_ + way_m, longest_coast_m);
     ticks_since_doubt_ = 0;
@@ -81,15 +81,15 @@ bool WheelFilter::stands_still(const WheelReading& reading, double counted_step_
   const bool may_stand = std::abs(reading.predicted_m) < rolling_m_s * period_s_;
   const bool still = std::abs(counted_step_m) < no_count_m && !may_stand;
   still_ticks_ = still ? still_ticks_ + 1 : 0;
-  still_m_ = still ? still_m_ + std::abs(since_heard_m_) : 0.0;
-  return still_ticks_ >= least_still_ticks && still_m_ >= least_still_m;
+  still_m_ = still ? still_m_ + std::abs(since_received_m_) : 0.0;
+  return still_ticks_ >= min_still_ticks && still_m_ >= min_still_m;
 }
 
 // A model errs slowly; what comes at once is not the model, nor, where no sign is in doubt, the driver's
 // repair.
 void WheelFilter::note_jump(double step_less_model_m, double predicted_m) {
   const double age_m = std::abs(predicted_m) / period_s_ * noise_.refresh_period_s;
-  const bool jumped = doubt_m_ == 0.0 && std::abs(step_less_model_m) > age_m + least_jump_m;
+  const bool jumped = doubt_m_ == 0.0 && std::abs(step_less_model_m) > age_m + min_jump_m;
   jump_matters_ticks_ = jumped ? age_cycle_ticks : std::max<std::size_t>(jump_matters_ticks_, 1) - 1;
 }
 
@@ -100,7 +100,7 @@ double WheelFilter::unrest_m() const {
 double WheelFilter::mean_gate_m() const {
   const double mean_sd_m =
       std::sqrt(variance_m2_ + noise_.position_noise_m * noise_.position_noise_m + unrest_m() * unrest_m());
-  return std::max(least_mean_gate_m, noise_.gate * mean_sd_m);
+  return std::max(min_mean_gate_m, noise_.gate * mean_sd_m);
 }
 
 bool WheelFilter::stays_off(double innovation_m) {
@@ -161,7 +161,7 @@ bool WheelFilter::proves_sound(double counted_less_model_m, double reading_sd_m,
   for (std::size_t i = 0; i + 1 < proof_ticks; ++i) distance_m += std::abs(proof_step_m_[i]);
   const auto [least, most] = std::minmax_element(residual_m_.begin(), residual_m_.end());
   const double allowed_m = proof_spread * reading_sd_m;
-  return *most - *least <= allowed_m && distance_m >= std::max(least_proof_m, 2.0 * allowed_m);
+  return *most - *least <= allowed_m && distance_m >= std::max(min_proof_m, 2.0 * allowed_m);
 }
 
 void WheelFilter::resynchronise(const WheelReading& reading, WheelEstimate& estimate) {
@@ -187,10 +187,10 @@ void WheelFilter::judge(const WheelReading& reading, double counted_step_m, Whee
   estimate.innovation_m = residual_m - offset_m_;
   estimate.innovation_sd_m = std::sqrt(variance_m2_ + reading_m2);
   const double gate_m =
-      std::max(least_gate_m, noise_.gate * std::hypot(estimate.innovation_sd_m, 0.5 * unrest_m()));
+      std::max(min_gate_m, noise_.gate * std::hypot(estimate.innovation_sd_m, 0.5 * unrest_m()));
   const bool still = stands_still(reading, counted_step_m);
   note_doubt(reading, counted_step_m);
-  note_jump(counted_step_m - since_heard_m_, reading.predicted_m);
+  note_jump(counted_step_m - since_received_m_, reading.predicted_m);
   if (reading.distrusted) {
     suspended_ = true;
   } else if (reading.believed) {
@@ -222,7 +222,7 @@ WheelEstimate WheelFilter::step(const WheelReading& reading) {
   estimate.reading_sd_m = std::sqrt(reading_variance_m2(speed_m_s));
   last_speed_m_s_ = speed_m_s;
   if (reading.counted_m) {
-    estimate.heard = true;
+    estimate.received = true;
     if (reading.new_origin || !has_origin_) {
       origin_m_ = *reading.counted_m - model_m_ - offset_m_;
       has_origin_ = true;
@@ -232,7 +232,7 @@ WheelEstimate WheelFilter::step(const WheelReading& reading) {
     }
     judge(reading, *reading.counted_m - last_counted_m_, estimate);
     last_counted_m_ = *reading.counted_m;
-    since_heard_m_ = 0.0;
+    since_received_m_ = 0.0;
   }
   estimate.suspended = suspended_;
   estimate.step_m = model_m_ + offset_m_ - before_m;

@@ -32,7 +32,7 @@ struct WheelReading {
   double predicted_m = 0.0;  // travel over this tick by the model
   double gain_error = 0.0;   // correction of it, as a fraction, and how sure it is
   double gain_standard_error = 0.0;
-  std::optional<double> counted_m;  // encoder total times metres per tick; nothing where not heard
+  std::optional<double> counted_m;  // encoder total times metres per tick; nothing where not received
   bool doubtful = false;            // the sign of the last counts may yet change
   bool new_origin = false;          // counts have nothing to do with those before
   bool distrusted = false;          // discard whatever it says
@@ -42,11 +42,11 @@ struct WheelReading {
 struct WheelEstimate {
   double step_m = 0.0;               // travel over this tick, corrections included
   double variance_growth_m2 = 0.0;   // by which the travel became less certain while the model stood in
-  double innovation_m = 0.0;         // encoder minus prediction; 0 where not heard
+  double innovation_m = 0.0;         // encoder minus prediction; 0 where not received
   double innovation_sd_m = 0.0;      // its standard deviation while all is sound
   double reading_sd_m = 0.0;         // of the reading alone
   double process_variance_m2 = 0.0;  // by which model and wheel may have parted over this tick, gain apart
-  bool heard = false;
+  bool received = false;
   bool accepted = false;
   bool suspended = false;       // the model stands in until the encoder has proved itself
   bool resynchronised = false;  // it just has
@@ -105,7 +105,7 @@ class WheelFilter {
   double doubt_m_ = 0.0;            // travel that may have been counted in the wrong direction
   int ticks_since_doubt_ = 0;
   double last_counted_m_ = 0.0;
-  double since_heard_m_ = 0.0;  // travel of the model since then
+  double since_received_m_ = 0.0;  // travel of the model since then
   std::size_t jump_matters_ticks_ = 0;
   int still_ticks_ = 0;  // in a row: no count although the wheel was to roll
   double still_m_ = 0.0;

@@ -17,12 +17,12 @@ namespace wheelwright::gap {
 namespace {
 
 constexpr std::uint64_t floor_seed = 1;
-constexpr std::size_t most_regimes = 6;
+constexpr std::size_t max_regimes = 6;
 
 class Analysis {
  public:
-  Analysis(const GapOptions& options, const ForEach& for_each, const Progress& progress)
-      : options_(options), for_each_(for_each), progress_(progress) {}
+  Analysis(const GapOptions& options, const ParallelFor& parallel_for, const Progress& progress)
+      : options_(options), parallel_for_(parallel_for), progress_(progress) {}
 
   tl::expected<GapAnalysis, GapRefusal> run(std::span<const DriveLog> train, std::span<const DriveLog> test);
 
@@ -54,20 +54,20 @@ class Analysis {
   void note_runs();
 
   const GapOptions& options_;
-  const ForEach& for_each_;
+  const ParallelFor& parallel_for_;
   const Progress& progress_;
   GatheredRuns gathered_;
   ModelOrigin origin_;
-  std::optional<GapProblem> train_problem_;
-  std::optional<GapProblem> test_problem_;
+  std::optional<Problem> train_problem_;
+  std::optional<Problem> test_problem_;
   Testability testability_;
   bool linear_left_out_ = false;
   GapAnalysis result_;
 };
 
 void Analysis::search() {
-  train_problem_.emplace(gathered_.train.runs, gathered_.train.metres_per_tick, for_each_);
-  test_problem_.emplace(gathered_.test.runs, gathered_.test.metres_per_tick, for_each_);
+  train_problem_.emplace(gathered_.train.runs, gathered_.train.metres_per_tick, parallel_for_);
+  test_problem_.emplace(gathered_.test.runs, gathered_.test.metres_per_tick, parallel_for_);
   const FreeRuns free_runs{
       [this](const TrialModel& trial) {
         if (trial.shape.gyro_scaled) note_references_by(trial);  // its drift is that beside this model
@@ -83,16 +83,16 @@ void Analysis::search() {
       }};
   const TrialModel start = search_start(*train_problem_, origin_.given);
   note_references_by(start);
-  auto candidates = testability_.candidates;
-  if (linear_left_out_) std::erase_if(candidates, [](const EffectInfo* info) { return info->linear; });
-  result_.search = search_gap(*train_problem_, *test_problem_, start, candidates, options_.limits, free_runs,
-                              for_each_, progress_);
+  auto candidate_effects = testability_.candidate_effects;
+  if (linear_left_out_) std::erase_if(candidate_effects, [](const EffectInfo* info) { return info->linear; });
+  result_.search = search_gap(*train_problem_, *test_problem_, start, candidate_effects, options_.limits,
+                              free_runs, parallel_for_, progress_);
   note_references_by(result_.search.final.model);
   for (std::size_t r = 0; r < gathered_.train.logs.size(); ++r) {
-    gathered_.train.logs[r].rolled_before_m = result_.search.train_rolled_m[r];
+    gathered_.train.logs[r].initial_travel_m = result_.search.train_rolled_m[r];
   }
   for (std::size_t r = 0; r < gathered_.test.logs.size(); ++r) {
-    gathered_.test.logs[r].rolled_before_m = result_.search.heldout_rolled_m[r];
+    gathered_.test.logs[r].initial_travel_m = result_.search.heldout_rolled_m[r];
   }
 }
 
@@ -128,7 +128,7 @@ void Analysis::put_slow_noise_into_floors() {
   if (!result_.tail_held_out) result_.test.floor = slow_floor(gathered_.test.logs);
 }
 
-// Linear effects alone have to show above noise over seconds, too: what wanders slowly, a delay may follow.
+// Linear effects alone have to show above noise over seconds, too: what drifts slowly, a delay may follow.
 // So has what chance may do: it does it to figures that noise over seconds makes as large.
 bool Analysis::closes_the_gap() const {
   if (!gap::closes_the_gap(result_, linear_left_out_)) return false;
@@ -138,22 +138,22 @@ bool Analysis::closes_the_gap() const {
   const GapFigures& figures = result_.tail_held_out ? result_.train : result_.test;
   const auto& logs = result_.tail_held_out ? gathered_.train.logs : gathered_.test.logs;
   const GapFigures above_slow_noise{figures.before, figures.after, slow_floor(logs)};
-  return linear ? shows(above_slow_noise) : some_figure_falls(above_slow_noise, least_fall, 1.0);
+  return linear ? shows(above_slow_noise) : some_figure_falls(above_slow_noise, min_fall, 1.0);
 }
 
 void Analysis::describe_where() {
   const GapSearch& search = result_.search;
-  const GapFit& before = search.baseline;
+  const Fit& before = search.baseline;
   std::vector<double> after;
   if (!search.final.model.effects.empty()) {
     after = search.final.residuals;
   } else if (result_.verdict == Verdict::unnamed && result_.where.empty() &&
-             !search.rounds.back().contenders.empty()) {
-    after = search.rounds.back().contenders.front().fit.residuals;
+             !search.selection_steps.back().candidates.empty()) {
+    after = search.selection_steps.back().candidates.front().fit.residuals;
   } else {
     return;
   }
-  result_.where = regimes(*train_problem_, before.model, before.residuals, after, most_regimes);
+  result_.where = regimes(*train_problem_, before.model, before.residuals, after, max_regimes);
 }
 
 void Analysis::size_up() {
@@ -165,7 +165,7 @@ void Analysis::size_up() {
   }
 }
 
-// Counts are lost at random, so that no simulation foretells them; to know where is what closes their gap.
+// Counts are lost at random, so that no simulation predicts them; to know where is what closes their gap.
 void Analysis::show_gap_with_lost_counts() {
   result_.train.before = gap_size_with_lost_counts(result_.before, gathered_.train.logs);
   if (!result_.tail_held_out) {
@@ -195,12 +195,12 @@ void Analysis::conclude() {
   size_up();
   const bool any = !result_.search.final.model.effects.empty();
   const bool nothing_closes = any && !closes_the_gap();
-  // A short delay alone is one parameter in the place of several of a core that could hold it.
-  const bool of_a_core =
+  // A short delay alone is one parameter in the place of several of a linear part that could hold it.
+  const bool of_a_linear_part =
       any && std::ranges::all_of(result_.search.final.model.effects, [](const TrialEffect& effect) {
-        return effect.info->linear && !beyond_a_core(effect);
+        return effect.info->linear && !beyond_a_linear_part(effect);
       });
-  if ((nothing_closes || of_a_core) && leave_out_linear_effects()) return conclude();
+  if ((nothing_closes || of_a_linear_part) && leave_out_linear_effects()) return conclude();
   if (nothing_closes) take_back_names();
   judge();
 }
@@ -224,9 +224,10 @@ void Analysis::judge() {
     return std::ranges::any_of(result_.found,
                                [&](const Finding& found) { return found.setting.name == untestable.effect; });
   });
-  const double inflation = 1.5;  // what is usual of a search that ended well
-  result_.detectable = detectable_sizes(result_.search.last_look, testability_.excitation,
-                                        options_.limits.least_train_nats, inflation, result_.not_testable);
+  const double autocorrelation_factor = 1.5;  // what is usual of a search that ended well
+  result_.detectable =
+      detectable_sizes(result_.search.last_look, testability_.excitation, options_.limits.min_train_nats,
+                       autocorrelation_factor, result_.not_testable);
 }
 
 // Of the training, the one furthest off first.
@@ -269,8 +270,8 @@ void Analysis::hold_out_others() {
   result_ = first;
   gathered_ = gathered;
   note_runs();
-  train_problem_.emplace(gathered_.train.runs, gathered_.train.metres_per_tick, for_each_);
-  test_problem_.emplace(gathered_.test.runs, gathered_.test.metres_per_tick, for_each_);
+  train_problem_.emplace(gathered_.train.runs, gathered_.train.metres_per_tick, parallel_for_);
+  test_problem_.emplace(gathered_.test.runs, gathered_.test.metres_per_tick, parallel_for_);
   const NoiseModel noise = train_problem_->noise_left_by(result_.search.final.model);
   train_problem_->set_noise(noise);
   test_problem_->set_noise(noise);
@@ -323,7 +324,7 @@ void Analysis::meet_test_runs() {
   const bool any_effect = !result_.search.final.model.effects.empty();
   RunSet all = any_effect ? RunSet{} : every_run();
   const Confirmation confirmation =
-      confirm(*train_problem_, result_.search, any_effect ? test : all, result_.untouched, for_each_);
+      confirm(*train_problem_, result_.search, any_effect ? test : all, result_.untouched, parallel_for_);
   result_.check = confirmation.check;
   result_.checked = !any_effect         ? CheckedRuns::all
                     : result_.untouched ? CheckedRuns::untouched
@@ -409,8 +410,8 @@ tl::expected<GapAnalysis, GapRefusal> Analysis::run(std::span<const DriveLog> tr
 
 tl::expected<GapAnalysis, GapRefusal> analyse_gap(std::span<const DriveLog> train,
                                                   std::span<const DriveLog> test, const GapOptions& options,
-                                                  const ForEach& for_each, const Progress& progress) {
-  return Analysis(options, for_each, progress).run(train, test);
+                                                  const ParallelFor& parallel_for, const Progress& progress) {
+  return Analysis(options, parallel_for, progress).run(train, test);
 }
 
 }  // namespace wheelwright::gap

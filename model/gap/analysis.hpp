@@ -1,5 +1,5 @@
 // The gap workflow: where simulation and measurement disagree, what is missing, how sure that is, and how
-// much of the gap closes on runs that were not used (GAP.md, the recipe).
+// much of the gap closes on runs that were not used.
 #pragma once
 
 #include <optional>
@@ -29,6 +29,6 @@ struct GapOptions {
 // Refuses logs that do not belong together and logs too short to hold anything out.
 tl::expected<GapAnalysis, GapRefusal> analyse_gap(std::span<const DriveLog> train,
                                                   std::span<const DriveLog> test, const GapOptions& options,
-                                                  const ForEach& for_each, const Progress& progress);
+                                                  const ParallelFor& parallel_for, const Progress& progress);
 
 }  // namespace wheelwright::gap

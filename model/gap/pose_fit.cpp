@@ -19,15 +19,15 @@
 namespace wheelwright::gap {
 namespace {
 
-constexpr double most_unsure = 0.5;  // half of an interval, relative to the value
+constexpr double max_unsure = 0.5;  // half of an interval, relative to the value
 constexpr int steps_of_a_fit = 60;
 
 // Of the whole response, with the gain that both wheels share.
 double gain_of(const TrialModel& model) {
   double own_past = 0.0;
   double weights = 0.0;
-  for (std::size_t i = 0; i < model.shape.poles; ++i) own_past += model.core[i];
-  for (std::size_t i = 0; i < model.shape.weights; ++i) weights += model.core[model.shape.poles + i];
+  for (std::size_t i = 0; i < model.shape.poles; ++i) own_past += model.linear_part[i];
+  for (std::size_t i = 0; i < model.shape.weights; ++i) weights += model.linear_part[model.shape.poles + i];
   return weights / (1.0 - own_past);
 }
 
@@ -35,11 +35,11 @@ double gain_of(const TrialModel& model) {
 double lag_s_of(const TrialModel& model) {
   double own_past = 0.0, own_moment = 0.0, weights = 0.0, moment = 0.0;
   for (std::size_t i = 0; i < model.shape.poles; ++i) {
-    own_past += model.core[i];
-    own_moment += static_cast<double>(i + 1) * model.core[i];
+    own_past += model.linear_part[i];
+    own_moment += static_cast<double>(i + 1) * model.linear_part[i];
   }
   for (std::size_t i = 0; i < model.shape.weights; ++i) {
-    const double weight = model.core[model.shape.poles + i];
+    const double weight = model.linear_part[model.shape.poles + i];
     weights += weight;
     moment += static_cast<double>(i) * weight;
   }
@@ -94,7 +94,7 @@ double white_error(const Eigen::RowVectorXd& slope, const Eigen::MatrixXd& infor
 
 // Intervals of figures that hang on several parameters: those of parameters by which each stands for one.
 std::vector<LinearInterval> intervals_of(const Eigen::MatrixXd& slopes, const Eigen::MatrixXd& columns,
-                                         const GapProblem& problem, const GapFit& fit) {
+                                         const Problem& problem, const Fit& fit) {
   Eigen::MatrixXd change(columns.cols(), columns.cols());
   change.topRows(slopes.rows()) = slopes;
   change.bottomRows(columns.cols() - slopes.rows()) =
@@ -105,13 +105,13 @@ std::vector<LinearInterval> intervals_of(const Eigen::MatrixXd& slopes, const Ei
 
 std::optional<Refusal> not_shown(const Figure& figure, const Estimate& estimate) {
   const double unsure = 0.5 * (estimate.interval.upper - estimate.interval.lower);
-  if (unsure <= most_unsure * std::abs(estimate.value)) return std::nullopt;
+  if (unsure <= max_unsure * std::abs(estimate.value)) return std::nullopt;
   return Refusal{"the poses do not show " + std::string(figure.what) + " (" + in_digits(estimate.value, 3) +
                  " +- " + in_digits(unsure, 2) + " at 95 %); add runs with more " + figure.missing};
 }
 
-tl::expected<std::array<Estimate, figures.size()>, Refusal> estimates(const GapProblem& problem,
-                                                                      const GapFit& fit) {
+tl::expected<std::array<Estimate, figures.size()>, Refusal> estimates(const Problem& problem,
+                                                                      const Fit& fit) {
   const Eigen::MatrixXd columns = problem.jacobian(fit.model, fit.residuals);
   const Eigen::MatrixXd information = columns.transpose() * columns;
   Eigen::MatrixXd slopes(static_cast<Eigen::Index>(figures.size()), columns.cols());
@@ -132,19 +132,19 @@ tl::expected<std::array<Estimate, figures.size()>, Refusal> estimates(const GapP
 }
 
 // The likeliest of fits that begin at delays of their own, each paid for by its weights.
-GapFit best_fit(GapProblem& problem, const TrialModel& start, const Progress& progress) {
+Fit best_fit(Problem& problem, const TrialModel& start, const Progress& progress) {
   constexpr std::array more_delay_s{0.0, 0.1, 0.2, 0.4};
   constexpr int passes = 2;
-  std::optional<GapFit> best;
+  std::optional<Fit> best;
   double least = 0.0;
   for (std::size_t i = 0; i < more_delay_s.size(); ++i) {
     progress("linear model", 0.1 + 0.15 * static_cast<double>(i));
-    const GapFit fit =
-        problem.fit(more_delay_s[i] > 0.0 ? start.with_later_core(more_delay_s[i]) : start, steps_of_a_fit);
-    const double price =
-        std::log(static_cast<double>(problem.readings())) * static_cast<double>(fit.model.core.size());
-    if (best && fit.squares + price >= least) continue;
-    least = fit.squares + price;
+    const Fit fit = problem.fit(more_delay_s[i] > 0.0 ? start.with_later_linear_part(more_delay_s[i]) : start,
+                                steps_of_a_fit);
+    const double complexity_penalty =
+        std::log(static_cast<double>(problem.readings())) * static_cast<double>(fit.model.linear_part.size());
+    if (best && fit.sum_squares + complexity_penalty >= least) continue;
+    least = fit.sum_squares + complexity_penalty;
     best = fit;
   }
   for (int pass = 0; pass < passes; ++pass) {
@@ -185,7 +185,7 @@ bool hold_poses_alone(std::span<const DriveLog> logs) {
       logs, [](const DriveLog& log) { return !log.has_ticks() && log.references_tell_places(); });
 }
 
-tl::expected<PoseFit, Refusal> fit_from_poses(std::span<const DriveLog> logs, const ForEach& for_each,
+tl::expected<PoseFit, Refusal> fit_from_poses(std::span<const DriveLog> logs, const ParallelFor& parallel_for,
                                               const Progress& progress) {
   if (auto refusal = find_missing_excitation(logs)) return tl::unexpected(*refusal);
   const double period_s = shortest_period_s(logs);
@@ -197,17 +197,17 @@ tl::expected<PoseFit, Refusal> fit_from_poses(std::span<const DriveLog> logs, co
     measure_motion(runs.back());
     result.poses += runs.back().references.size();
   }
-  GapProblem problem(std::move(runs), std::vector<WheelPair>(logs.size()), for_each);
+  Problem problem(std::move(runs), std::vector<WheelPair>(logs.size()), parallel_for);
   progress("linear model", 0.0);
   const TrialModel start = search_start(problem, nullptr);
   problem.set_noise(problem.noise_left_by(start));
-  const GapFit fit = best_fit(problem, with_free_wheel_base(start), progress);
+  const Fit fit = best_fit(problem, with_free_wheel_base(start), progress);
   progress("intervals", 0.9);
   const auto found = estimates(problem, fit);
   if (!found) return tl::unexpected(found.error());
   const TravelNoise& noise = problem.noise().channel[static_cast<std::size_t>(Channel::forward)];
-  result.core = fit.model.linear();
-  result.core.wheel_base_m = wheel_base_m_of(fit.model);
+  result.linear_part = fit.model.linear();
+  result.linear_part.wheel_base_m = wheel_base_m_of(fit.model);
   result.left_gain = (*found)[0];
   result.right_gain = (*found)[1];
   result.lag_s = (*found)[2];

@@ -26,7 +26,7 @@ struct Estimate {
 };
 
 struct PoseFit {
-  LinearModel core;  // its wheel base is the one that was found
+  LinearModel linear_part;  // its wheel base is the one that was found
   Estimate left_gain;
   Estimate right_gain;
   Estimate lag_s;  // by which the poses are behind what was commanded: delay, motors, and the reference's own
@@ -43,7 +43,7 @@ struct PoseFit {
 bool hold_poses_alone(std::span<const DriveLog> logs);
 
 // Refuses, with the reason, where the runs do not show gains, lag or wheel base to within a half.
-tl::expected<PoseFit, Refusal> fit_from_poses(std::span<const DriveLog> logs, const ForEach& for_each,
+tl::expected<PoseFit, Refusal> fit_from_poses(std::span<const DriveLog> logs, const ParallelFor& parallel_for,
                                               const Progress& progress);
 
 }  // namespace wheelwright::gap

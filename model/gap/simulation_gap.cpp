@@ -16,7 +16,7 @@ constexpr std::string_view delay_effect = "transport_delay";
 RobotModel model_of(const GapAnalysis& simulation) {
   RobotModel model = simulation.after;
   std::erase_if(model.effects, [](const AddedEffect& effect) { return effect.setting.name == delay_effect; });
-  model.core = simulation.search.final.model.with_delay_in_core().linear();
+  model.linear_part = simulation.search.final.model.with_delay_in_linear_part().linear();
   return model;
 }
 
@@ -110,7 +110,7 @@ void conclude(SimulationGap& gap) {
 tl::expected<SimulationGap, GapRefusal> analyse_simulation_gap(std::span<const DriveLog> simulated,
                                                                std::span<const DriveLog> train,
                                                                std::span<const DriveLog> test,
-                                                               const ForEach& for_each,
+                                                               const ParallelFor& parallel_for,
                                                                const Progress& progress) {
   GapOptions options;
   options.period_s = shortest_period_s(train);
@@ -120,13 +120,13 @@ tl::expected<SimulationGap, GapRefusal> analyse_simulation_gap(std::span<const D
   const auto second_half = [&](const std::string& what, double share) {
     progress("robot: " + what, 0.5 + 0.5 * share);
   };
-  auto simulation = analyse_gap(simulated, {}, options, for_each, first_half);
+  auto simulation = analyse_gap(simulated, {}, options, parallel_for, first_half);
   if (!simulation) return tl::unexpected(simulation.error());
   if (simulation->verdict == Verdict::bad_data || simulation->verdict == Verdict::not_testable)
     return tl::unexpected(
         GapRefusal{simulated.front().name + ": the runs of the simulation: " + simulation->summary});
   options.simulation = model_of(*simulation);
-  auto robot = analyse_gap(train, test, options, for_each, second_half);
+  auto robot = analyse_gap(train, test, options, parallel_for, second_half);
   if (!robot) return tl::unexpected(robot.error());
   SimulationGap result{*std::move(robot), *std::move(simulation), {}, {}};
   result.differences = effect_differences(result.simulation, result.robot);

@@ -22,7 +22,7 @@ struct SimulationGap {
 tl::expected<SimulationGap, GapRefusal> analyse_simulation_gap(std::span<const DriveLog> simulated,
                                                                std::span<const DriveLog> train,
                                                                std::span<const DriveLog> test,
-                                                               const ForEach& for_each,
+                                                               const ParallelFor& parallel_for,
                                                                const Progress& progress);
 
 }  // namespace wheelwright::gap

@@ -39,7 +39,7 @@ Pose move_along_arc(const Pose& pose, const Twist& twist, double duration_s) {
   return {pose.x_m + chord * cosine, pose.y_m + chord * sine, pose.theta_rad + turned};
 }
 
-Pose relative_to(const Pose& origin, const Pose& pose) {
+Pose between(const Pose& origin, const Pose& pose) {
   const double dx = pose.x_m - origin.x_m;
   const double dy = pose.y_m - origin.y_m;
   const double c = std::cos(origin.theta_rad);
@@ -47,7 +47,7 @@ Pose relative_to(const Pose& origin, const Pose& pose) {
   return {c * dx + s * dy, -s * dx + c * dy, pose.theta_rad - origin.theta_rad};
 }
 
-Pose placed_at(const Pose& origin, const Pose& offset) {
+Pose compose(const Pose& origin, const Pose& offset) {
   const double c = std::cos(origin.theta_rad);
   const double s = std::sin(origin.theta_rad);
   return {origin.x_m + c * offset.x_m - s * offset.y_m, origin.y_m + s * offset.x_m + c * offset.y_m,

@@ -33,14 +33,15 @@ struct Direction {
 };
 Direction direction_of(double angle_rad);
 
-// The pose after moving for `duration_s` with a constant twist, that is, along an arc (PAPER.md eq. 11).
+// The pose after moving for `duration_s` with a constant twist, that is, along an arc (eq. 11 of the source
+// paper).
 Pose move_along_arc(const Pose& pose, const Twist& twist, double duration_s);
 
 // `pose` as seen from `origin`: the pose of the same point in the frame whose origin and x axis are `origin`.
-Pose relative_to(const Pose& origin, const Pose& pose);
+Pose between(const Pose& origin, const Pose& pose);
 
 // The inverse: the pose that is at `offset` as seen from `origin`.
-Pose placed_at(const Pose& origin, const Pose& offset);
+Pose compose(const Pose& origin, const Pose& offset);
 
 double distance_between_m(const Pose& a, const Pose& b);
 

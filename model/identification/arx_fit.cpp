@@ -15,8 +15,8 @@
 #include "model/log/near_periods.hpp"
 #include "model/log/run_periods.hpp"
 #include "model/prediction/free_run.hpp"
-#include "model/prediction/known_stretches.hpp"
 #include "model/prediction/score.hpp"
+#include "model/prediction/segments.hpp"
 
 namespace wheelwright {
 namespace {
@@ -70,7 +70,7 @@ Refusal runs_away(double pole, std::size_t order) {
 }
 
 // A free run with this share of the travel wrong is hardly better than none, however its poles look.
-constexpr double most_unexplained = 0.9;
+constexpr double max_unexplained = 0.9;
 
 std::optional<Refusal> find_unexplained_travel(std::span<const DriveLog> logs, const LinearModel& model) {
   LinearModel standing = model;
@@ -83,7 +83,7 @@ std::optional<Refusal> find_unexplained_travel(std::span<const DriveLog> logs, c
     for (const double square : block_distance_squares(model, log, start_s)) wrong += square;
     for (const double square : block_distance_squares(standing, log, start_s)) travelled += square;
   }
-  if (wrong <= most_unexplained * most_unexplained * travelled) return std::nullopt;
+  if (wrong <= max_unexplained * max_unexplained * travelled) return std::nullopt;
   return Refusal{
       "the free run of the fit has more than half of the wheels' travel wrong: the wheels did not "
       "do what they were commanded; check that counts and commands belong together, and record a "
@@ -200,7 +200,7 @@ class ArxData {
     fit.right = right.fit;
     fit.rows = static_cast<std::size_t>(rows);
     ScoreSums sums;
-    for (const auto& log : logs_) add_known_stretches(free_run(fit.model, log), log, period_s_, sums);
+    for (const auto& log : logs_) add_segments(free_run(fit.model, log), log, period_s_, sums);
     fit.free_run_distance_rms_m = sums.score().distance_rms_m.value_or(0.0);
     return fit;
   }

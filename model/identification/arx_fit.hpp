@@ -1,4 +1,4 @@
-// Identification of the ARMA (in today's terms ARX) model from drive logs: PAPER.md eq. (1) and (12).
+// Identification of the ARMA (in today's terms ARX) model from drive logs: eq. 1 and 12 of the source paper.
 //
 // Each wheel is fitted from its own past speeds and both commands, not v and w from theirs. The wheel is
 // where the encoder counts, where friction acts and where a fault begins, so that residual, noise and
@@ -60,7 +60,7 @@ struct ArxFit {
   ArxWheelFit right;
   std::size_t rows = 0;  // of eq. (12)
   double free_run_distance_rms_m =
-      0.0;  // over the known stretches of the runs, as model/prediction/score.hpp has it
+      0.0;  // over the known segments of the runs, as model/prediction/score.hpp has it
   std::optional<OrderSweep> sweep;  // where the order was to be found
 };
 

@@ -19,7 +19,7 @@ struct Held {
 };
 
 // Those that are surely the one or the other, by their size.
-std::vector<Held> sorted_commands(const HeldSpeeds& speeds) {
+std::vector<Held> sorted_commands(const SteadyStateSpeeds& speeds) {
   std::vector<Held> commands;
   for (const auto* wheel : {&speeds.left, &speeds.right}) {
     for (const auto& held : *wheel) {
@@ -40,7 +40,7 @@ bool CommandHole::holds(double command_m_s) const {
   return std::abs(command_m_s) >= from_m_s && std::abs(command_m_s) <= to_m_s;
 }
 
-std::optional<CommandHole> find_command_hole(const HeldSpeeds& speeds) {
+std::optional<CommandHole> find_command_hole(const SteadyStateSpeeds& speeds) {
   const auto commands = sorted_commands(speeds);
   std::optional<CommandHole> best;
   for (std::size_t begin = 0; begin < commands.size();) {
@@ -63,9 +63,9 @@ std::optional<CommandHole> find_command_hole(const HeldSpeeds& speeds) {
   return best;
 }
 
-HeldSpeeds without_hole(HeldSpeeds speeds, const CommandHole& hole) {
+SteadyStateSpeeds without_hole(SteadyStateSpeeds speeds, const CommandHole& hole) {
   for (auto* wheel : {&speeds.left, &speeds.right})
-    std::erase_if(*wheel, [&](const HeldSpeed& held) { return hole.holds(held.command_m_s); });
+    std::erase_if(*wheel, [&](const SteadyStateSpeed& held) { return hole.holds(held.command_m_s); });
   return speeds;
 }
 

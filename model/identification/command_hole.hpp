@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "model/identification/held_speeds.hpp"
+#include "model/identification/steady_state_speeds.hpp"
 
 namespace wheelwright {
 
@@ -21,9 +21,9 @@ struct CommandHole {
 
 // The size of a command counts, not its direction or its wheel; nothing where fewer than three commands stand
 // in the hole, or fewer than two that surely move the wheel on either side of it.
-std::optional<CommandHole> find_command_hole(const HeldSpeeds& speeds);
+std::optional<CommandHole> find_command_hole(const SteadyStateSpeeds& speeds);
 
 // The settled speeds without those of the hole.
-HeldSpeeds without_hole(HeldSpeeds speeds, const CommandHole& hole);
+SteadyStateSpeeds without_hole(SteadyStateSpeeds speeds, const CommandHole& hole);
 
 }  // namespace wheelwright

@@ -37,9 +37,9 @@ class DistanceWindows {
   // Of the gain of either wheel by commands in this direction (of length 1): by the information of the
   // windows, and the scatter that is left of them.
   double standard_error(const Eigen::Vector2d& direction) const {
-    constexpr double least_windows = 5.0;
+    constexpr double min_windows = 5.0;
     const double energy = direction.dot(commanded_ * direction);
-    if (count_ < least_windows || !(energy > 0.0)) return std::numeric_limits<double>::infinity();
+    if (count_ < min_windows || !(energy > 0.0)) return std::numeric_limits<double>::infinity();
     const Eigen::Matrix2d gains = commanded_.fullPivLu().solve(products_);
     const Eigen::Vector2d left = travelled_ - gains.cwiseProduct(products_).colwise().sum().transpose();
     return std::sqrt(std::max(0.0, left.maxCoeff()) / (count_ - 2.0) / energy);

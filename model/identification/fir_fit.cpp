@@ -57,7 +57,7 @@ ResponseProblem problem_of(const LeastSquaresAccumulator::Factor& factor, Eigen:
   problem.residual_square_sum =
       factor.residual_square_sum[wheel] + factor.z.col(wheel).tail(factor.z.rows() - columns).squaredNorm();
   problem.rows = factor.rows;
-  problem.least_noise_variance = metres_per_tick * metres_per_tick / 12.0;  // of rounding to whole ticks
+  problem.min_noise_variance = metres_per_tick * metres_per_tick / 12.0;  // of rounding to whole ticks
   problem.own_column = wheel;
   return problem;
 }

@@ -14,10 +14,10 @@ namespace {
 using Factor = LeastSquaresAccumulator::Factor;
 
 constexpr std::size_t prior_periods = 60;  // in which a response is over
-constexpr int most_steps = 40;
-constexpr double least_progress = 1e-5;  // of the square sum, in one step
+constexpr int max_steps = 40;
+constexpr double min_progress = 1e-5;  // of the square sum, in one step
 constexpr double first_damping = 1e-6;
-constexpr double most_damping = 1e4;
+constexpr double max_damping = 1e4;
 
 // The steps of the whitening filter for one noise, reading by reading through all runs.
 struct Whitening {
@@ -66,18 +66,18 @@ Misfit misfit(const std::vector<double>& residuals, const Whitening& whitening) 
   Misfit result;
   result.log_variance_sum = whitening.log_variance_sum;
   double level = 0.0;
-  double wander = 0.0;
+  double drift = 0.0;
   for (std::size_t i = 0; i < residuals.size(); ++i) {
     const WhiteningStep& step = whitening.steps[i];
     if (step.starts) {
       level = residuals[i];
-      wander = 0.0;
+      drift = 0.0;
       continue;
     }
-    wander *= step.kept;
-    const double innovation = residuals[i] - level - wander;
+    drift *= step.kept;
+    const double innovation = residuals[i] - level - drift;
     level += step.level_gain * innovation;
-    wander += step.wander_gain * innovation;
+    drift += step.drift_gain * innovation;
     result.square_sum += step.scale * innovation * step.scale * innovation;
     result.rows += 1.0;
   }
@@ -131,7 +131,7 @@ class Search {
     double damping = first_damping;
     Factor factor = linearise(response);
     DampedSteps steps(factor);
-    for (int step = 0; step < most_steps && damping < most_damping; ++step) {
+    for (int step = 0; step < max_steps && damping < max_damping; ++step) {
       const Eigen::VectorXd unknowns = problem_.layout.to_unknowns(response) + steps.step(damping);
       const WheelResponse candidate = problem_.layout.to_response(unknowns);
       const double reached = cost(candidate);
@@ -144,7 +144,7 @@ class Search {
       response = candidate;
       damping *= 0.1;
       factor = linearise(response);
-      if (progress < least_progress) break;
+      if (progress < min_progress) break;
       steps = DampedSteps(factor);
     }
     return factor;

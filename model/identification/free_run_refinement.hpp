@@ -2,7 +2,7 @@
 // alone, agrees best with measured wheel travel.
 //
 // The residual is travel at the readings' real times, undifferenced: noise there is one rounding per reading
-// instead of the difference of two over 15-18 ms. It is whitened (travel_whitener.hpp: rounding, slip, wander
+// instead of the difference of two over 15-18 ms. It is whitened (travel_whitener.hpp: rounding, slip, drift
 // that fades) with the noise found by likelihood on the way, so that the estimate is that of maximum
 // likelihood. Levenberg-Marquardt steps; steps to an unstable model are never taken. Sensitivities are exact:
 // with A the recursion, the derivative of y(k) after the weight of u(k-i) is the command filtered by 1/A,

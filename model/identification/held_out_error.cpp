@@ -9,7 +9,7 @@ namespace wheelwright {
 namespace {
 
 constexpr double longest_block_s = 5.0;
-constexpr double least_blocks = 6.0;
+constexpr double min_blocks = 6.0;
 constexpr double forgetting_periods = 60.0;
 
 // Mean square of travel errors since the first row of a block.
@@ -44,7 +44,7 @@ WheelPair travel_error_m(const PredictedMotion& predicted, const DriveLog& log, 
 std::vector<double> block_distance_squares(const LinearModel& model, const DriveLog& log, double from_s) {
   const auto motion = free_run(model, log);
   const double judged_s = log.samples.back().t_s - from_s;
-  const double block_s = std::min(longest_block_s, judged_s / least_blocks);
+  const double block_s = std::min(longest_block_s, judged_s / min_blocks);
   std::vector<double> squares;
   Block block;
   double block_start_s = from_s;

@@ -8,7 +8,7 @@
 namespace wheelwright {
 namespace {
 
-constexpr std::size_t most_groups = 5;
+constexpr std::size_t max_groups = 5;
 constexpr std::size_t runs_for_error_over_runs = 4;
 
 // Runs to train on, and runs to judge by from some time on.
@@ -30,7 +30,7 @@ Fold last_third(const DriveLog& log) {
 
 std::vector<Fold> folds_of(std::span<const DriveLog> logs) {
   if (logs.size() == 1) return {last_third(logs.front())};
-  std::vector<Fold> folds(std::min(logs.size(), most_groups));
+  std::vector<Fold> folds(std::min(logs.size(), max_groups));
   for (std::size_t run = 0; run < logs.size(); ++run) {
     for (std::size_t group = 0; group < folds.size(); ++group) {
       if (run % folds.size() == group) {

@@ -1,10 +1,10 @@
-// Which order a model needs: held-out free run against cost, for one order after another (PAPER.md: the order
-// is "a balance of accuracy and CPU").
+// Which order a model needs: held-out free run against cost, for one order after another (the source
+// paper: the order is "a balance of accuracy and CPU").
 //
 // Each order is fitted without the run that it is judged on: every run is held out once (in at most five
 // groups), and of a single run the last third. Judged is the free run from rest, in distance: travel of each
 // wheel since the start of a block of about 5 s, against the encoders. Blocks, because errors of one free run
-// are nearly all correlated (GAP.md, point 5): the standard error is that over blocks, or over runs where
+// are nearly all correlated: the standard error is that over blocks, or over runs where
 // there are at least four. The one-standard-error rule then takes the smallest order that is no more than one
 // standard error of the best worse than the best.
 #pragma once

@@ -42,7 +42,7 @@ Eigen::LLT<Eigen::MatrixXd> evidence_factor(const ResponseProblem& problem, cons
 // motion: hence a floor.
 double noise_variance_of(const ResponseProblem& problem) {
   const auto spare = std::max<Eigen::Index>(1, problem.rows - problem.r.cols());
-  return std::max(problem.residual_square_sum / static_cast<double>(spare), problem.least_noise_variance);
+  return std::max(problem.residual_square_sum / static_cast<double>(spare), problem.min_noise_variance);
 }
 
 double negative_log_evidence(const ResponseProblem& problem, const ResponsePrior& prior) {

@@ -16,7 +16,7 @@ struct ResponseProblem {
   Eigen::VectorXd z;
   double residual_square_sum = 0.0;
   Eigen::Index rows = 0;
-  double least_noise_variance = 0.0;  // what the encoder's ticks make certain, however well the rows fit
+  double min_noise_variance = 0.0;  // what the encoder's ticks make certain, however well the rows fit
   Eigen::Index own_column = 0;  // 0 where the even columns are the wheel's own command, 1 where the odd are
 };
 

@@ -13,16 +13,16 @@ namespace {
 
 constexpr double same_command_m_s = 1e-4;
 constexpr std::size_t fewest_commands = 3;
-constexpr double least_span = 1.5;            // largest command over smallest
+constexpr double min_span = 1.5;              // largest command over smallest
 constexpr double bend_stands_out = 4.0;       // standard errors
-constexpr double least_bend = 0.02;           // of the gain
+constexpr double min_bend = 0.02;             // of the gain
 constexpr double curve_is_rough_m_s = 0.001;  // no parabola is nearer to a robot's curve than this
 constexpr double smallest_step_m_s = 0.005;
 constexpr double largest_step_m_s = 0.06;
 constexpr double between_steps_m_s = 0.0005;
 constexpr int edges = 20;        // places of the first edge that are tried, in a step
 constexpr double tries = 100.0;  // that differ: neighbouring steps and edges nearly agree
-constexpr double most_p_value = 0.01;
+constexpr double max_p_value = 0.01;
 
 struct Level {
   double command = 0.0;  // its size
@@ -31,7 +31,7 @@ struct Level {
   bool left = false;
 };
 
-void add_levels(const std::vector<HeldSpeed>& speeds, bool left, std::vector<Level>& levels) {
+void add_levels(const std::vector<SteadyStateSpeed>& speeds, bool left, std::vector<Level>& levels) {
   for (const auto& held : speeds) {
     const double sign = held.command_m_s < 0.0 ? -1.0 : 1.0;
     levels.push_back({sign * held.command_m_s, sign * held.speed_m_s, held.standard_error_m_s, left});
@@ -102,7 +102,7 @@ GainAt mean_gain(const std::vector<Level>& levels) {
 std::optional<GainBend> find_bend(const std::vector<Level>& levels) {
   const double smallest = levels.front().command;
   const double largest = levels.back().command;
-  if (largest < least_span * smallest) return std::nullopt;
+  if (largest < min_span * smallest) return std::nullopt;
   std::vector<Level> low;
   std::vector<Level> high;
   for (const auto& level : levels) {
@@ -113,7 +113,7 @@ std::optional<GainBend> find_bend(const std::vector<Level>& levels) {
   const GainBend bend{mean_gain(low), mean_gain(high)};
   const double difference = std::abs(bend.low.gain - bend.high.gain);
   const double error = std::hypot(bend.low.standard_error, bend.high.standard_error);
-  if (difference < bend_stands_out * error || difference < least_bend * std::abs(bend.high.gain)) {
+  if (difference < bend_stands_out * error || difference < min_bend * std::abs(bend.high.gain)) {
     return std::nullopt;
   }
   return bend;
@@ -165,7 +165,7 @@ std::optional<SpeedSteps> find_steps(const std::vector<Level>& levels) {
   const double smooth = fit_curve(levels, [](double command) { return command; });
   // Of an F test with two more unknowns, which has this closed form.
   const double p_value = tries * std::pow(best.square_sum / smooth, 0.5 * freedom);
-  if (!(p_value < most_p_value)) return std::nullopt;
+  if (!(p_value < max_p_value)) return std::nullopt;
   SpeedSteps steps{best.step, best.step, best.step, p_value};
   const double as_likely = best.square_sum * (1.0 + 4.0 / freedom);
   for (const auto& trial : trials) {
@@ -178,7 +178,7 @@ std::optional<SpeedSteps> find_steps(const std::vector<Level>& levels) {
 
 }  // namespace
 
-SpeedCurve find_speed_curve(const HeldSpeeds& speeds) {
+SpeedCurve find_speed_curve(const SteadyStateSpeeds& speeds) {
   std::vector<Level> levels;
   add_levels(speeds.left, true, levels);
   add_levels(speeds.right, false, levels);

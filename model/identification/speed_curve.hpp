@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "model/identification/held_speeds.hpp"
+#include "model/identification/steady_state_speeds.hpp"
 
 namespace wheelwright {
 
@@ -37,6 +37,6 @@ struct SpeedCurve {
   std::optional<SpeedSteps> steps;
 };
 
-SpeedCurve find_speed_curve(const HeldSpeeds& speeds);
+SpeedCurve find_speed_curve(const SteadyStateSpeeds& speeds);
 
 }  // namespace wheelwright

@@ -8,7 +8,7 @@ WhiteningStep WhiteningGains::next(double periods, double reading_variance) {
   WhiteningStep step;
   if (!started_) {
     level_variance_ = reading_variance;
-    wander_variance_ = 0.0;
+    drift_variance_ = 0.0;
     covariance_ = 0.0;
     started_ = true;
     step.starts = true;
@@ -19,18 +19,18 @@ WhiteningStep WhiteningGains::next(double periods, double reading_variance) {
   const double effective_periods =
       std::isinf(fading_periods) ? periods : -fading_periods * std::expm1(-periods / fading_periods);
   covariance_ *= step.kept;
-  wander_variance_ = step.kept * step.kept * wander_variance_ + noise_.drift_ratio * effective_periods;
+  drift_variance_ = step.kept * step.kept * drift_variance_ + noise_.drift_ratio * effective_periods;
 
   const double level_share = level_variance_ + covariance_;
-  const double wander_share = wander_variance_ + covariance_;
-  const double variance = level_share + wander_share + reading_variance;
+  const double drift_share = drift_variance_ + covariance_;
+  const double variance = level_share + drift_share + reading_variance;
   step.level_gain = level_share / variance;
-  step.wander_gain = wander_share / variance;
+  step.drift_gain = drift_share / variance;
   step.scale = 1.0 / std::sqrt(variance);
   step.log_variance = std::log(variance);
   level_variance_ -= level_share * step.level_gain;
-  wander_variance_ -= wander_share * step.wander_gain;
-  covariance_ -= level_share * step.wander_gain;
+  drift_variance_ -= drift_share * step.drift_gain;
+  covariance_ -= level_share * step.drift_gain;
   return step;
 }
 
@@ -38,20 +38,20 @@ bool TravelWhitener::filter(const Eigen::RowVectorXd& row, const WhiteningStep& 
                             Eigen::RowVectorXd& whitened) {
   if (step.starts) {
     level_ = row;
-    wander_.setZero();
+    drift_.setZero();
     return false;
   }
-  wander_ *= step.kept;
-  whitened = row - level_ - wander_;
+  drift_ *= step.kept;
+  whitened = row - level_ - drift_;
   level_ += step.level_gain * whitened;
-  wander_ += step.wander_gain * whitened;
+  drift_ += step.drift_gain * whitened;
   whitened *= step.scale;
   return true;
 }
 
 // First whether readings have ages of their own: refreshed at some rate, the age spreads over one period of
 // it, in which a wheel at one tick per period makes one tick, like the rounding to ticks itself. Then how
-// much the wheels wander, as if they never came back, then for how long, then how much once more: the
+// much the wheels drift, as if they never came back, then for how long, then how much once more: the
 // likelihood hardly couples the two.
 TravelNoise most_likely_travel_noise(
     double tick_m, double period_s,

@@ -28,7 +28,7 @@ struct DriveSample {
   std::optional<double> reference_theta_rad;
   std::optional<double> gyro_z_rad_s;  // raw
   std::optional<double> battery_v;
-  bool counts_anew = false;  // of the travel since the counts before, these do not tell all
+  bool counter_reset = false;  // of the travel since the counts before, these do not tell all
 
   // Where x, y and heading were measured.
   std::optional<Pose> reference_pose() const {
@@ -49,7 +49,7 @@ struct DriveLog {
   double wheel_base_m = 0.0;
   double period_s = 0.0;                     // nominal time between samples
   std::optional<WheelPair> metres_per_tick;  // present where there are ticks
-  WheelPair rolled_before_m;                 // tells the angle at which the wheels stood at the start
+  WheelPair initial_travel_m;                // tells the angle at which the wheels stood at the start
   double references_late_s = 0.0;            // behind the counts, where that has been found
   std::vector<std::pair<std::string, std::string>> other_metadata;
   std::vector<DriveSample> samples;  // times strictly rising

@@ -8,10 +8,10 @@
 namespace wheelwright {
 
 bool are_near_periods(double one_s, double other_s) {
-  constexpr double least_delay_s = 0.005;
-  constexpr double least_delay_periods = 0.25;
+  constexpr double min_delay_s = 0.005;
+  constexpr double min_delay_periods = 0.25;
   const double waits_longer_s = 0.5 * std::abs(one_s - other_s);
-  return waits_longer_s <= std::max(least_delay_s, least_delay_periods * std::min(one_s, other_s));
+  return waits_longer_s <= std::max(min_delay_s, min_delay_periods * std::min(one_s, other_s));
 }
 
 std::string different_periods(double period_s, const std::string& other, double other_s) {

@@ -18,12 +18,12 @@ enum class Activity : std::uint8_t {
   await_encoder_order,  // standing while the calibrator works
   encoder_turn,         // turning in place past the surroundings
   await_encoder_scale,
-  left_on,  // the four response actions (PAPER.md, calibration B)
+  left_on,  // the four response actions (calibration B of the source paper)
   left_off,
   right_on,
   right_off,
   await_response,
-  random_drive,  // of the ARMA calibration (PAPER.md, calibration C)
+  random_drive,  // of the ARMA calibration (calibration C of the source paper)
   await_arma,
   route,
   commanded_drive,  // commands as they stand (model/brain/commanded_drive.hpp)

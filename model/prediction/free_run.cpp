@@ -31,8 +31,8 @@ Pose pose_at(const std::vector<PredictedMotion>& motion, double t_s) {
   if (after == motion.end()) return motion.back().pose;
   const PredictedMotion& before = *std::prev(after);
   const double share = (t_s - before.t_s) / (after->t_s - before.t_s);
-  const Pose step = relative_to(before.pose, after->pose);
-  return placed_at(before.pose, {share * step.x_m, share * step.y_m, share * step.theta_rad});
+  const Pose step = between(before.pose, after->pose);
+  return compose(before.pose, {share * step.x_m, share * step.y_m, share * step.theta_rad});
 }
 
 // Each row holds the pose that a late reference tells then.
@@ -52,7 +52,7 @@ class CountedWay {
     if (!sample.ticks) return by_model_m;
     const WheelPair counted_m{static_cast<double>(sample.ticks->left) * metres_per_tick_.left,
                               static_cast<double>(sample.ticks->right) * metres_per_tick_.right};
-    if (!began_ || sample.counts_anew) {
+    if (!began_ || sample.counter_reset) {
       ahead_m_ = {by_model_m.left - counted_m.left, by_model_m.right - counted_m.right};
     }
     began_ = true;
@@ -84,22 +84,22 @@ void tell(ModelSimulation& simulation, const DriveSample& sample, const WheelPai
 
 }  // namespace
 
-std::vector<PredictedMotion> free_run(const LinearModel& core, std::span<const EffectSetting> effects,
-                                      const DriveLog& log, std::span<const std::size_t> told_rows) {
+std::vector<PredictedMotion> free_run(const LinearModel& linear_part, std::span<const EffectSetting> effects,
+                                      const DriveLog& log, std::span<const std::size_t> reset_rows) {
   std::vector<PredictedMotion> motion;
   if (log.samples.empty()) return motion;
   motion.reserve(log.samples.size());
   const CommandTimeline timeline(log);
   const double t0 = log.samples.front().t_s;
-  const double period = core.period_s;
-  ModelSimulation simulation(core, effects);
-  simulation.reset(simulation.axle_of(start_pose(log)), log.rolled_before_m);
+  const double period = linear_part.period_s;
+  ModelSimulation simulation(linear_part, effects);
+  simulation.reset(simulation.axle_of(start_pose(log)), log.initial_travel_m);
   double battery_v = battery_at(log, 0, std::numeric_limits<double>::quiet_NaN());
 
   motion.push_back({t0, {}, {}, {}, simulation.observed_pose(), 0.0});
   double told_s = t0;
-  auto told = told_rows.begin();
-  if (told != told_rows.end() && *told == 0) ++told;
+  auto told = reset_rows.begin();
+  if (told != reset_rows.end() && *told == 0) ++told;
   Pose axle = simulation.pose();
   WheelPair travelled_m;
   CountedWay counted(log);
@@ -115,7 +115,7 @@ std::vector<PredictedMotion> free_run(const LinearModel& core, std::span<const E
       const DriveSample& sample = log.samples[row];
       const double t = sample.t_s;
       const WheelPair rolled_m = counted.at(sample, later(simulation.distance_m(), now.wheel_m_s, t - to));
-      if (told != told_rows.end() && *told == row) {
+      if (told != reset_rows.end() && *told == row) {
         tell(simulation, sample, rolled_m, log.references_late_s, to - t);
         told_s = t;
         ++told;
@@ -136,7 +136,7 @@ std::vector<PredictedMotion> free_run(const LinearModel& model, const DriveLog& 
 }
 
 std::vector<PredictedMotion> free_run(const RobotModel& model, const DriveLog& log) {
-  return free_run(model.core, effect_settings(model), log);
+  return free_run(model.linear_part, effect_settings(model), log);
 }
 
 }  // namespace wheelwright

@@ -27,12 +27,12 @@ using Prediction = std::span<const PredictedMotion>;  // one entry per row of a 
 // command holds through a gap, as it does on the robot.
 std::vector<PredictedMotion> free_run(const RobotModel& model, const DriveLog& log);
 
-// The same for a model without effects, and for a core with effects.
+// The same for a model without effects, and for a linear part with effects.
 std::vector<PredictedMotion> free_run(const LinearModel& model, const DriveLog& log);
-// `told_rows`, in order: there effects that act by place or heading are told where the robot is, by the row's
-// reference, and those that act by the wheels' angle how far they have rolled, by the counts. The path and
-// the way of the wheels that the run returns stay its own.
-std::vector<PredictedMotion> free_run(const LinearModel& core, std::span<const EffectSetting> effects,
-                                      const DriveLog& log, std::span<const std::size_t> told_rows = {});
+// `reset_rows`, in order: there effects that act by place or heading are told where the robot is, by the
+// row's reference, and those that act by the wheels' angle how far they have rolled, by the counts. The path
+// and the way of the wheels that the run returns stay its own.
+std::vector<PredictedMotion> free_run(const LinearModel& linear_part, std::span<const EffectSetting> effects,
+                                      const DriveLog& log, std::span<const std::size_t> reset_rows = {});
 
 }  // namespace wheelwright

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "model/effects/library/effect_library.hpp"
-#include "model/prediction/known_stretches.hpp"
+#include "model/prediction/segments.hpp"
 
 namespace wheelwright {
 namespace {
@@ -18,7 +18,7 @@ bool any_acts(const std::vector<EffectSetting>& effects, bool EffectInfo::*by) {
 
 // The first rows from `after_first_s` on that tell, and a horizon after one another.
 template <typename Tells>
-std::vector<std::size_t> told_rows(const DriveLog& log, double after_first_s, Tells tells) {
+std::vector<std::size_t> reset_rows(const DriveLog& log, double after_first_s, Tells tells) {
   std::vector<std::size_t> rows;
   double next_s = 0.0;
   bool any = false;
@@ -36,7 +36,7 @@ std::vector<std::size_t> told_rows(const DriveLog& log, double after_first_s, Te
 
 }  // namespace
 
-bool is_told_on_the_way(const RobotModel& model, const DriveLog& log) {
+bool is_reset_to_measured_pose(const RobotModel& model, const DriveLog& log) {
   const auto effects = effect_settings(model);
   return any_acts(effects, &EffectInfo::by_pose) ||
          (log.metres_per_tick && any_acts(effects, &EffectInfo::by_wheel_angle));
@@ -44,7 +44,7 @@ bool is_told_on_the_way(const RobotModel& model, const DriveLog& log) {
 
 std::vector<std::vector<PredictedMotion>> open_loop_runs(const RobotModel& model, const DriveLog& log) {
   const auto effects = effect_settings(model);
-  if (!is_told_on_the_way(model, log)) return {free_run(model.core, effects, log)};
+  if (!is_reset_to_measured_pose(model, log)) return {free_run(model.linear_part, effects, log)};
   const bool by_pose = any_acts(effects, &EffectInfo::by_pose);
   const bool by_place = by_pose && log.references_tell_places();
   const auto tells = [=](const DriveSample& sample) {
@@ -53,7 +53,7 @@ std::vector<std::vector<PredictedMotion>> open_loop_runs(const RobotModel& model
   };
   std::vector<std::vector<PredictedMotion>> runs;
   for (double after_s = 0.0; after_s < longest_horizon_s; after_s += between_windows_s) {
-    runs.push_back(free_run(model.core, effects, log, told_rows(log, after_s, tells)));
+    runs.push_back(free_run(model.linear_part, effects, log, reset_rows(log, after_s, tells)));
   }
   return runs;
 }
@@ -61,7 +61,7 @@ std::vector<std::vector<PredictedMotion>> open_loop_runs(const RobotModel& model
 void add_open_loop(const RobotModel& model, const DriveLog& log, ScoreSums& sums) {
   const auto runs = open_loop_runs(model, log);
   const std::vector<Prediction> predictions(runs.begin(), runs.end());
-  add_known_stretches(predictions, log, model.core.period_s, sums);
+  add_segments(predictions, log, model.linear_part.period_s, sums);
 }
 
 }  // namespace wheelwright

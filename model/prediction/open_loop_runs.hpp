@@ -1,4 +1,4 @@
-// What a model foretells over the horizon of a score.
+// What a model predicts over the horizon of a score.
 //
 // A free run that has gone astray meets no edge of a rug and no slope where the robot does: of where effects
 // act by place or heading it tells less and less, and so of a wheel that is not round when the way of the
@@ -17,7 +17,7 @@
 namespace wheelwright {
 
 // Whether a model is told anything on its way through a log.
-bool is_told_on_the_way(const RobotModel& model, const DriveLog& log);
+bool is_reset_to_measured_pose(const RobotModel& model, const DriveLog& log);
 
 // A single free run where no effect of the model acts by place, heading or the wheels' angle.
 std::vector<std::vector<PredictedMotion>> open_loop_runs(const RobotModel& model, const DriveLog& log);

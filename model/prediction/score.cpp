@@ -104,7 +104,7 @@ void ScoreSums::add_wheels(Prediction predicted, const DriveLog& measured) {
   const auto rows = rows_with_ticks(measured);
   std::size_t begin = 0;
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    if (measured.samples[rows[i]].counts_anew) {
+    if (measured.samples[rows[i]].counter_reset) {
       begin = i;
       continue;
     }
@@ -123,10 +123,10 @@ void ScoreSums::add_poses(std::span<const Prediction> runs, const DriveLog& meas
       rows_where(measured, [](const DriveSample& sample) { return sample.reference_pose().has_value(); });
   const Windows found = windows_between(measured, rows);
   for (const auto& [from, to] : found.windows) {
-    const Pose moved = relative_to(measured.samples[from].reference_pose().value(),
-                                   measured.samples[to].reference_pose().value());
+    const Pose moved = between(measured.samples[from].reference_pose().value(),
+                               measured.samples[to].reference_pose().value());
     const Prediction predicted = told_last_at(from, runs);
-    const Pose expected = relative_to(predicted[from].pose, predicted[to].pose);
+    const Pose expected = between(predicted[from].pose, predicted[to].pose);
     position_m_.errors.add(distance_between_m(expected, moved));
     position_m_.horizons_s += found.horizon_s;
   }

@@ -2,7 +2,7 @@
 //
 // Each figure is a root mean square over all samples or windows, and absent where the log cannot show it. A
 // difference of encoder counts is mostly noise (11.6 mm/s on a Create 2), which hides a wrong gain; so
-// distance, position and heading are judged beside speed (GAP.md, points 1 and 2).
+// distance, position and heading are judged beside speed.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ constexpr double between_windows_s = 1.0;  // of their starts
 struct Score {
   // Mean speed of each wheel between two readings of the encoders.
   std::optional<double> wheel_speed_rms_m_s;
-  // Travel of each wheel since the first reading, or since counts were lost (DriveSample::counts_anew).
+  // Travel of each wheel since the first reading, or since counts were lost (DriveSample::counter_reset).
   std::optional<double> distance_rms_m;
   // Displacement over the horizon, seen from the pose at its start; needs reference x, y and theta.
   std::optional<AtHorizon> position_rms_m;

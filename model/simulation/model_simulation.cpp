@@ -15,19 +15,22 @@ std::vector<std::unique_ptr<Effect>> made(std::span<const EffectSetting> setting
 
 }  // namespace
 
-ModelSimulation::ModelSimulation(const LinearModel& core, std::span<const EffectSetting> effects)
-    : ModelSimulation(core, made(effects)) {}
+ModelSimulation::ModelSimulation(const LinearModel& linear_part, std::span<const EffectSetting> effects)
+    : ModelSimulation(linear_part, made(effects)) {}
 
-ModelSimulation::ModelSimulation(const LinearModel& core, std::vector<std::unique_ptr<Effect>> effects)
-    : core_(core), effects_(std::move(effects)) {
-  around_.period_s = core.period_s;
-  around_.wheel_base_m = core.wheel_base_m;
+ModelSimulation::ModelSimulation(const LinearModel& linear_part, std::vector<std::unique_ptr<Effect>> effects)
+    : linear_part_(linear_part), effects_(std::move(effects)) {
+  context_.period_s = linear_part.period_s;
+  context_.wheel_base_m = linear_part.wheel_base_m;
   sort_by_hook();
   reset({});
 }
 
 ModelSimulation::ModelSimulation(const ModelSimulation& other)
-    : core_(other.core_), around_(other.around_), motion_(other.motion_), with_place_(other.with_place_) {
+    : linear_part_(other.linear_part_),
+      context_(other.context_),
+      motion_(other.motion_),
+      with_place_(other.with_place_) {
   for (const auto& effect : other.effects_) effects_.push_back(effect->clone());
   sort_by_hook();
 }
@@ -35,8 +38,8 @@ ModelSimulation::ModelSimulation(const ModelSimulation& other)
 ModelSimulation& ModelSimulation::operator=(const ModelSimulation& other) {
   if (this == &other) return *this;
   if (effects_.size() != other.effects_.size()) return *this = ModelSimulation(other);
-  core_ = other.core_;
-  around_ = other.around_;
+  linear_part_ = other.linear_part_;
+  context_ = other.context_;
   motion_ = other.motion_;
   with_place_ = other.with_place_;
   for (std::size_t i = 0; i < effects_.size(); ++i) effects_[i]->assign(*other.effects_[i]);
@@ -55,29 +58,29 @@ void ModelSimulation::sort_by_hook() {
 }
 
 const ModelSimulation::Motion& ModelSimulation::step(const WheelPair& command_m_s, double battery_v) {
-  around_.command_m_s = command_m_s;
-  around_.battery_v = battery_v;
+  context_.command_m_s = command_m_s;
+  context_.battery_v = battery_v;
   WheelPair u = command_m_s;
-  for (Effect* effect : with_hook_.command) effect->command(u, around_);
-  WheelPair speed = core_.step(u);
-  for (Effect* effect : with_hook_.wheel) effect->wheel(speed, around_);
-  around_.next_speed_m_s = speed;
+  for (Effect* effect : with_hook_.command) effect->command(u, context_);
+  WheelPair speed = linear_part_.step(u);
+  for (Effect* effect : with_hook_.wheel) effect->wheel(speed, context_);
+  context_.next_speed_m_s = speed;
   motion_.wheel_m_s = speed;
-  for (Effect* effect : with_hook_.floor) effect->floor(speed, around_);
+  for (Effect* effect : with_hook_.floor) effect->floor(speed, context_);
   motion_.floor_m_s = speed;
-  motion_.twist = twist_of_wheels(speed, around_.wheel_base_m);
-  for (Effect* effect : with_hook_.body) effect->body(motion_.twist, around_);
+  motion_.twist = twist_of_wheels(speed, context_.wheel_base_m);
+  for (Effect* effect : with_hook_.body) effect->body(motion_.twist, context_);
 
-  const double period_s = around_.period_s;
+  const double period_s = context_.period_s;
   if (with_place_) {
-    around_.pose = move_along_arc(around_.pose, motion_.twist, period_s);
+    context_.pose = move_along_arc(context_.pose, motion_.twist, period_s);
   } else {
-    around_.pose.theta_rad += motion_.twist.w_rad_s * period_s;
+    context_.pose.theta_rad += motion_.twist.w_rad_s * period_s;
   }
-  around_.speed_m_s = motion_.wheel_m_s;
-  around_.distance_m.left += motion_.wheel_m_s.left * period_s;
-  around_.distance_m.right += motion_.wheel_m_s.right * period_s;
-  around_.time_s += period_s;
+  context_.speed_m_s = motion_.wheel_m_s;
+  context_.distance_m.left += motion_.wheel_m_s.left * period_s;
+  context_.distance_m.right += motion_.wheel_m_s.right * period_s;
+  context_.time_s += period_s;
   return motion_;
 }
 
@@ -92,20 +95,20 @@ Pose ModelSimulation::axle_of(const Pose& point) const {
   return {point.x_m - offset.x_m, point.y_m - offset.y_m, point.theta_rad};
 }
 
-void ModelSimulation::reset(const Pose& pose, const WheelPair& rolled_before_m) {
-  core_.reset();
+void ModelSimulation::reset(const Pose& pose, const WheelPair& initial_travel_m) {
+  linear_part_.reset();
   for (const auto& effect : effects_) effect->reset();
-  around_.time_s = 0.0;
-  around_.command_m_s = around_.speed_m_s = around_.next_speed_m_s = {};
-  around_.distance_m = rolled_before_m;
-  around_.pose = pose;
+  context_.time_s = 0.0;
+  context_.command_m_s = context_.speed_m_s = context_.next_speed_m_s = {};
+  context_.distance_m = initial_travel_m;
+  context_.pose = pose;
   motion_ = {};
 }
 
 void ModelSimulation::take_over(const ModelSimulation& before) {
-  around_.pose = before.around_.pose;
-  around_.distance_m = before.around_.distance_m;
-  around_.time_s = before.around_.time_s;
+  context_.pose = before.context_.pose;
+  context_.distance_m = before.context_.distance_m;
+  context_.time_s = before.context_.time_s;
 }
 
 }  // namespace wheelwright

@@ -1,4 +1,4 @@
-// A whole model in motion: linear core and effects, one period at a time, from rest.
+// A whole model in motion: linear part and effects, one period at a time, from rest.
 //
 // Allocates when it is made and never after; assigning one simulation to another of the same model does not
 // allocate either.
@@ -18,9 +18,9 @@ namespace wheelwright {
 class ModelSimulation {
  public:
   // Throws std::invalid_argument for an effect that make_effect refuses.
-  ModelSimulation(const LinearModel& core, std::span<const EffectSetting> effects);
+  ModelSimulation(const LinearModel& linear_part, std::span<const EffectSetting> effects);
   // With effects that need not be of the library.
-  ModelSimulation(const LinearModel& core, std::vector<std::unique_ptr<Effect>> effects);
+  ModelSimulation(const LinearModel& linear_part, std::vector<std::unique_ptr<Effect>> effects);
   ModelSimulation(const ModelSimulation& other);
   ModelSimulation& operator=(const ModelSimulation& other);
   ModelSimulation(ModelSimulation&&) = default;
@@ -40,25 +40,25 @@ class ModelSimulation {
 
   const Motion& motion() const { return motion_; }
   // Of the middle of the axle.
-  const Pose& pose() const { return around_.pose; }
+  const Pose& pose() const { return context_.pose; }
   // Of the point that an outside reference measures.
-  Pose observed_pose() const { return observed(around_.pose); }
+  Pose observed_pose() const { return observed(context_.pose); }
   Pose observed(const Pose& axle) const;
   // The pose of the axle at which the reference measures `point`.
   Pose axle_of(const Pose& point) const;
   // Rolled by the wheels since the start (and before it, as reset was told), as the encoders see it.
-  const WheelPair& distance_m() const { return around_.distance_m; }
+  const WheelPair& distance_m() const { return context_.distance_m; }
 
   // From here on x and y of the pose stay where they are, which saves time: for those who look at each
   // period's motion only, of a model in which no effect acts by place.
   void leave_out_place() { with_place_ = false; }
 
   // Sets the pose, not the motion.
-  void set_pose(const Pose& pose) { around_.pose = pose; }
+  void set_pose(const Pose& pose) { context_.pose = pose; }
   // Sets the way that the wheels have rolled, which tells their angle.
-  void set_distance_m(const WheelPair& distance_m) { around_.distance_m = distance_m; }
-  // To rest at a pose, at the start of a run. `rolled_before_m` tells the angle at which the wheels stand.
-  void reset(const Pose& pose, const WheelPair& rolled_before_m = {});
+  void set_distance_m(const WheelPair& distance_m) { context_.distance_m = distance_m; }
+  // To rest at a pose, at the start of a run. `initial_travel_m` tells the angle at which the wheels stand.
+  void reset(const Pose& pose, const WheelPair& initial_travel_m = {});
   // Goes on in the place of another: pose, way and time are those of `before`; the motion is its own.
   void take_over(const ModelSimulation& before);
 
@@ -73,10 +73,10 @@ class ModelSimulation {
   };
   void sort_by_hook();
 
-  LinearPredictor core_;
+  LinearPredictor linear_part_;
   std::vector<std::unique_ptr<Effect>> effects_;  // in the order in which they act
   ByHook with_hook_;
-  Surroundings around_;
+  StepContext context_;
   Motion motion_;
   bool with_place_ = true;
 };

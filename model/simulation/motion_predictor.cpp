@@ -15,21 +15,21 @@ MotionPredictor::MotionPredictor(const LinearModel& model)
     : MotionPredictor(model, std::span<const EffectSetting>{}) {}
 
 MotionPredictor::MotionPredictor(const RobotModel& model)
-    : MotionPredictor(model.core, effect_settings(model)) {}
+    : MotionPredictor(model.linear_part, effect_settings(model)) {}
 
-MotionPredictor::MotionPredictor(const LinearModel& core, std::span<const EffectSetting> effects)
-    : period_s_(core.period_s),
-      wheel_base_m_(core.wheel_base_m),
-      left_gain_(dc_gain(core.left)),
-      right_gain_(dc_gain(core.right)),
-      simulation_(core, effects),
+MotionPredictor::MotionPredictor(const LinearModel& linear_part, std::span<const EffectSetting> effects)
+    : period_s_(linear_part.period_s),
+      wheel_base_m_(linear_part.wheel_base_m),
+      left_gain_(dc_gain(linear_part.left)),
+      right_gain_(dc_gain(linear_part.right)),
+      simulation_(linear_part, effects),
       scratch_(simulation_) {
   const double determinant =
       left_gain_.from_left * right_gain_.from_right - left_gain_.from_right * right_gain_.from_left;
   if (!(std::abs(determinant) > 1e-6)) {
     throw std::invalid_argument("the model has no gain: no command makes both wheels move as wanted");
   }
-  if (!effects.empty()) settled_.emplace(core, effects);
+  if (!effects.empty()) settled_.emplace(linear_part, effects);
 }
 
 WheelPair MotionPredictor::step(const WheelPair& command) {

@@ -8,7 +8,7 @@
 #include "model/simulation/linear_model.hpp"
 #include "model/simulation/model_simulation.hpp"
 #include "model/simulation/robot_model.hpp"
-#include "model/simulation/settled_speeds.hpp"
+#include "model/simulation/steady_state_map.hpp"
 
 namespace wheelwright {
 
@@ -43,13 +43,13 @@ class MotionPredictor {
   double wheel_base_m() const { return wheel_base_m_; }
 
  private:
-  MotionPredictor(const LinearModel& core, std::span<const EffectSetting> effects);
+  MotionPredictor(const LinearModel& linear_part, std::span<const EffectSetting> effects);
 
   double period_s_;
   double wheel_base_m_;
   DcGain left_gain_;
   DcGain right_gain_;
-  std::optional<SettledSpeeds> settled_;  // where there are effects
+  std::optional<SteadyStateMap> settled_;  // where there are effects
   ModelSimulation simulation_;
   ModelSimulation scratch_;
 };

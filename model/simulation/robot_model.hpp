@@ -12,7 +12,7 @@
 
 namespace wheelwright {
 
-// Result of turning in place (PAPER.md eq. 13): metres that a wheel rolls per encoder tick.
+// Result of turning in place (eq. 13 of the source paper): metres that a wheel rolls per encoder tick.
 struct EncoderScale {
   WheelPair metres_per_tick;
   double ticks_per_turn = 0.0;           // of one wheel, in one full turn of the robot
@@ -40,8 +40,8 @@ struct RobotModel {
   std::string created;              // date and time, ISO 8601, as the caller read it from the clock
   std::vector<std::string> source;  // logs or manoeuvre that it was made from
   std::optional<EncoderScale> encoder_scale;
-  LinearModel core;                  // holds the wheel base and the period
-  std::optional<WheelFit> left_fit;  // how well the core is known
+  LinearModel linear_part;           // holds the wheel base and the period
+  std::optional<WheelFit> left_fit;  // how well the linear part is known
   std::optional<WheelFit> right_fit;
   std::vector<AddedEffect> effects;  // in the order in which they act
 };

@@ -33,7 +33,7 @@ inline LinearModel lagging_model() {
 // The same with an encoder scale, so that the hybrid filter runs.
 inline RobotModel lagging_robot() {
   RobotModel robot;
-  robot.core = lagging_model();
+  robot.linear_part = lagging_model();
   robot.encoder_scale = EncoderScale{{0.000444565, 0.000444565}, 1660.0, 0.001};
   return robot;
 }

@@ -13,11 +13,11 @@ void simulated_sample_with_three_effects(benchmark::State& state) {
   const std::vector<EffectSetting> effects{{"dead_zone", "", {0.01, 0.02}},
                                            {"gain_curve", "command", {0.1, 0.0}},
                                            {"turn_speed_loss", "relative", {0.05, 0.0}}};
-  LinearModel core = plant_model(9);
-  core.type = ModelType::arma;
-  core.left.from_own_past =
-      core.right.from_own_past = {0.2, 0.1, 0.05, 0.02, 0.01, 0.01, 0.005, 0.002, 0.001};
-  ModelSimulation simulation(core, effects);
+  LinearModel linear_part = plant_model(9);
+  linear_part.type = ModelType::arma;
+  linear_part.left.from_own_past =
+      linear_part.right.from_own_past = {0.2, 0.1, 0.05, 0.02, 0.01, 0.01, 0.005, 0.002, 0.001};
+  ModelSimulation simulation(linear_part, effects);
   for ([[maybe_unused]] const auto& iteration : state) {
     simulation.reset({});
     for (const auto& sample : log.samples) benchmark::DoNotOptimize(simulation.step(sample.command_m_s));

@@ -40,7 +40,7 @@ void simulate_robot_and_daemon(benchmark::State& state) {
   daemon::VirtualRunConfig run;
   run.mission.route = config::load_route(source_folder / "config/routes/square.yaml");
   run.model.emplace();
-  run.model->core = plant_model(30);
+  run.model->linear_part = plant_model(30);
   double simulated_s = 0.0;
   for ([[maybe_unused]] const auto& iteration : state) {
     simulation::SimulatedRobot robot(robot_in_empty_room());

@@ -76,7 +76,7 @@ class Drive {
   }
   static std::unique_ptr<DrivingModel> model() {
     RobotModel robot;
-    robot.core = plant_model(30);
+    robot.linear_part = plant_model(30);
     robot.encoder_scale = EncoderScale{{metres_per_tick, metres_per_tick}, 1660.0, 0.001};
     return std::make_unique<DrivingModel>(robot);
   }

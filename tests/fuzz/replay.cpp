@@ -18,10 +18,10 @@ config::DaemonConfig driving_by_odometry() {
 
 RobotModel simple_model() {
   RobotModel model;
-  model.core.left.from_left = {0.0, 0.4, 0.6};
-  model.core.left.from_right = {0.0, 0.0, 0.0};
-  model.core.right.from_left = {0.0, 0.0, 0.0};
-  model.core.right.from_right = {0.0, 0.4, 0.6};
+  model.linear_part.left.from_left = {0.0, 0.4, 0.6};
+  model.linear_part.left.from_right = {0.0, 0.0, 0.0};
+  model.linear_part.right.from_left = {0.0, 0.0, 0.0};
+  model.linear_part.right.from_right = {0.0, 0.4, 0.6};
   model.encoder_scale = EncoderScale{{0.000444565, 0.000444565}, 1660.0, 0.002};
   return model;
 }

@@ -11,8 +11,8 @@ using namespace wheelwright;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const simulation::SimulationConfig config;
   simulation::SimulatedRobot robot(config);
-  constexpr std::size_t most_bytes = 2000;  // the physics take their time
-  size = std::min(size, most_bytes);
+  constexpr std::size_t max_bytes = 2000;  // the physics take their time
+  size = std::min(size, max_bytes);
   std::array<std::uint8_t, 512> sent{};
   for (std::size_t i = 0; i < size;) {
     const std::size_t count = std::min<std::size_t>(size - i, 1U + data[i] % 40U);

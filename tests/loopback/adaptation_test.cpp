@@ -27,8 +27,8 @@ std::size_t first_row(const Table& log, const std::string& column, const std::st
 }
 
 // Are there commands for each tick of the 200 around a row?
-bool without_hole(const Table& log, std::size_t around) {
-  for (std::size_t row = around - 100; row < around + 100; ++row) {
+bool without_hole(const Table& log, std::size_t context) {
+  for (std::size_t row = context - 100; row < context + 100; ++row) {
     if (log.number(row, "tick") != log.number(row - 1, "tick") + 1.0) return false;
   }
   return true;

@@ -122,7 +122,7 @@ void judge_faults(WallSoak& soak, const Table& faults, const Table& truth) {
     const bool moves = speed_at(truth, from_s + blind_limit_s + braking_s + 0.05) > 0.005;
     if (faults.number(row, "to_robot") != 0.0) {
       soak.could_not_hear += moves ? 1 : 0;
-      // The stop is said anew as soon as the port is open again; soon after, the robot may be armed again.
+      // The stop is said again as soon as the port is open again; soon after, the robot may be armed again.
       soak.never_rested += moves && !rests_between(truth, until_s, until_s + 1.0 + braking_s) ? 1 : 0;
     } else {
       soak.never_rested += moves ? 1 : 0;

@@ -24,7 +24,7 @@ bool answers_again(const ChildProcess& daemon) {
 // Odometry moves from row to row no further than a robot can: at a gap it stands.
 void check_odometry_has_no_jump(const Table& pose_log) {
   for (std::size_t row = 1; row < pose_log.rows(); ++row) {
-    if (pose_log.number(row, "t") < pose_log.number(row - 1, "t")) continue;  // started anew
+    if (pose_log.number(row, "t") < pose_log.number(row - 1, "t")) continue;  // started again
     const double step_m = pose_log.number(row, "odometry_x") - pose_log.number(row - 1, "odometry_x");
     CAPTURE(pose_log.number(row, "t"));
     CHECK(std::abs(step_m) < 0.02);

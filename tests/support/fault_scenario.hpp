@@ -197,7 +197,7 @@ struct FaultOutcome {
 
 inline Pose odometry_at_end(const std::vector<SensorFrame>& frames, const RobotModel& model,
                             const Pose& start) {
-  Odometry odometry(model.core.wheel_base_m, model.encoder_scale->metres_per_tick);
+  Odometry odometry(model.linear_part.wheel_base_m, model.encoder_scale->metres_per_tick);
   const auto known = static_cast<std::size_t>(known_from_s / 0.018);
   for (std::size_t k = 0; k < frames.size(); ++k) {
     if (k == known) odometry.set_pose(start);

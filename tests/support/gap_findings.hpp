@@ -36,7 +36,7 @@ inline GapAnalysis analysis_with(const std::vector<Finding>& found, const GapFig
   for (const Finding& one : found) {
     analysis.search.final.model.effects.push_back({find_effect(one.setting.name), 0, {}});
   }
-  analysis.search.rounds.emplace_back();
+  analysis.search.selection_steps.emplace_back();
   return analysis;
 }
 

@@ -35,7 +35,7 @@ inline KnownErrors known_errors(const gap::TravelNoise& noise, std::size_t count
 
 // A speed that lasts, and travel that comes back; made in steps so small that no formula for long ones is
 // needed.
-inline KnownErrors wandering_errors(const gap::TravelNoise& noise, std::size_t count, std::uint64_t seed) {
+inline KnownErrors drifting_errors(const gap::TravelNoise& noise, std::size_t count, std::uint64_t seed) {
   constexpr int fine = 40;
   constexpr double fine_s = reading_step_s / fine;
   std::mt19937_64 random(seed);

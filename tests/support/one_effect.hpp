@@ -11,9 +11,9 @@ constexpr double one_effect_period_s = 0.018;
 constexpr double one_effect_wheel_base_m = 0.258;
 
 inline ModelSimulation only(const EffectSetting& effect) {
-  const LinearModel core{
+  const LinearModel linear_part{
       ModelType::arma, one_effect_period_s, one_effect_wheel_base_m, {{1.0}, {0.0}, {}}, {{0.0}, {1.0}, {}}};
-  return {core, std::vector{effect}};
+  return {linear_part, std::vector{effect}};
 }
 
 }  // namespace wheelwright::test

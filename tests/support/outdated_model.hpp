@@ -10,7 +10,7 @@ namespace wheelwright::test {
 
 // The model of a robot whose wheels roll 1 / `factor` as far as it says.
 inline RobotModel scaled(RobotModel model, double factor) {
-  for (auto* response : {&model.core.left, &model.core.right}) {
+  for (auto* response : {&model.linear_part.left, &model.linear_part.right}) {
     for (double& weight : response->from_left) weight *= factor;
     for (double& weight : response->from_right) weight *= factor;
   }

@@ -19,7 +19,7 @@ struct PlantRunPlan {
   std::size_t hold = 1;  // periods for which each random command holds
 };
 
-// Normally distributed random commands (PAPER.md, calibration C), 0.2 m/s standard deviation.
+// Normally distributed random commands (calibration C of the source paper), 0.2 m/s standard deviation.
 inline DriveLog plant_run(const PlantRunPlan& plan) {
   std::mt19937 random(plan.seed);
   std::normal_distribution<double> normal(0.0, 0.2);

@@ -1,4 +1,4 @@
-// The paper's own identified model (PAPER.md, Table I, read as its note says): a reference plant for tests.
+// The paper's own identified model (Table I of the source paper): a reference plant for tests.
 #pragma once
 
 #include <array>

@@ -113,7 +113,7 @@ inline RecordedDrive record_drive(const simulation::SimulationConfig& robot_conf
     if (hook) hook(linked.robot, tick);
     const WheelPair command = tick < rest_from ? segments.next() : WheelPair{};
     drive.frames.push_back(linked.drive(command.left, command.right));
-    drive.true_poses.push_back(relative_to(start, linked.robot.truth().pose));
+    drive.true_poses.push_back(between(start, linked.robot.truth().pose));
   }
   return drive;
 }

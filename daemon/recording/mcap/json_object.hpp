@@ -12,7 +12,7 @@ namespace wheelwright::mcap {
 
 class JsonObject {
  public:
-  // Begins anew; the memory stays.
+  // Begins again; the memory stays.
   JsonObject& begin() {
     text_.assign("{");
     return *this;

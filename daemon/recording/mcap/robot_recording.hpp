@@ -6,7 +6,7 @@
 // | /pose/reference | foxglove.PoseInFrame, in the frame `reference` | where it was measured |
 // | /tf | foxglove.FrameTransform, `route` to `base_link`, by the pose that steers | each tick |
 // | /wheels | wheelwright.Wheels | each tick |
-// | /sensors | wheelwright.Sensors | each tick on which the robot was heard |
+// | /sensors | wheelwright.Sensors | each tick on which the robot was received |
 // | /hybrid/covariance | wheelwright.Covariance | each tick |
 // | /state | wheelwright.State | each change |
 // | /log | foxglove.Log | changes of activity, stops, events of the fault detector |

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "model/effects/library/at_the_wheels.hpp"
+#include "model/effects/library/wheel_load_variants.hpp"
 
 namespace wheelwright {
 
@@ -45,7 +45,7 @@ std::span<const EffectInfo> effect_library() {
   static const std::vector<EffectInfo> library = [] {
     std::vector<EffectInfo> all = effects::all();
     for (auto& info : all) {
-      if (info.may_load_wheels) info = with_variants_at_the_wheels(std::move(info));
+      if (info.may_load_wheels) info = with_wheel_load_variants(std::move(info));
     }
     return all;
   }();

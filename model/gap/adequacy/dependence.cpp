@@ -99,25 +99,25 @@ const Bin* bin_at(const std::vector<Bin>& bins, double value) {
 
 // Of the sums of visits about their bins' means, against that of as many independent innovations.
 double variance_ratio_of_visits(const std::vector<Visit>& visits, const std::vector<Bin>& bins) {
-  double squares = 0.0;
+  double sum_squares = 0.0;
   double count = 0.0;
   double kept = 0.0;
   for (const Visit& visit : visits) {
     const Bin* bin = bin_at(bins, visit.value);
     if (bin == nullptr) continue;
     const double sum = visit.sum - bin->mean() * visit.count;
-    squares += sum * sum;
+    sum_squares += sum * sum;
     count += visit.count;
     kept += 1.0;
   }
   const double degrees = kept - static_cast<double>(bins.size());
-  return count > 0.0 && degrees > 0.0 ? squares / count * kept / degrees : 1.0;
+  return count > 0.0 && degrees > 0.0 ? sum_squares / count * kept / degrees : 1.0;
 }
 
 // Variance of sums over so many seconds against that of as many independent innovations, bin means taken out.
 double variance_ratio(std::span<const ResidualTrack* const> tracks, const Covariate& covariate,
                       const std::vector<Bin>& bins, double block_s) {
-  double squares = 0.0;
+  double sum_squares = 0.0;
   double count = 0.0;
   for (std::size_t t = 0; t < tracks.size(); ++t) {
     const ResidualTrack& track = *tracks[t];
@@ -125,7 +125,7 @@ double variance_ratio(std::span<const ResidualTrack* const> tracks, const Covari
     double block_count = 0.0;
     double end_s = block_s;
     const auto close = [&] {
-      squares += sum * sum;
+      sum_squares += sum * sum;
       count += block_count;
       sum = block_count = 0.0;
     };
@@ -143,7 +143,7 @@ double variance_ratio(std::span<const ResidualTrack* const> tracks, const Covari
     }
     close();
   }
-  return count > 0.0 ? squares / count : 1.0;
+  return count > 0.0 ? sum_squares / count : 1.0;
 }
 
 struct OverHorizon {
@@ -162,8 +162,8 @@ OverHorizon over_horizon(std::span<const ResidualTrack* const> tracks, const Cov
     duration_s += bin.duration_s;
   }
   const double mean_rate = duration_s > 0.0 ? error / duration_s : 0.0;
-  double squares = 0.0;
-  double all_squares = 0.0;
+  double sum_squares = 0.0;
+  double all_sum_squares = 0.0;
   double windows = 0.0;
   for (std::size_t t = 0; t < tracks.size(); ++t) {
     const ResidualTrack& track = *tracks[t];
@@ -180,15 +180,15 @@ OverHorizon over_horizon(std::span<const ResidualTrack* const> tracks, const Cov
         change += track.error[i] - track.error[i - 1];
       }
       if (track.time_s[i] - from_s < horizon_s) continue;
-      squares += sum * sum;
-      all_squares += change * change;
+      sum_squares += sum * sum;
+      all_sum_squares += change * change;
       windows += 1.0;
       sum = change = 0.0;
       from_s = track.time_s[i];
     }
   }
-  if (windows == 0.0 || all_squares == 0.0) return {};
-  return {std::sqrt(squares / windows), std::min(1.0, squares / all_squares)};
+  if (windows == 0.0 || all_sum_squares == 0.0) return {};
+  return {std::sqrt(sum_squares / windows), std::min(1.0, sum_squares / all_sum_squares)};
 }
 
 }  // namespace

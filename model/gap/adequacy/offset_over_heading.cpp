@@ -22,7 +22,7 @@ Row harmonics(double heading_rad) {
 }
 
 // The whitened columns of one track, one row per reading; empty where a heading is not known.
-std::vector<Row> whitened(const GapProblem& problem, const ResidualTrack& track,
+std::vector<Row> whitened(const Problem& problem, const ResidualTrack& track,
                           std::span<const double> heading) {
   std::vector<Row> rows(heading.size());
   for (Eigen::Index c = 0; c < columns; ++c) {
@@ -58,14 +58,14 @@ bool turns_around(std::span<const std::vector<double>> heading) {
 // Of sums over 2 s of what the fitted offset leaves, against as many independent ones; at least 1.
 double variance_ratio(std::span<const ResidualTrack* const> tracks, const std::vector<std::vector<Row>>& rows,
                       const Row& offset) {
-  double squares = 0.0;
+  double sum_squares = 0.0;
   double all = 0.0;
   for (std::size_t t = 0; t < tracks.size(); ++t) {
     double sum = 0.0;
     double end_s = block_s;
     for (std::size_t i = 0; i < rows[t].size(); ++i) {
       if (tracks[t]->time_s[i] >= end_s) {
-        squares += sum * sum;
+        sum_squares += sum * sum;
         sum = 0.0;
         end_s = tracks[t]->time_s[i] + block_s;
       }
@@ -73,14 +73,14 @@ double variance_ratio(std::span<const ResidualTrack* const> tracks, const std::v
       sum += left;
       all += left * left;
     }
-    squares += sum * sum;
+    sum_squares += sum * sum;
   }
-  return all > 0.0 ? std::max(1.0, squares / all) : 1.0;
+  return all > 0.0 ? std::max(1.0, sum_squares / all) : 1.0;
 }
 
 }  // namespace
 
-std::optional<OffsetOverHeading> offset_over_heading(const GapProblem& problem,
+std::optional<OffsetOverHeading> offset_over_heading(const Problem& problem,
                                                      std::span<const ResidualTrack* const> tracks,
                                                      std::span<const std::vector<double>> heading) {
   if (!turns_around(heading)) return std::nullopt;

@@ -40,13 +40,13 @@ Frequencies frequencies_for(std::span<const std::vector<double>> at, double shor
 // What each value is beyond its share of the one before: a spectrum that falls over all frequencies becomes
 // flat, a line stays. The share is the correlation of neighbours.
 std::vector<double> prewhitened(std::span<const double> values) {
-  double squares = 0.0;
+  double sum_squares = 0.0;
   double products = 0.0;
   for (std::size_t k = 0; k < values.size(); ++k) {
-    squares += values[k] * values[k];
+    sum_squares += values[k] * values[k];
     if (k > 0) products += values[k] * values[k - 1];
   }
-  const double share = squares > 0.0 ? products / squares : 0.0;
+  const double share = sum_squares > 0.0 ? products / sum_squares : 0.0;
   std::vector<double> result(values.begin(), values.end());
   for (std::size_t k = values.size(); k-- > 1;) result[k] -= share * values[k - 1];
   return result;
@@ -57,10 +57,10 @@ std::vector<double> prewhitened(std::span<const double> values) {
 void add_power(std::span<const double> values, std::span<const double> at, const Frequencies& frequencies,
                std::vector<double>& power) {
   std::vector<std::complex<double>> sums(frequencies.count);
-  double squares = 0.0;
+  double sum_squares = 0.0;
   for (std::size_t k = 0; k < values.size(); ++k) {
     if (values[k] == 0.0) continue;
-    squares += values[k] * values[k];
+    sum_squares += values[k] * values[k];
     const double angle = 2.0 * std::numbers::pi * at[k];
     std::complex<double> wave = std::polar(values[k], angle * frequencies.first);
     const std::complex<double> next = std::polar(1.0, angle * frequencies.step);
@@ -69,8 +69,8 @@ void add_power(std::span<const double> values, std::span<const double> at, const
       wave *= next;
     }
   }
-  if (squares <= 0.0) return;
-  for (std::size_t i = 0; i < power.size(); ++i) power[i] += std::norm(sums[i]) / squares;
+  if (sum_squares <= 0.0) return;
+  for (std::size_t i = 0; i < power.size(); ++i) power[i] += std::norm(sums[i]) / sum_squares;
 }
 
 // Over the frequencies around one, those of the peak itself left out.
@@ -78,13 +78,13 @@ double median_around(const std::vector<double>& power, std::size_t place) {
   constexpr std::size_t width = 60;
   constexpr std::size_t peak = 4;
   const std::size_t begin = place > width ? place - width : 0;
-  std::vector<double> around;
+  std::vector<double> context;
   for (std::size_t i = begin; i < std::min(power.size(), place + width); ++i) {
-    if (i + peak < place || i > place + peak) around.push_back(power[i]);
+    if (i + peak < place || i > place + peak) context.push_back(power[i]);
   }
-  if (around.empty()) return 0.0;
-  const auto middle = around.begin() + std::ssize(around) / 2;
-  std::ranges::nth_element(around, middle);
+  if (context.empty()) return 0.0;
+  const auto middle = context.begin() + std::ssize(context) / 2;
+  std::ranges::nth_element(context, middle);
   return *middle;
 }
 
@@ -107,18 +107,18 @@ double amplitude(const ResidualTrack& track, std::span<const double> at, double 
 // Mean square of the free-run error about its line over each four periods.
 double mean_square_within(const ResidualTrack& track, std::span<const double> at, double period) {
   constexpr double periods = 4.0;
-  double squares = 0.0;
+  double sum_squares = 0.0;
   double count = 0.0;
   for (std::size_t from = 0; from < track.error.size();) {
     std::size_t to = from;
     while (to + 1 < track.error.size() && std::abs(at[to + 1] - at[from]) < periods * period) ++to;
     double mean = 0.0;
     for (std::size_t i = from; i <= to; ++i) mean += track.error[i] / static_cast<double>(to - from + 1);
-    for (std::size_t i = from; i <= to; ++i) squares += (track.error[i] - mean) * (track.error[i] - mean);
+    for (std::size_t i = from; i <= to; ++i) sum_squares += (track.error[i] - mean) * (track.error[i] - mean);
     count += static_cast<double>(to - from + 1);
     from = to + 1;
   }
-  return count > 0.0 ? squares / count : 0.0;
+  return count > 0.0 ? sum_squares / count : 0.0;
 }
 
 // The error about its mean over each period, folded onto one period.
@@ -178,9 +178,9 @@ std::optional<PeriodicResidual> periodic_residual(std::span<const ResidualTrack*
   std::size_t peak = 0;
   double highest = 0.0;
   for (std::size_t i = 0; i < power.size(); ++i) {
-    const double around = median_around(power, i);
-    if (around <= 0.0 || power[i] / around <= highest) continue;
-    highest = power[i] / around;
+    const double context = median_around(power, i);
+    if (context <= 0.0 || power[i] / context <= highest) continue;
+    highest = power[i] / context;
     peak = i;
   }
   PeriodicResidual found;

@@ -57,6 +57,6 @@ struct PredictiveCheck {
 };
 
 // `problem` holds the untouched runs, under the noise of the training.
-PredictiveCheck predictive_check(const GapProblem& problem, const TrialModel& model);
+PredictiveCheck predictive_check(const Problem& problem, const TrialModel& model);
 
 }  // namespace wheelwright::gap

@@ -2,7 +2,7 @@
 
 namespace wheelwright::gap {
 
-std::vector<ResidualTrack> residual_tracks(const GapProblem& problem, const TrialModel& model) {
+std::vector<ResidualTrack> residual_tracks(const Problem& problem, const TrialModel& model) {
   std::vector<ResidualTrack> tracks;
   std::vector<RunErrors> errors;
   errors.reserve(problem.runs().size());

@@ -26,6 +26,6 @@ struct ResidualTrack {
 };
 
 // One track for each channel of each run that has a dense series, under the noise model of the problem.
-std::vector<ResidualTrack> residual_tracks(const GapProblem& problem, const TrialModel& model);
+std::vector<ResidualTrack> residual_tracks(const Problem& problem, const TrialModel& model);
 
 }  // namespace wheelwright::gap

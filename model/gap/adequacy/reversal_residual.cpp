@@ -13,18 +13,18 @@ constexpr double window_s = 0.7;
 constexpr std::size_t min_windows = 10;
 
 struct Window {
-  double squares = 0.0;  // of innovations
+  double sum_squares = 0.0;  // of innovations
   double count = 0.0;
   double lowest_m = std::numeric_limits<double>::infinity();  // free-run error
   double highest_m = -std::numeric_limits<double>::infinity();
 
   void add(double innovation, double error_m) {
-    squares += innovation * innovation;
+    sum_squares += innovation * innovation;
     count += 1.0;
     lowest_m = std::min(lowest_m, error_m);
     highest_m = std::max(highest_m, error_m);
   }
-  double power() const { return squares / count; }
+  double power() const { return sum_squares / count; }
   double squared_span_m2() const { return (highest_m - lowest_m) * (highest_m - lowest_m); }
 };
 
@@ -34,14 +34,14 @@ class PowerSinceReversal {
   void add(double since_s, double innovation) {
     const auto bin = static_cast<std::size_t>(since_s / bin_s);
     if (bin >= bins) return;
-    squares_.at(bin) += innovation * innovation;
+    sum_squares_.at(bin) += innovation * innovation;
     counts_.at(bin) += 1.0;
   }
   std::vector<std::pair<double, double>> points() const {
     std::vector<std::pair<double, double>> all;
     for (std::size_t bin = 0; bin < bins; ++bin) {
       const double middle_s = bin_s * (static_cast<double>(bin) + 0.5);
-      if (counts_.at(bin) > 0.0) all.emplace_back(middle_s, squares_.at(bin) / counts_.at(bin));
+      if (counts_.at(bin) > 0.0) all.emplace_back(middle_s, sum_squares_.at(bin) / counts_.at(bin));
     }
     return all;
   }
@@ -49,7 +49,7 @@ class PowerSinceReversal {
  private:
   static constexpr double bin_s = 0.1;
   static constexpr std::size_t bins = 20;
-  std::array<double, bins> squares_{};
+  std::array<double, bins> sum_squares_{};
   std::array<double, bins> counts_{};
 };
 
@@ -134,15 +134,15 @@ double rank_sum_p_value(const std::vector<Window>& larger, const std::vector<Win
   return 0.5 * std::erfc(deviations / std::sqrt(2.0));
 }
 
-double squares_of(const std::vector<Window>& windows) {
+double sum_squares_of(const std::vector<Window>& windows) {
   double sum = 0.0;
-  for (const Window& window : windows) sum += window.squares;
+  for (const Window& window : windows) sum += window.sum_squares;
   return sum;
 }
 
 }  // namespace
 
-std::optional<ReversalResidual> reversal_residual(const GapProblem& problem,
+std::optional<ReversalResidual> reversal_residual(const Problem& problem,
                                                   std::span<const ResidualTrack* const> tracks) {
   Windows all;
   for (const ResidualTrack* track : tracks) add_windows(problem.runs()[track->run], *track, all);
@@ -155,8 +155,8 @@ std::optional<ReversalResidual> reversal_residual(const GapProblem& problem,
   const double excess_m2 = excess * median_of(all.after_reversal, &Window::squared_span_m2);
   const auto reversals = static_cast<double>(all.after_reversal.size());
   found.size = std::sqrt(excess_m2 * reversals * horizon_s / all.duration_s);
-  const double after = squares_of(all.after_reversal);
-  const double power = after + squares_of(all.elsewhere);
+  const double after = sum_squares_of(all.after_reversal);
+  const double power = after + sum_squares_of(all.elsewhere);
   if (power > 0.0) found.share = after / power;
   found.power = all.since_reversal.points();
   found.share_of_time = reversals / (reversals + static_cast<double>(all.elsewhere.size()));

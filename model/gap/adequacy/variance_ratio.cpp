@@ -4,9 +4,9 @@
 
 namespace wheelwright::gap {
 
-double variance_ratio(const GapProblem& problem, std::span<const double> innovations) {
+double variance_ratio(const Problem& problem, std::span<const double> innovations) {
   constexpr double block_s = 2.0;
-  double squares = 0.0;
+  double sum_squares = 0.0;
   double all = 0.0;
   double sum = 0.0;
   std::size_t block = 0;
@@ -17,14 +17,14 @@ double variance_ratio(const GapProblem& problem, std::span<const double> innovat
     const bool same =
         i > 0 && places[i].run == places[i - 1].run && places[i].channel == places[i - 1].channel;
     if (!same || at != block) {
-      squares += sum * sum;
+      sum_squares += sum * sum;
       sum = 0.0;
     }
     block = at;
     sum += innovations[i];
     all += innovations[i] * innovations[i];
   }
-  return all > 0.0 ? std::max(1.0, (squares + sum * sum) / all) : 1.0;
+  return all > 0.0 ? std::max(1.0, (sum_squares + sum * sum) / all) : 1.0;
 }
 
 }  // namespace wheelwright::gap

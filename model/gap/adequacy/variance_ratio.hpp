@@ -9,6 +9,6 @@ namespace wheelwright::gap {
 
 // Variance of sums over 2 s against that of as many independent innovations, all channels together; at
 // least 1.
-double variance_ratio(const GapProblem& problem, std::span<const double> innovations);
+double variance_ratio(const Problem& problem, std::span<const double> innovations);
 
 }  // namespace wheelwright::gap

@@ -17,8 +17,8 @@ constexpr double smallest_step_m_s = 0.004;
 constexpr double largest_step_m_s = 0.1;
 constexpr double largest_shift_of_phase =
     0.1;  // of a step, at the fastest command, between two that are tried
-constexpr double least_nats = 10.0;
-constexpr std::size_t most_peaks = 6;
+constexpr double min_nats = 10.0;
+constexpr std::size_t max_peaks = 6;
 
 // One channel of a run and what each wheel's travel adds to it.
 struct Outlet {
@@ -32,8 +32,8 @@ std::vector<Outlet> outlets_of(const GapRun& run) {
   return {{Channel::forward, {0.5, 0.5}}, {Channel::turn, {-turned, turned}}};
 }
 
-// What the linear core, behind a delay, makes of changed commands: travel of the wheel at the end of each
-// period.
+// What the linear part, behind a delay, makes of changed commands: travel of the wheel at the end of
+// each period.
 std::vector<Complex> travel_m(const WheelResponse& wheel, const std::vector<double>& own,
                               const std::vector<Complex>& changes, double period_s) {
   std::vector<Complex> speed(changes.size());
@@ -63,10 +63,10 @@ struct Patterns {
   Eigen::VectorXd imaginary;
 };
 
-class CoreResponse {
+class LinearPartResponse {
  public:
-  CoreResponse(const GapProblem& problem, const TrialModel& model)
-      : problem_(problem), core_(model.with_delay_in_core().linear()) {}
+  LinearPartResponse(const Problem& problem, const TrialModel& model)
+      : problem_(problem), linear_part_(model.with_delay_in_linear_part().linear()) {}
 
   Patterns to(const Change& change) const {
     const auto size = static_cast<Eigen::Index>(problem_.readings());
@@ -85,8 +85,8 @@ class CoreResponse {
       of_left.push_back(change(u.left));
       of_right.push_back(change(u.right));
     }
-    const auto left = travel_m(core_.left, core_.left.from_left, of_left, run.period_s);
-    const auto right = travel_m(core_.right, core_.right.from_right, of_right, run.period_s);
+    const auto left = travel_m(linear_part_.left, linear_part_.left.from_left, of_left, run.period_s);
+    const auto right = travel_m(linear_part_.right, linear_part_.right.from_right, of_right, run.period_s);
     for (const Outlet& outlet : outlets_of(run)) {
       std::vector<double> real;
       std::vector<double> imaginary;
@@ -108,8 +108,8 @@ class CoreResponse {
       pattern(static_cast<Eigen::Index>(white->first_residual + i)) = white->values[i];
   }
 
-  const GapProblem& problem_;
-  LinearModel core_;
+  const Problem& problem_;
+  LinearModel linear_part_;
 };
 
 double sign_of(double command_m_s) {
@@ -124,7 +124,7 @@ struct Harmonic {
 // What the model leaves, beyond what a gain or a loss by sign explains: that would be seen in each step.
 class Leftover {
  public:
-  Leftover(const GapProblem& problem, const GapFit& fit)
+  Leftover(const Problem& problem, const Fit& fit)
       : response_(problem, fit.model),
         left_(Eigen::Map<const Eigen::VectorXd>(fit.residuals.data(),
                                                 static_cast<Eigen::Index>(fit.residuals.size()))) {
@@ -135,8 +135,8 @@ class Leftover {
     left_ = beyond(left_);
   }
 
-  // Rounding up at `rises_at` changes commands by step / pi * sin(2 pi (u / step - rises_at)) and higher
-  // harmonics.
+  // Rounding up at `level_edges` changes commands by step / pi * sin(2 pi (u / step - level_edges)) and
+  // higher harmonics.
   Harmonic harmonic(double step_m_s) const {
     const double radians_per_m_s = 2.0 * std::numbers::pi / step_m_s;
     const Patterns patterns = response_.to([&](double u) {
@@ -154,10 +154,10 @@ class Leftover {
     return {{step_m_s, phase < 0.0 ? phase + 1.0 : phase}, -0.5 * amounts.dot(with_left)};
   }
 
-  // What the steps explain with all harmonics, at about their own size: a core that was fitted beside them
-  // answers not quite as it should.
+  // What the steps explain with all harmonics, at about their own size: a linear part that was fitted beside
+  // them answers not quite as it should.
   double nats(const CommandSteps& steps, const EffectInfo& info) const {
-    const std::array parameters{steps.step_m_s, steps.rises_at};
+    const std::array parameters{steps.step_m_s, steps.level_edges};
     const auto effect = info.make({parameters, 0});
     const Eigen::VectorXd change = beyond(response_
                                               .to([&](double u) {
@@ -176,13 +176,13 @@ class Leftover {
     return pattern - gain_ * gain_.dot(pattern) - loss_ * loss_.dot(pattern);
   }
 
-  CoreResponse response_;
+  LinearPartResponse response_;
   Eigen::VectorXd gain_;
   Eigen::VectorXd loss_;
   Eigen::VectorXd left_;
 };
 
-std::vector<double> steps_to_try(const GapProblem& train) {
+std::vector<double> steps_to_try(const Problem& train) {
   double fastest = 0.0;
   for (const GapRun& run : train.runs()) {
     for (const WheelPair& u : run.commands_m_s)
@@ -205,54 +205,54 @@ std::vector<CommandSteps> peaks_of(const std::vector<Harmonic>& spectrum) {
   }
   std::ranges::sort(peaks, std::greater<>{}, &Harmonic::nats);
   std::vector<CommandSteps> steps;
-  for (std::size_t i = 0; i < std::min(most_peaks, peaks.size()); ++i) steps.push_back(peaks[i].steps);
+  for (std::size_t i = 0; i < std::min(max_peaks, peaks.size()); ++i) steps.push_back(peaks[i].steps);
   return steps;
 }
 
 // The peaks themselves, and as far around as the next that was tried.
 std::vector<CommandSteps> steps_around(const std::vector<CommandSteps>& peaks, double apart_per_m_s) {
   std::vector<CommandSteps> steps;
-  for (const auto& [step_m_s, rises_at] : peaks) {
+  for (const auto& [step_m_s, level_edges] : peaks) {
     for (const double shift : {-0.8, -0.6, -0.4, -0.2, 0.0, 0.2, 0.4, 0.6, 0.8}) {
       for (const double rises_later : {-0.1, -0.05, 0.0, 0.05, 0.1}) {
-        steps.push_back(
-            {1.0 / (1.0 / step_m_s + shift * apart_per_m_s), std::clamp(rises_at + rises_later, 0.0, 1.0)});
+        steps.push_back({1.0 / (1.0 / step_m_s + shift * apart_per_m_s),
+                         std::clamp(level_edges + rises_later, 0.0, 1.0)});
       }
     }
   }
   return steps;
 }
 
-// Rounding up just above each step and just below it differ by a loss by sign alone: a core fitted beside
-// each tells which it is.
-CommandSteps at_the_right_end(const GapProblem& train, const TrialModel& without, const EffectInfo& info,
+// Rounding up just above each step and just below it differ by a loss by sign alone: a linear part fitted
+// beside each tells which it is.
+CommandSteps at_the_right_end(const Problem& train, const TrialModel& without, const EffectInfo& info,
                               const CommandSteps& found) {
   constexpr double end = 0.15;
-  constexpr int most_steps = 4;
-  if (found.rises_at > end && found.rises_at < 1.0 - end) return found;
-  const CommandSteps other{found.step_m_s, found.rises_at > 0.5 ? 0.0 : 1.0};
-  const auto squares = [&](const CommandSteps& steps) {
+  constexpr int max_steps = 4;
+  if (found.level_edges > end && found.level_edges < 1.0 - end) return found;
+  const CommandSteps other{found.step_m_s, found.level_edges > 0.5 ? 0.0 : 1.0};
+  const auto sum_squares = [&](const CommandSteps& steps) {
     TrialModel model = without;
-    model.effects.push_back({&info, 0, {steps.step_m_s, steps.rises_at}});
-    return train.fit(model, most_steps).squares;
+    model.effects.push_back({&info, 0, {steps.step_m_s, steps.level_edges}});
+    return train.fit(model, max_steps).sum_squares;
   };
-  return squares(other) < squares(found) ? other : found;
+  return sum_squares(other) < sum_squares(found) ? other : found;
 }
 
 }  // namespace
 
-std::optional<CommandSteps> find_steps_by_spectrum(const GapProblem& train, const GapFit& fit,
-                                                   const EffectInfo& info, const ForEach& for_each) {
+std::optional<CommandSteps> find_steps_by_spectrum(const Problem& train, const Fit& fit,
+                                                   const EffectInfo& info, const ParallelFor& parallel_for) {
   const std::vector<double> tried = steps_to_try(train);
   if (tried.size() < 3) return std::nullopt;
   const Leftover leftover(train, fit);
   std::vector<Harmonic> spectrum(tried.size());
-  for_each(tried.size(), [&](std::size_t i) { spectrum[i] = leftover.harmonic(tried[i]); });
+  parallel_for(tried.size(), [&](std::size_t i) { spectrum[i] = leftover.harmonic(tried[i]); });
   const auto steps = steps_around(peaks_of(spectrum), 1.0 / tried[1] - 1.0 / tried[0]);
   std::vector<double> nats(steps.size());
-  for_each(steps.size(), [&](std::size_t i) { nats[i] = leftover.nats(steps[i], info); });
+  parallel_for(steps.size(), [&](std::size_t i) { nats[i] = leftover.nats(steps[i], info); });
   const auto best = std::ranges::max_element(nats);
-  if (best == nats.end() || *best < least_nats) return std::nullopt;
+  if (best == nats.end() || *best < min_nats) return std::nullopt;
   return at_the_right_end(train, fit.model, info, steps[static_cast<std::size_t>(best - nats.begin())]);
 }
 

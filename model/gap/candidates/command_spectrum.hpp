@@ -1,8 +1,8 @@
 // The step in which commands act, where hardly a command is given twice: a sine, a ramp, a joystick.
 //
 // Rounding is a sawtooth over the command, and repeats with the step. Each step is tried by the first
-// harmonic of that, as the linear core passes it on: its size and phase are linear in what the model leaves,
-// and the phase tells where the steps rise.
+// harmonic of that, as the linear part passes it on: its size and phase are linear in what the model
+// leaves, and the phase tells where the steps rise.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 namespace wheelwright::gap {
 
 // As find_command_steps, which it stands behind.
-std::optional<CommandSteps> find_steps_by_spectrum(const GapProblem& train, const GapFit& fit,
-                                                   const EffectInfo& info, const ForEach& for_each);
+std::optional<CommandSteps> find_steps_by_spectrum(const Problem& train, const Fit& fit,
+                                                   const EffectInfo& info, const ParallelFor& parallel_for);
 
 }  // namespace wheelwright::gap

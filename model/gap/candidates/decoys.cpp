@@ -4,19 +4,19 @@
 #include <cmath>
 #include <vector>
 
-#include "model/effects/library/at_the_wheels.hpp"
+#include "model/effects/library/wheel_load_variants.hpp"
 
 namespace wheelwright::gap {
 namespace {
 
-constexpr double usual_speed_m_s = 0.2;
+constexpr double default_speed_m_s = 0.2;
 
 // A smooth even map of the command.
 class SmoothEven final : public EffectOf<SmoothEven> {
  public:
   explicit SmoothEven(const EffectArguments& arguments) : size_(arguments.parameters[0]) {}
-  void command(WheelPair& command_m_s, const Surroundings&) override {
-    both(command_m_s, [this](double u) { return u + size_ * u * u / usual_speed_m_s; });
+  void command(WheelPair& command_m_s, const StepContext&) override {
+    both(command_m_s, [this](double u) { return u + size_ * u * u / default_speed_m_s; });
   }
 
  private:
@@ -28,7 +28,7 @@ class CrossTalk final : public EffectOf<CrossTalk> {
  public:
   explicit CrossTalk(const EffectArguments& arguments)
       : size_(arguments.parameters[0]), variant_(arguments.variant) {}
-  void command(WheelPair& command_m_s, const Surroundings&) override {
+  void command(WheelPair& command_m_s, const StepContext&) override {
     const WheelPair u = command_m_s;
     command_m_s = {u.left + size_ * share(u.left, u.right), u.right + size_ * share(u.right, u.left)};
   }
@@ -36,7 +36,7 @@ class CrossTalk final : public EffectOf<CrossTalk> {
  private:
   double share(double own, double other) const {
     if (variant_ == 0) return std::abs(other);
-    return own * std::abs(other) / usual_speed_m_s;
+    return own * std::abs(other) / default_speed_m_s;
   }
   double size_;
   std::size_t variant_;
@@ -48,12 +48,12 @@ class HistoryGain final : public EffectOf<HistoryGain> {
  public:
   explicit HistoryGain(const EffectArguments& arguments)
       : size_(arguments.parameters[0]), time_s_(arguments.parameters[1]) {}
-  void command(WheelPair& command_m_s, const Surroundings& around) override {
-    const double share = around.period_s / (around.period_s + time_s_);
+  void command(WheelPair& command_m_s, const StepContext& context) override {
+    const double share = context.period_s / (context.period_s + time_s_);
     past_.left += share * (std::abs(command_m_s.left) - past_.left);
     past_.right += share * (std::abs(command_m_s.right) - past_.right);
-    command_m_s.left *= 1.0 + size_ * past_.left / usual_speed_m_s;
-    command_m_s.right *= 1.0 + size_ * past_.right / usual_speed_m_s;
+    command_m_s.left *= 1.0 + size_ * past_.left / default_speed_m_s;
+    command_m_s.right *= 1.0 + size_ * past_.right / default_speed_m_s;
   }
   void reset() override { past_ = {}; }
 
@@ -68,12 +68,12 @@ class SpeedMemory final : public EffectOf<SpeedMemory> {
  public:
   explicit SpeedMemory(const EffectArguments& arguments)
       : size_(arguments.parameters[0]), time_s_(arguments.parameters[1]) {}
-  void command(WheelPair& command_m_s, const Surroundings& around) override {
-    const double share = around.period_s / (around.period_s + time_s_);
-    past_.left += share * (around.speed_m_s.left - past_.left);
-    past_.right += share * (around.speed_m_s.right - past_.right);
-    command_m_s.left += size_ * past_.left * std::abs(past_.left) / usual_speed_m_s;
-    command_m_s.right += size_ * past_.right * std::abs(past_.right) / usual_speed_m_s;
+  void command(WheelPair& command_m_s, const StepContext& context) override {
+    const double share = context.period_s / (context.period_s + time_s_);
+    past_.left += share * (context.speed_m_s.left - past_.left);
+    past_.right += share * (context.speed_m_s.right - past_.right);
+    command_m_s.left += size_ * past_.left * std::abs(past_.left) / default_speed_m_s;
+    command_m_s.right += size_ * past_.right * std::abs(past_.right) / default_speed_m_s;
   }
   void reset() override { past_ = {}; }
 
@@ -90,8 +90,8 @@ class SlowSwing final : public EffectOf<SlowSwing> {
       : sine_(arguments.parameters[0]),
         cosine_(arguments.parameters[1]),
         period_s_(arguments.parameters[2]) {}
-  void command(WheelPair& command_m_s, const Surroundings& around) override {
-    const double angle = 2.0 * 3.14159265358979 * around.time_s / period_s_;
+  void command(WheelPair& command_m_s, const StepContext& context) override {
+    const double angle = 2.0 * 3.14159265358979 * context.time_s / period_s_;
     const double gain = 1.0 + sine_ * std::sin(angle) + cosine_ * std::cos(angle);
     both(command_m_s, [gain](double u) { return gain * u; });
   }
@@ -107,12 +107,12 @@ class BodyCoupling final : public EffectOf<BodyCoupling> {
  public:
   explicit BodyCoupling(const EffectArguments& arguments)
       : size_(arguments.parameters[0]), variant_(arguments.variant) {}
-  void body(Twist& twist, const Surroundings&) override {
+  void body(Twist& twist, const StepContext&) override {
     const Twist t = twist;
     if (variant_ == 0) twist.v_m_s += size_ * t.v_m_s * t.w_rad_s;
-    if (variant_ == 1) twist.w_rad_s += size_ * t.v_m_s * std::abs(t.v_m_s) / usual_speed_m_s;
-    if (variant_ == 2) twist.w_rad_s += size_ * t.w_rad_s * std::abs(t.v_m_s) / usual_speed_m_s;
-    if (variant_ == 3) twist.v_m_s += size_ * t.v_m_s * std::abs(t.v_m_s) / usual_speed_m_s;
+    if (variant_ == 1) twist.w_rad_s += size_ * t.v_m_s * std::abs(t.v_m_s) / default_speed_m_s;
+    if (variant_ == 2) twist.w_rad_s += size_ * t.w_rad_s * std::abs(t.v_m_s) / default_speed_m_s;
+    if (variant_ == 3) twist.v_m_s += size_ * t.v_m_s * std::abs(t.v_m_s) / default_speed_m_s;
     if (variant_ == 4) twist.w_rad_s += size_ * std::abs(t.w_rad_s);
   }
 
@@ -151,7 +151,7 @@ std::vector<EffectInfo> make_decoys() {
                        {{"sine", "1", "", -0.5, 0.5, {0.05}},
                         {"cosine", "1", "", -0.5, 0.5, {0.05}},
                         {"period", "s", "", 2.0, 300.0, {5.0, 15.0, 40.0}, 0.0, false}}),
-      with_variants_at_the_wheels(decoy<BodyCoupling>(
+      with_wheel_load_variants(decoy<BodyCoupling>(
           "decoy_body", {"v*w", "v*|v| to w", "w*|v|", "v*|v|", "|w|"}, EffectStage::body, {size(0.05)})),
   };
 }

@@ -1,5 +1,5 @@
 // Effects that have no name and no cause: as flexible as the library's, so that a name has to beat them
-// (GAP.md, point 4). Where one of them explains the data best, something is missing that the library does not
+//. Where one of them explains the data best, something is missing that the library does not
 // hold.
 #pragma once
 

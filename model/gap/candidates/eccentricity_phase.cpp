@@ -10,7 +10,7 @@
 namespace wheelwright::gap {
 namespace {
 
-constexpr double least_nats_a_run = 6.0;
+constexpr double min_nats_a_run = 6.0;
 constexpr double one_angle_explains = 0.7;   // of what an angle for each run explains: then one is enough
 constexpr double furthest_counted_m = 30.0;  // between the runs' first counts: beyond, the angle is lost
 
@@ -20,12 +20,12 @@ struct RolledBefore {
   std::vector<WheelPair> heldout_m;
 };
 
-RolledBefore nothing_rolled(const GapProblem& train, const GapProblem& heldout) {
+RolledBefore nothing_rolled(const Problem& train, const Problem& heldout) {
   return {std::vector<WheelPair>(train.runs().size()), std::vector<WheelPair>(heldout.runs().size())};
 }
 
 // By what the runs' first counts stand at, from the least on; nothing where they are no help.
-RolledBefore counted_before(const GapProblem& train, const GapProblem& heldout) {
+RolledBefore counted_before(const Problem& train, const Problem& heldout) {
   RolledBefore counted = nothing_rolled(train, heldout);
   WheelPair least{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
   WheelPair most{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest()};
@@ -68,9 +68,9 @@ double mean_size(const Ripple& ripple, Eigen::Index sine) {
 // Looks for a wheel's ripple in some runs and takes it to others.
 class AngleSearch {
  public:
-  AngleSearch(const GapProblem& train, const GapProblem& heldout, const GapFit& fit, const EffectInfo& info,
-              const ForEach& for_each)
-      : train_(train), heldout_(heldout), fit_(fit), info_(info), for_each_(for_each) {}
+  AngleSearch(const Problem& train, const Problem& heldout, const Fit& fit, const EffectInfo& info,
+              const ParallelFor& parallel_for)
+      : train_(train), heldout_(heldout), fit_(fit), info_(info), parallel_for_(parallel_for) {}
 
   std::optional<WheelAngles> run() {
     const RolledBefore nothing = nothing_rolled(train_, heldout_);
@@ -81,7 +81,7 @@ class AngleSearch {
       best = ripple;
       variant_ = variant;
     }
-    if (best.nats < least_nats_a_run * static_cast<double>(train_.runs().size())) return std::nullopt;
+    if (best.nats < min_nats_a_run * static_cast<double>(train_.runs().size())) return std::nullopt;
     for (const RolledBefore& before : {nothing, counted_before(train_, heldout_)}) {
       if (auto found = with_one_angle(before, best)) return found;
     }
@@ -95,7 +95,7 @@ class AngleSearch {
  private:
   Ripple strongest(std::size_t variant, const RolledBefore& before, RippleAngle angle) const {
     const RippleSearch search(train_, before.train_m, fit_.model, info_.variants[variant].stage);
-    return search.strongest(fit_.residuals, angle, for_each_);
+    return search.strongest(fit_.residuals, angle, parallel_for_);
   }
 
   Ripple beyond(double circumference_m, const RolledBefore& before) const {
@@ -114,20 +114,20 @@ class AngleSearch {
     return WheelAngles{start.within_bounds(), before.train_m, before.heldout_m, false};
   }
 
-  const GapProblem& train_;
-  const GapProblem& heldout_;
-  const GapFit& fit_;
+  const Problem& train_;
+  const Problem& heldout_;
+  const Fit& fit_;
   const EffectInfo& info_;
-  const ForEach& for_each_;
+  const ParallelFor& parallel_for_;
   std::size_t variant_ = 0;
 };
 
 }  // namespace
 
-std::optional<WheelAngles> find_wheel_angles(const GapProblem& train, const GapProblem& heldout,
-                                             const GapFit& fit, const EffectInfo& info,
-                                             const ForEach& for_each) {
-  return AngleSearch(train, heldout, fit, info, for_each).run();
+std::optional<WheelAngles> find_eccentricity_phases(const Problem& train, const Problem& heldout,
+                                                    const Fit& fit, const EffectInfo& info,
+                                                    const ParallelFor& parallel_for) {
+  return AngleSearch(train, heldout, fit, info, parallel_for).run();
 }
 
 }  // namespace wheelwright::gap

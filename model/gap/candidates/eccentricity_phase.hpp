@@ -22,8 +22,8 @@ struct WheelAngles {
 
 // `info` is the effect that hangs on the angle. Nothing where no ripple stands out in the residuals of the
 // fit.
-std::optional<WheelAngles> find_wheel_angles(const GapProblem& train, const GapProblem& heldout,
-                                             const GapFit& fit, const EffectInfo& info,
-                                             const ForEach& for_each);
+std::optional<WheelAngles> find_eccentricity_phases(const Problem& train, const Problem& heldout,
+                                                    const Fit& fit, const EffectInfo& info,
+                                                    const ParallelFor& parallel_for);
 
 }  // namespace wheelwright::gap

@@ -5,7 +5,7 @@ namespace {
 
 constexpr double worth_it = 2.0;  // of the sum of squares: a nat
 
-bool is_flat(const GapProblem& train, const GapFit& fit, std::size_t parameter) {
+bool is_flat(const Problem& train, const Fit& fit, std::size_t parameter) {
   if (fit.model.parameter_info(parameter)->sizes.empty()) return false;
   TrialModel moved = fit.model;
   moved.set_parameter(parameter, fit.model.parameter(parameter) + small_step(fit.model, parameter));
@@ -14,16 +14,16 @@ bool is_flat(const GapProblem& train, const GapFit& fit, std::size_t parameter) 
 
 }  // namespace
 
-GapFit away_from_flat_places(const GapProblem& train, const GapFit& fit, int steps) {
-  GapFit best = fit;
-  for (std::size_t i = fit.model.core.size(); i < fit.model.parameter_count(); ++i) {
+Fit away_from_flat_places(const Problem& train, const Fit& fit, int steps) {
+  Fit best = fit;
+  for (std::size_t i = fit.model.linear_part.size(); i < fit.model.parameter_count(); ++i) {
     if (!is_flat(train, best, i)) continue;
     for (const double size : fit.model.parameter_info(i)->sizes) {
       if (size == fit.model.parameter(i)) continue;
       TrialModel start = best.model;
       start.set_parameter(i, size);
-      GapFit other = train.fit(start, steps);
-      if (other.squares < best.squares - worth_it) best = std::move(other);
+      Fit other = train.fit(start, steps);
+      if (other.sum_squares < best.sum_squares - worth_it) best = std::move(other);
     }
   }
   return best;

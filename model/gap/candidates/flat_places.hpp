@@ -7,6 +7,6 @@
 namespace wheelwright::gap {
 
 // `fit`, or a likelier one that begins with such a parameter at a size of its own.
-GapFit away_from_flat_places(const GapProblem& train, const GapFit& fit, int steps);
+Fit away_from_flat_places(const Problem& train, const Fit& fit, int steps);
 
 }  // namespace wheelwright::gap

@@ -106,11 +106,11 @@ std::vector<Commanded> by_command(const GapRun& run, bool right, const std::vect
 
 using WheelCommands = std::vector<std::vector<Commanded>>;  // of each wheel in each run
 
-WheelCommands gathered(const GapProblem& problem, const TrialModel& model) {
+WheelCommands gathered(const Problem& problem, const TrialModel& model) {
   WheelCommands all;
-  const LinearModel core = model.with_delay_in_core().linear();
-  const auto of_left = impulse_response(core.left, core.left.from_left);
-  const auto of_right = impulse_response(core.right, core.right.from_right);
+  const LinearModel linear_part = model.with_delay_in_linear_part().linear();
+  const auto of_left = impulse_response(linear_part.left, linear_part.left.from_left);
+  const auto of_right = impulse_response(linear_part.right, linear_part.right.from_right);
   for (const auto& run : problem.runs()) {
     if (!run.has_counts && run.sparse) continue;
     const auto residuals = residual_speeds(run, model);
@@ -131,9 +131,9 @@ std::vector<CommandSteps> steps_to_try(const WheelCommands& wheels) {
   std::vector<CommandSteps> steps;
   if (fastest <= 0.0) return steps;
   const double apart = largest_shift_of_phase / fastest;
-  for (const double rises_at : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}) {
+  for (const double level_edges : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}) {
     for (double per_m_s = 1.0 / smallest_step_m_s; per_m_s > 1.0 / largest_step_m_s; per_m_s -= apart) {
-      steps.push_back({1.0 / per_m_s, rises_at});
+      steps.push_back({1.0 / per_m_s, level_edges});
     }
   }
   return steps;
@@ -144,9 +144,9 @@ std::vector<CommandSteps> steps_around(const CommandSteps& middle) {
   std::vector<CommandSteps> steps;
   for (int i = -8; i <= 8; ++i) {
     for (int j = -10; j <= 10; ++j) {
-      const double rises_at = middle.rises_at + 0.025 * i;
-      if (rises_at < 0.0 || rises_at > 1.0) continue;
-      steps.push_back({middle.step_m_s * (1.0 + 0.001 * j), rises_at});
+      const double level_edges = middle.level_edges + 0.025 * i;
+      if (level_edges < 0.0 || level_edges > 1.0) continue;
+      steps.push_back({middle.step_m_s * (1.0 + 0.001 * j), level_edges});
     }
   }
   return steps;
@@ -159,7 +159,7 @@ double sign_of(double value) {
 // Correlation of the evidence with what the effect does to the commands, over the size of that. What a gain
 // or a loss by sign explains is no sign of steps.
 double likeness(const WheelCommands& wheels, const EffectInfo& info, const CommandSteps& steps) {
-  const std::array parameters{steps.step_m_s, steps.rises_at};
+  const std::array parameters{steps.step_m_s, steps.level_edges};
   const auto effect = info.make({parameters, 0});
   double agreement = 0.0;
   double power = 0.0;
@@ -208,9 +208,9 @@ struct BestSteps {
 };
 
 BestSteps best_of(const std::vector<CommandSteps>& steps, const WheelCommands& wheels, const EffectInfo& info,
-                  const ForEach& for_each) {
+                  const ParallelFor& parallel_for) {
   std::vector<double> likenesses(steps.size());
-  for_each(steps.size(), [&](std::size_t i) { likenesses[i] = likeness(wheels, info, steps[i]); });
+  parallel_for(steps.size(), [&](std::size_t i) { likenesses[i] = likeness(wheels, info, steps[i]); });
   const auto best = std::ranges::max_element(likenesses);
   constexpr double deviations_of_median = 1.4826;
   return {steps[static_cast<std::size_t>(best - likenesses.begin())],
@@ -219,32 +219,32 @@ BestSteps best_of(const std::vector<CommandSteps>& steps, const WheelCommands& w
 
 // Commands that change all the time, so that there is little to learn of any one of them.
 bool hardly_repeat(const WheelCommands& wheels) {
-  constexpr double usual_share = 0.05;
+  constexpr double default_share = 0.05;
   double commands = 0.0;
   double periods = 0.0;
   for (const auto& wheel : wheels) {
     commands += static_cast<double>(wheel.size());
     for (const auto& told : wheel) periods += told.periods;
   }
-  return commands > usual_share * periods;
+  return commands > default_share * periods;
 }
 
 }  // namespace
 
-std::optional<TrialEffect> find_command_steps(const GapProblem& train, const GapFit& fit,
-                                              const EffectInfo& info, const ForEach& for_each) {
+std::optional<TrialEffect> find_command_steps(const Problem& train, const Fit& fit, const EffectInfo& info,
+                                              const ParallelFor& parallel_for) {
   const WheelCommands wheels = gathered(train, fit.model);
   if (hardly_repeat(wheels)) {
-    const auto steps = find_steps_by_spectrum(train, fit, info, for_each);
+    const auto steps = find_steps_by_spectrum(train, fit, info, parallel_for);
     if (!steps) return std::nullopt;
-    return TrialEffect{&info, 0, {steps->step_m_s, steps->rises_at}};
+    return TrialEffect{&info, 0, {steps->step_m_s, steps->level_edges}};
   }
   const std::vector<CommandSteps> steps = steps_to_try(wheels);
   if (steps.empty()) return std::nullopt;
-  const BestSteps near = best_of(steps, wheels, info, for_each);
+  const BestSteps near = best_of(steps, wheels, info, parallel_for);
   if (!near.stands_out) return std::nullopt;
-  const BestSteps best = best_of(steps_around(near.steps), wheels, info, for_each);
-  return TrialEffect{&info, 0, {best.steps.step_m_s, best.steps.rises_at}};
+  const BestSteps best = best_of(steps_around(near.steps), wheels, info, parallel_for);
+  return TrialEffect{&info, 0, {best.steps.step_m_s, best.steps.level_edges}};
 }
 
 }  // namespace wheelwright::gap

@@ -2,8 +2,9 @@
 //
 // A step that is half a percent off rounds large commands the other way, so that a fit finds the right one
 // only from very near. Whole fits at that many steps would take minutes; but what rounding changes is small
-// and passes the linear core like any command. So the core's answer is turned round once (correlation of the
-// residual speeds with the core's impulse response), and then each step costs a sum of products.
+// and passes the linear part like any command. So the linear part's answer is turned round once
+// (correlation of the residual speeds with the linear part's impulse response), and then each step costs a
+// sum of products.
 #pragma once
 
 #include <optional>
@@ -12,16 +13,16 @@
 
 namespace wheelwright::gap {
 
-// Commands act as multiples of a step; at `rises_at` of a step beyond one, they act as the next.
+// Commands act as multiples of a step; at `level_edges` of a step beyond one, they act as the next.
 struct CommandSteps {
   double step_m_s;
-  double rises_at;
+  double level_edges;
 };
 
 // The step that stands out of all that were tried, and where it rises; nothing where none does, or where
 // these runs show no speeds (no counts, and poses only now and then). `fit` is the model without the effect,
 // `info` is command_quantization.
-std::optional<TrialEffect> find_command_steps(const GapProblem& train, const GapFit& fit,
-                                              const EffectInfo& info, const ForEach& for_each);
+std::optional<TrialEffect> find_command_steps(const Problem& train, const Fit& fit, const EffectInfo& info,
+                                              const ParallelFor& parallel_for);
 
 }  // namespace wheelwright::gap

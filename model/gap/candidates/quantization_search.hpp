@@ -7,10 +7,10 @@
 namespace wheelwright::gap {
 
 // `model` with its command_quantization, if it has one, where its free runs are best.
-TrialModel with_steps_tuned(const GapProblem& train, TrialModel model, const ForEach& for_each);
+TrialModel with_steps_tuned(const Problem& train, TrialModel model, const ParallelFor& parallel_for);
 
 // `model` with its command_quantization, if it has one, in the middle of all that explain these runs as well:
 // between two commands that were given, a rise may lie anywhere.
-TrialModel with_steps_centred(const GapProblem& train, TrialModel model, const ForEach& for_each);
+TrialModel with_steps_centred(const Problem& train, TrialModel model, const ParallelFor& parallel_for);
 
 }  // namespace wheelwright::gap

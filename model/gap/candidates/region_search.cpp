@@ -11,7 +11,7 @@ namespace wheelwright::gap {
 namespace {
 
 constexpr std::array steps_m{0.4, 0.15, 0.05};
-constexpr int most_moves = 12;        // of each size
+constexpr int max_moves = 12;         // of each size
 constexpr double worth_a_move = 0.2;  // of the sum of squares: a tenth of a nat
 
 // Parameters of surface_patch, in their order.
@@ -111,35 +111,36 @@ std::vector<TrialEffect> discs_near(const TrialEffect& region) {
 
 struct Tuned {
   TrialEffect region;
-  double squares = 0.0;
+  double sum_squares = 0.0;
 };
 
 // Tunes the region at one place of a model.
 class RegionTuning {
  public:
-  RegionTuning(const GapProblem& train, const TrialModel& model, std::size_t place, const ForEach& for_each)
+  RegionTuning(const Problem& train, const TrialModel& model, std::size_t place,
+               const ParallelFor& parallel_for)
       : train_(train),
         model_(model),
         place_(place),
         part_(train.part_of(model.effects[place])),
-        for_each_(for_each) {}
+        parallel_for_(parallel_for) {}
 
   Tuned best_of(const std::vector<TrialEffect>& regions) const {
-    std::vector<double> squares(regions.size());
-    for_each_(regions.size(), [&](std::size_t i) {
+    std::vector<double> sum_squares(regions.size());
+    parallel_for_(regions.size(), [&](std::size_t i) {
       TrialModel tried = model_;
       tried.effects[place_] = regions[i];
-      squares[i] = squares_of(train_.residuals(tried, part_));
+      sum_squares[i] = sum_squares_of(train_.residuals(tried, part_));
     });
-    const auto least = std::ranges::min_element(squares);
-    return {regions[static_cast<std::size_t>(least - squares.begin())], *least};
+    const auto least = std::ranges::min_element(sum_squares);
+    return {regions[static_cast<std::size_t>(least - sum_squares.begin())], *least};
   }
 
   Tuned moved_while_better(Tuned best) const {
     for (const double step_m : steps_m) {
-      for (int move = 0; move < most_moves; ++move) {
+      for (int move = 0; move < max_moves; ++move) {
         Tuned next = best_of(moved(best.region, step_m));
-        if (next.squares > best.squares - worth_a_move) break;
+        if (next.sum_squares > best.sum_squares - worth_a_move) break;
         best = std::move(next);
       }
     }
@@ -149,15 +150,15 @@ class RegionTuning {
   // Whether the best of others leads to a better one.
   Tuned better_of(const Tuned& tuned, const std::vector<TrialEffect>& others) const {
     Tuned other = moved_while_better(best_of(others));
-    return other.squares < tuned.squares ? other : tuned;
+    return other.sum_squares < tuned.sum_squares ? other : tuned;
   }
 
  private:
-  const GapProblem& train_;
+  const Problem& train_;
   const TrialModel& model_;
   std::size_t place_;
   Part part_;
-  const ForEach& for_each_;
+  const ParallelFor& parallel_for_;
 };
 
 }  // namespace
@@ -168,10 +169,10 @@ bool has_region(const TrialModel& model) {
 
 // No step by step leads from one shape to another: the best rectangle is seldom as good an ellipse before
 // that has found its own place.
-TrialModel with_region_tuned(const GapProblem& train, TrialModel model, const ForEach& for_each) {
+TrialModel with_region_tuned(const Problem& train, TrialModel model, const ParallelFor& parallel_for) {
   const auto place = region_in(model);
   if (!place) return model;
-  const RegionTuning tuning(train, model, *place, for_each);
+  const RegionTuning tuning(train, model, *place, parallel_for);
   Tuned best = tuning.moved_while_better(tuning.best_of({model.effects[*place]}));
   best = tuning.better_of(best, {reshaped(best.region)});
   model.effects[*place] = best.region;
@@ -179,11 +180,11 @@ TrialModel with_region_tuned(const GapProblem& train, TrialModel model, const Fo
 }
 
 // What two regions have in common may be all of them that the runs passed over.
-TrialModel with_region_found(const GapProblem& train, TrialModel model, const ForEach& for_each) {
-  model = with_region_tuned(train, model, for_each);
+TrialModel with_region_found(const Problem& train, TrialModel model, const ParallelFor& parallel_for) {
+  model = with_region_tuned(train, model, parallel_for);
   const auto place = region_in(model);
   if (!place) return model;
-  const RegionTuning tuning(train, model, *place, for_each);
+  const RegionTuning tuning(train, model, *place, parallel_for);
   const Tuned tuned = tuning.best_of({model.effects[*place]});
   model.effects[*place] = tuning.better_of(tuned, discs_near(tuned.region)).region;
   return model;

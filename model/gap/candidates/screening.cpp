@@ -25,27 +25,27 @@ Eigen::MatrixXd basis_of(const Eigen::MatrixXd& columns) {
 
 // For effects with one size: the response need not be linear in it, so only some stretching is believed, and
 // none beyond the next sizes that are tried themselves.
-struct Stretch {
+struct Segment {
   double least = 0.25;
   double most = 3.0;
 };
 
-Stretch stretch_of(const TrialEffect& effect) {
-  Stretch stretch;
+Segment segment_of(const TrialEffect& effect) {
+  Segment segment;
   for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
     const ParameterInfo& parameter = effect.parameter_info(i);
     if (!parameter.scales_effect || effect.parameters[i] == 0.0) continue;
     for (const double size : parameter.sizes) {
       const double ratio = size / effect.parameters[i];
-      if (ratio > 0.0 && ratio < 1.0) stretch.least = std::max(stretch.least, ratio);
-      if (ratio > 1.0) stretch.most = std::min(stretch.most, ratio);
+      if (ratio > 0.0 && ratio < 1.0) segment.least = std::max(segment.least, ratio);
+      if (ratio > 1.0) segment.most = std::min(segment.most, ratio);
     }
   }
-  return stretch;
+  return segment;
 }
 
 // Whatever is below this of a change, rounding alone may be.
-constexpr double least_share_left = 1e-10;
+constexpr double min_share_left = 1e-10;
 
 Common common_of(const Eigen::MatrixXd& changes, const Eigen::MatrixXd& basis, const Eigen::VectorXd& left) {
   const Eigen::MatrixXd taken_up = basis.transpose() * changes;
@@ -53,7 +53,7 @@ Common common_of(const Eigen::MatrixXd& changes, const Eigen::MatrixXd& basis, c
   const Eigen::VectorXd whole = common.products.diagonal();
   common.products -= taken_up.transpose() * taken_up;
   for (Eigen::Index i = 0; i < whole.size(); ++i) {
-    if (common.products(i, i) > least_share_left * whole(i)) continue;
+    if (common.products(i, i) > min_share_left * whole(i)) continue;
     common.products.row(i).setZero();
     common.products.col(i).setZero();
     common.with_left(i) = 0.0;
@@ -78,14 +78,14 @@ Screened judged(const Probe& probe, const Common& common) {
     return result;
   }
   const double power = common.products(0, 0);
-  const auto [least, most] = stretch_of(result.start);
-  const double stretch = std::clamp(-common.with_left(0) / power, least, most);
-  result.gain_nats = -stretch * (common.with_left(0) + 0.5 * stretch * power);
+  const auto [least, most] = segment_of(result.start);
+  const double segment = std::clamp(-common.with_left(0) / power, least, most);
+  result.gain_nats = -segment * (common.with_left(0) + 0.5 * segment * power);
   for (std::size_t i = 0; i < result.start.parameters.size(); ++i) {
     const ParameterInfo& parameter = result.start.parameter_info(i);
     if (!parameter.scales_effect || !vanishes_at_zero(parameter)) continue;
     result.start.parameters[i] =
-        std::clamp(stretch * result.start.parameters[i], parameter.lower, parameter.upper);
+        std::clamp(segment * result.start.parameters[i], parameter.lower, parameter.upper);
   }
   return result;
 }
@@ -97,22 +97,22 @@ Eigen::VectorXd vector_of(const std::vector<double>& values) {
 // What effects of one part change of its residuals, and what that has to do with what the fit leaves there.
 class PartResponses {
  public:
-  PartResponses(const GapProblem& problem, const GapFit& fit, const Eigen::MatrixXd& columns, Part part)
+  PartResponses(const Problem& problem, const Fit& fit, const Eigen::MatrixXd& columns, Part part)
       : problem_(problem), fit_(fit), part_(part), rows_(rows_of(problem, part)) {
     basis_ = basis_of(columns(rows_, Eigen::all));
     without_ = vector_of(fit.residuals)(rows_);
     left_ = without_ - basis_ * (basis_.transpose() * without_);
   }
 
-  Common common(std::span<const TrialEffect> effects, const ForEach& for_each) const {
+  Common common(std::span<const TrialEffect> effects, const ParallelFor& parallel_for) const {
     Eigen::MatrixXd changes(without_.size(), static_cast<Eigen::Index>(effects.size()));
-    for_each(effects.size(),
-             [&](std::size_t i) { changes.col(static_cast<Eigen::Index>(i)) = change_by(effects[i]); });
+    parallel_for(effects.size(),
+                 [&](std::size_t i) { changes.col(static_cast<Eigen::Index>(i)) = change_by(effects[i]); });
     return common_of(changes, basis_, left_);
   }
 
  private:
-  static std::vector<Eigen::Index> rows_of(const GapProblem& problem, Part part) {
+  static std::vector<Eigen::Index> rows_of(const Problem& problem, Part part) {
     std::vector<Eigen::Index> rows;
     for (std::size_t i = 0; i < problem.readings(); ++i) {
       if (problem.in_part(i, part)) rows.push_back(static_cast<Eigen::Index>(i));
@@ -126,8 +126,8 @@ class PartResponses {
     return vector_of(problem_.residuals(with, part_))(rows_) - without_;
   }
 
-  const GapProblem& problem_;
-  const GapFit& fit_;
+  const Problem& problem_;
+  const Fit& fit_;
   Part part_;
   std::vector<Eigen::Index> rows_;
   Eigen::MatrixXd basis_;
@@ -138,7 +138,7 @@ class PartResponses {
 // Of effects of both parts.
 class Responses {
  public:
-  Responses(const GapProblem& problem, const GapFit& fit) : problem_(problem) {
+  Responses(const Problem& problem, const Fit& fit) : problem_(problem) {
     const Eigen::MatrixXd columns = problem.jacobian(fit.model, fit.residuals);
     for (const Part part : {Part::all, Part::wheels, Part::motion}) {
       if ((part == Part::all) == problem.parts_touch())
@@ -146,7 +146,7 @@ class Responses {
     }
   }
 
-  Common common(std::span<const TrialEffect> effects, const ForEach& for_each) const {
+  Common common(std::span<const TrialEffect> effects, const ParallelFor& parallel_for) const {
     const auto count = static_cast<Eigen::Index>(effects.size());
     Common all{Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count)};
     for (const auto& [part, responses] : parts_) {
@@ -158,7 +158,7 @@ class Responses {
         places.push_back(static_cast<Eigen::Index>(i));
       }
       if (own.empty()) continue;
-      const Common common = responses.common(own, for_each);
+      const Common common = responses.common(own, parallel_for);
       all.products(places, places) = common.products;
       all.with_left(places) = common.with_left;
     }
@@ -166,7 +166,7 @@ class Responses {
   }
 
  private:
-  const GapProblem& problem_;
+  const Problem& problem_;
   std::map<Part, PartResponses> parts_;
 };
 
@@ -181,7 +181,7 @@ void judge_some(std::span<const Probe> probes, const Responses& responses, std::
   for (const Probe& probe : probes) {
     for (const auto& point : probe.points) effects.push_back({probe.info, probe.variant, point});
   }
-  const Common common = responses.common(effects, for_each_in_turn);
+  const Common common = responses.common(effects, serial_for);
   Eigen::Index first = 0;
   for (std::size_t p = 0; p < probes.size(); ++p) {
     const auto count = static_cast<Eigen::Index>(probes[p].points.size());
@@ -192,10 +192,10 @@ void judge_some(std::span<const Probe> probes, const Responses& responses, std::
 }
 
 std::vector<Judgement> judge_all(const std::vector<Probe>& probes, const Responses& responses,
-                                 const ForEach& for_each) {
+                                 const ParallelFor& parallel_for) {
   constexpr std::size_t at_a_time = 8;
   std::vector<Judgement> judgements(probes.size());
-  for_each((probes.size() + at_a_time - 1) / at_a_time, [&](std::size_t i) {
+  parallel_for((probes.size() + at_a_time - 1) / at_a_time, [&](std::size_t i) {
     const std::size_t first = i * at_a_time;
     const std::size_t count = std::min(at_a_time, probes.size() - first);
     judge_some(std::span(probes).subspan(first, count), responses,
@@ -223,11 +223,11 @@ std::vector<Screened> best_of_each_variant(const std::vector<Judgement>& judgeme
 
 }  // namespace
 
-Screening screen(const GapProblem& problem, const GapFit& fit, std::span<const EffectInfo* const> candidates,
-                 const ForEach& for_each) {
-  const std::vector<Probe> probes = probes_of(candidates, problem, fit.model);
+Screening screen(const Problem& problem, const Fit& fit, std::span<const EffectInfo* const> candidate_effects,
+                 const ParallelFor& parallel_for) {
+  const std::vector<Probe> probes = probes_of(candidate_effects, problem, fit.model);
   const Responses responses(problem, fit);
-  const std::vector<Judgement> judgements = judge_all(probes, responses, for_each);
+  const std::vector<Judgement> judgements = judge_all(probes, responses, parallel_for);
 
   Screening result;
   for (std::size_t p = 0; p < probes.size(); ++p) {
@@ -242,7 +242,7 @@ Screening screen(const GapProblem& problem, const GapFit& fit, std::span<const E
     named.push_back(screened);
     effects.push_back(screened.start);
   }
-  const Common common = responses.common(effects, for_each);
+  const Common common = responses.common(effects, parallel_for);
   result.pair = telling_pair(named, common);
   if (!result.pair) result.pair = hidden_pair(named, common);
   return result;

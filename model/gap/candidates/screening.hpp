@@ -1,6 +1,6 @@
 // Which effects are worth a fit: each is put in at some sizes, and what it changes is held against what the
-// model leaves unexplained, after all that the core and the present effects could take up is projected out
-// (GAP.md, step 6).
+// model leaves unexplained, after all that the linear part and the present effects could take up is projected
+// out.
 #pragma once
 
 #include <array>
@@ -37,7 +37,7 @@ struct Screening {
 };
 
 // `fit` is the model without the candidates, at its best. Tries each of `candidates` in all its variants.
-Screening screen(const GapProblem& problem, const GapFit& fit, std::span<const EffectInfo* const> candidates,
-                 const ForEach& for_each);
+Screening screen(const Problem& problem, const Fit& fit, std::span<const EffectInfo* const> candidate_effects,
+                 const ParallelFor& parallel_for);
 
 }  // namespace wheelwright::gap

@@ -7,13 +7,13 @@
 namespace wheelwright::gap {
 namespace {
 
-constexpr double least_gain_nats = 40.0;
+constexpr double min_gain_nats = 40.0;
 
 // `effect` with its size times `amount`; nothing where it cannot have that size.
 std::optional<TrialEffect> resized(TrialEffect effect, double amount) {
-  constexpr double least_amount = 0.1;
-  constexpr double most_amount = 30.0;
-  if (!(std::abs(amount) > least_amount) || !(std::abs(amount) < most_amount)) return std::nullopt;
+  constexpr double min_amount = 0.1;
+  constexpr double max_amount = 30.0;
+  if (!(std::abs(amount) > min_amount) || !(std::abs(amount) < max_amount)) return std::nullopt;
   for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
     const ParameterInfo& parameter = effect.parameter_info(i);
     if (!parameter.scales_effect || !vanishes_at_zero(parameter)) continue;
@@ -54,7 +54,7 @@ std::optional<ScreenedPair> best_pair(std::span<const Screened> effects, const C
       if (one.info == other.info) continue;
       const std::array<Eigen::Index, 2> at{static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)};
       const auto pair = pair_of(one, other, {common.products(at, at), common.with_left(at)}, alike);
-      if (!pair || pair->gain_nats <= (best ? best->gain_nats : least_gain_nats)) continue;
+      if (!pair || pair->gain_nats <= (best ? best->gain_nats : min_gain_nats)) continue;
       if (accept(pair->gain_nats, std::max(effects[i].gain_nats, effects[j].gain_nats))) best = pair;
     }
   }

@@ -18,7 +18,7 @@ struct Probe {
 
 // Of each of `candidates`, in all its variants that these runs could tell apart. Regions of the floor are
 // tried where the robot has been.
-std::vector<Probe> probes_of(std::span<const EffectInfo* const> candidates, const GapProblem& problem,
+std::vector<Probe> probes_of(std::span<const EffectInfo* const> candidate_effects, const Problem& problem,
                              const TrialModel& model);
 
 }  // namespace wheelwright::gap

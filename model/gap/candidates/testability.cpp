@@ -15,10 +15,10 @@
 namespace wheelwright::gap {
 namespace {
 
-constexpr double least_voltage_change = 0.01;  // relative, over all logs
+constexpr double min_voltage_change = 0.01;  // relative, over all logs
 
-constexpr double level_m_s = 0.005;    // commands nearer than this count as one size
-constexpr double least_level_s = 0.3;  // in all, for a size of command to count
+constexpr double level_m_s = 0.005;  // commands nearer than this count as one size
+constexpr double min_level_s = 0.3;  // in all, for a size of command to count
 constexpr std::size_t enough_levels = 4;
 
 struct Contents {
@@ -72,7 +72,7 @@ std::string missing_for(const EffectInfo& info, const Contents& contents) {
   }
   if (needs.place && !contents.place) return "the logs hold no reference positions";
   if (needs.battery && !(contents.highest_v > 0.0)) return "the logs hold no battery voltage";
-  if (needs.battery && contents.highest_v < (1.0 + least_voltage_change) * contents.lowest_v) {
+  if (needs.battery && contents.highest_v < (1.0 + min_voltage_change) * contents.lowest_v) {
     return "the battery voltage does not change in these logs";
   }
   // However little there is of either, what it shows is for the noise to say: detectable_sizes.
@@ -84,8 +84,8 @@ std::string missing_for(const EffectInfo& info, const Contents& contents) {
   if (needs.turning && info.by_pose && !contents.directions.all_round()) {
     return "the robot went in directions within half a turn only, where it looks like a scale";
   }
-  const auto levels = static_cast<std::size_t>(std::ranges::count_if(
-      contents.levels_s, [](const auto& level) { return level.second > least_level_s; }));
+  const auto levels = static_cast<std::size_t>(
+      std::ranges::count_if(contents.levels_s, [](const auto& level) { return level.second > min_level_s; }));
   if (needs.variety && levels < enough_levels) {
     return levels < 2 ? "the runs hold one size of command only"
                       : "the runs hold only " + std::to_string(levels) + " sizes of command";
@@ -102,11 +102,11 @@ std::string in_digits(double value, const std::string& unit) {
 // Where no size of it would show: of what there was too little, if that can be said.
 std::string too_little_for(const EffectInfo& info, const Excitation& driven) {
   const std::string no_size = "no size within reason would show";
-  const double least_m = std::min(driven.reverse_m, driven.forward_m);
+  const double min_m = std::min(driven.reverse_m, driven.forward_m);
   if (info.needs.turning)
     return "the runs turn by " + in_digits(driven.turned_rad, "rad") + " in all: " + no_size;
   if (info.needs.reversal) {
-    return "the runs go " + in_digits(least_m, "m") +
+    return "the runs go " + in_digits(min_m, "m") +
            (driven.reverse_m < driven.forward_m ? " backward" : " forward") + " in all: " + no_size;
   }
   return no_size + " in these drives";
@@ -131,24 +131,25 @@ Testability testability(std::span<const DriveLog> logs) {
       const bool at_wheels = shows_at_wheels(info, contents);
       result.untestable.push_back(
           {info.name, why + (at_wheels ? "; only what it does to the wheels shows" : "")});
-      if (at_wheels) result.candidates.push_back(&info);
+      if (at_wheels) result.candidate_effects.push_back(&info);
     } else if (info.variants.front().stage != EffectStage::counts) {
-      result.candidates.push_back(&info);
+      result.candidate_effects.push_back(&info);
     }
   }
   for (const auto& decoy : decoys()) {
-    if (missing_for(decoy, contents).empty()) result.candidates.push_back(&decoy);
+    if (missing_for(decoy, contents).empty()) result.candidate_effects.push_back(&decoy);
   }
   return result;
 }
 
 std::vector<Detectable> detectable_sizes(const Screening& look, const Excitation& driven,
-                                         double nats_to_be_named, double inflation,
+                                         double nats_to_be_named, double autocorrelation_factor,
                                          std::vector<Untestable>& untestable) {
   // Mean and spread of a log likelihood ratio: with 80 % probability it exceeds its mean less 0.84
   // deviations.
-  const double wanted =
-      inflation * std::pow(0.5 * (0.84 + std::sqrt(0.84 * 0.84 + 4.0 * 0.5 * nats_to_be_named)), 2) * 2.0;
+  const double wanted = autocorrelation_factor *
+                        std::pow(0.5 * (0.84 + std::sqrt(0.84 * 0.84 + 4.0 * 0.5 * nats_to_be_named)), 2) *
+                        2.0;
   struct Best {
     const Visibility* seen = nullptr;  // the weakest size that shows
     const Visibility* strongest = nullptr;

@@ -31,7 +31,7 @@ struct Excitation {
 };
 
 struct Testability {
-  std::vector<const EffectInfo*> candidates;  // with the decoys that belong to them
+  std::vector<const EffectInfo*> candidate_effects;  // with the decoys that belong to them
   std::vector<Untestable>
       untestable;  // some are candidates all the same: what they do to the wheels may show
   Excitation excitation;
@@ -45,7 +45,7 @@ Testability testability(std::span<const DriveLog> logs);
 // takes up: the smallest size that would have shown itself with a probability of 80 %. Effects that no size
 // within reason would show are added to `untestable`.
 std::vector<Detectable> detectable_sizes(const Screening& look, const Excitation& driven,
-                                         double nats_to_be_named, double inflation,
+                                         double nats_to_be_named, double autocorrelation_factor,
                                          std::vector<Untestable>& untestable);
 
 }  // namespace wheelwright::gap

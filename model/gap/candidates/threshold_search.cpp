@@ -16,7 +16,7 @@ constexpr std::size_t breakaway = 0;
 constexpr std::size_t sticking_speed = 3;
 
 // The sizes of all commands up to `largest_m_s`, each once.
-std::vector<double> command_sizes_m_s(const GapProblem& problem, double largest_m_s) {
+std::vector<double> command_sizes_m_s(const Problem& problem, double largest_m_s) {
   std::vector<double> sizes{0.0};
   for (const auto& run : problem.runs()) {
     for (const auto& u : run.commands_m_s) {
@@ -30,11 +30,11 @@ std::vector<double> command_sizes_m_s(const GapProblem& problem, double largest_
   return sizes;
 }
 
-std::vector<double> between_commands(const GapProblem& train, double threshold_m_s) {
-  constexpr double most_times = 3.0;  // of the threshold as it is
-  constexpr std::size_t most_tried = 40;
-  const std::vector<double> sizes = command_sizes_m_s(train, most_times * threshold_m_s);
-  const std::size_t stride = 1 + sizes.size() / most_tried;
+std::vector<double> between_commands(const Problem& train, double threshold_m_s) {
+  constexpr double max_times = 3.0;  // of the threshold as it is
+  constexpr std::size_t max_tried = 40;
+  const std::vector<double> sizes = command_sizes_m_s(train, max_times * threshold_m_s);
+  const std::size_t stride = 1 + sizes.size() / max_tried;
   std::vector<double> middles;
   for (std::size_t i = stride; i < sizes.size(); i += stride) {
     middles.push_back(0.5 * (sizes[i - 1] + sizes[i]));
@@ -43,7 +43,7 @@ std::vector<double> between_commands(const GapProblem& train, double threshold_m
 }
 
 // From `value / most` to `value * most`, each by the same factor more than the one before.
-std::vector<double> around(double value, double most, int each_side) {
+std::vector<double> context(double value, double most, int each_side) {
   std::vector<double> values;
   for (int i = -each_side; i <= each_side; ++i) {
     if (i != 0) values.push_back(value * std::pow(most, static_cast<double>(i) / each_side));
@@ -53,8 +53,8 @@ std::vector<double> around(double value, double most, int each_side) {
 
 class Tuning {
  public:
-  Tuning(const GapProblem& train, TrialModel& model)
-      : train_(train), model_(model), least_(squares_of(train.residuals(model))) {}
+  Tuning(const Problem& train, TrialModel& model)
+      : train_(train), model_(model), min_(sum_squares_of(train.residuals(model))) {}
 
   // Leaves the parameter where the free runs are best.
   void choose(std::size_t effect, std::size_t parameter, const std::vector<double>& values) {
@@ -62,17 +62,17 @@ class Tuning {
     const auto& info = tried.effects[effect].parameter_info(parameter);
     for (const double value : values) {
       tried.effects[effect].parameters[parameter] = std::clamp(value, info.lower, info.upper);
-      const double squares = squares_of(train_.residuals(tried));
-      if (squares >= least_) continue;
-      least_ = squares;
+      const double sum_squares = sum_squares_of(train_.residuals(tried));
+      if (sum_squares >= min_) continue;
+      min_ = sum_squares;
       model_.effects[effect].parameters = tried.effects[effect].parameters;
     }
   }
 
  private:
-  const GapProblem& train_;
+  const Problem& train_;
   TrialModel& model_;
-  double least_;
+  double min_;
 };
 
 }  // namespace
@@ -81,7 +81,7 @@ bool has_threshold(const EffectInfo& info) {
   return info.name == dead_zone || info.name == stiction;
 }
 
-TrialModel with_thresholds_tuned(const GapProblem& train, TrialModel model) {
+TrialModel with_thresholds_tuned(const Problem& train, TrialModel model) {
   const auto with_one = std::ranges::find_if(
       model.effects, [](const TrialEffect& effect) { return has_threshold(*effect.info); });
   if (with_one == model.effects.end()) return model;
@@ -92,8 +92,8 @@ TrialModel with_thresholds_tuned(const GapProblem& train, TrialModel model) {
       tuning.choose(i, 0, between_commands(train, value(0)));
     } else if (model.effects[i].info->name == stiction) {
       for (const double most : {1.3, 1.04}) {
-        tuning.choose(i, breakaway, around(value(breakaway), most, 12));
-        tuning.choose(i, sticking_speed, around(value(sticking_speed), most * most, 4));
+        tuning.choose(i, breakaway, context(value(breakaway), most, 12));
+        tuning.choose(i, sticking_speed, context(value(sticking_speed), most * most, 4));
       }
     }
   }

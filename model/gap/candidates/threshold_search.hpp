@@ -11,6 +11,6 @@ bool has_threshold(const EffectInfo& info);
 
 // `model` with the thresholds of its effects, if any, where its free runs are best: of dead_zone between any
 // two commands that were given, of stiction up to a third away.
-TrialModel with_thresholds_tuned(const GapProblem& train, TrialModel model);
+TrialModel with_thresholds_tuned(const Problem& train, TrialModel model);
 
 }  // namespace wheelwright::gap

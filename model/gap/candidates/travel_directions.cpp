@@ -19,7 +19,7 @@ WheelPair rolled_m(const DriveLog& log, std::size_t row) {
   const DriveSample& from = log.samples[row];
   const DriveSample& to = log.samples[row + 1];
   if (log.has_ticks()) {
-    if (!from.ticks || !to.ticks || to.counts_anew) return {};
+    if (!from.ticks || !to.ticks || to.counter_reset) return {};
     return {static_cast<double>(to.ticks->left - from.ticks->left) * log.metres_per_tick->left,
             static_cast<double>(to.ticks->right - from.ticks->right) * log.metres_per_tick->right};
   }

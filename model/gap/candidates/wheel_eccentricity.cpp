@@ -84,7 +84,7 @@ TurnRates turn_rates(double longest_m, double wheel_base_m) {
 }
 
 // Between those that were tried.
-TurnRates around(double rate, double apart) {
+TurnRates context(double rate, double apart) {
   return {rate - apart, rate + apart, 0.1 * apart};
 }
 
@@ -101,7 +101,7 @@ RippleAmounts RippleEquations::solution() const {
   return (products + little * Eigen::Matrix4d::Identity()).ldlt().solve(right_side);
 }
 
-RippleSearch::RippleSearch(const GapProblem& problem, const std::vector<WheelPair>& rolled_before_m,
+RippleSearch::RippleSearch(const Problem& problem, const std::vector<WheelPair>& initial_travel_m,
                            const TrialModel& model, EffectStage stage)
     : problem_(problem) {
   for (std::size_t r = 0; r < problem.runs().size(); ++r) {
@@ -109,7 +109,7 @@ RippleSearch::RippleSearch(const GapProblem& problem, const std::vector<WheelPai
     RunTravel travel;
     for (const auto& [channel, share] : watched(run, stage)) {
       if (run[channel].empty()) continue;
-      travel.push_back({channel, share, rolled_at(run, rolled_before_m[r], model, channel)});
+      travel.push_back({channel, share, rolled_at(run, initial_travel_m[r], model, channel)});
     }
     runs_.push_back(std::move(travel));
   }
@@ -151,18 +151,18 @@ Ripple RippleSearch::at(const std::vector<double>& residuals, double circumferen
 }
 
 Ripple RippleSearch::strongest(const std::vector<double>& residuals, RippleAngle angle,
-                               const ForEach& for_each) const {
+                               const ParallelFor& parallel_for) const {
   const auto nats = [angle](const Ripple& ripple) {
     return angle == RippleAngle::of_each_run ? ripple.nats : ripple.together.nats();
   };
   const auto best_of = [&](const TurnRates& rates) {
     const std::vector<double> tried = rates.all();
     std::vector<Ripple> ripples(tried.size());
-    for_each(tried.size(), [&](std::size_t i) { ripples[i] = at(residuals, 1.0 / tried[i]); });
+    parallel_for(tried.size(), [&](std::size_t i) { ripples[i] = at(residuals, 1.0 / tried[i]); });
     return *std::ranges::max_element(ripples, {}, nats);
   };
   const TurnRates all = turn_rates(longest_way_m(), problem_.runs().front().wheel_base_m);
-  return best_of(around(1.0 / best_of(all).circumference_m, all.apart));
+  return best_of(context(1.0 / best_of(all).circumference_m, all.apart));
 }
 
 double RippleSearch::longest_way_m() const {

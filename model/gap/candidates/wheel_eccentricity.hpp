@@ -36,15 +36,16 @@ enum class RippleAngle { of_each_run, of_all_runs };
 // The wheels' travel in runs, and what of it shows where a ripple at this stage would.
 class RippleSearch {
  public:
-  // `rolled_before_m` has a pair for each run of the problem. Counts tell the travel where there are any,
+  // `initial_travel_m` has a pair for each run of the problem. Counts tell the travel where there are any,
   // else the model does. The problem has to outlive the search.
-  RippleSearch(const GapProblem& problem, const std::vector<WheelPair>& rolled_before_m,
+  RippleSearch(const Problem& problem, const std::vector<WheelPair>& initial_travel_m,
                const TrialModel& model, EffectStage stage);
 
   // `residuals` are those of the problem for a model.
   Ripple at(const std::vector<double>& residuals, double circumference_m) const;
   // Of every circumference that suits the robot.
-  Ripple strongest(const std::vector<double>& residuals, RippleAngle angle, const ForEach& for_each) const;
+  Ripple strongest(const std::vector<double>& residuals, RippleAngle angle,
+                   const ParallelFor& parallel_for) const;
 
  private:
   struct Watched {
@@ -58,7 +59,7 @@ class RippleSearch {
                             double circumference_m) const;
   double longest_way_m() const;
 
-  const GapProblem& problem_;
+  const Problem& problem_;
   std::vector<RunTravel> runs_;
 };
 

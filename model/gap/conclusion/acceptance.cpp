@@ -42,7 +42,7 @@ bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out) {
   const bool some_rises = some_figure_falls(turned_round, 0.1, 0.0);
   const bool little_is_enough = some_figure_above_noise(figures) && !some_rises;
   if (some_is_sure_by(analysis, little_is_enough ? 30.0 : beyond_doubt_nats)) return true;
-  return some_figure_falls(figures, least_fall, is_beyond_chance(analysis) ? 0.0 : 1.0);
+  return some_figure_falls(figures, min_fall, is_beyond_chance(analysis) ? 0.0 : 1.0);
 }
 
 NoiseModel no_more_than_noise(const NoiseModel& noise) {
@@ -59,7 +59,7 @@ NoiseModel no_more_than_noise(const NoiseModel& noise) {
 bool closes_nothing_untouched(const GapAnalysis& analysis) {
   const auto acts_there = [](const Finding& found) { return of_free_runs(found) && found.acts_untouched; };
   return analysis.untouched && std::ranges::any_of(analysis.found, acts_there) &&
-         !some_figure_falls(analysis.test, least_fall, 0.0);
+         !some_figure_falls(analysis.test, min_fall, 0.0);
 }
 
 bool explains_the_smaller_part(const GapAnalysis& analysis) {

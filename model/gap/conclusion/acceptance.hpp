@@ -28,7 +28,7 @@ constexpr double largest_drift_rad_per_sqrt_s = 0.025;
 // The same noise, drifting by no more than that.
 NoiseModel no_more_than_noise(const NoiseModel& noise);
 
-// Whether names were accepted by which no figure of the untouched runs falls by 3 % (least_fall): what is
+// Whether names were accepted by which no figure of the untouched runs falls by 3 % (min_fall): what is
 // named has to be seen there, unless it does nothing there, as a rug that these runs do not drive over.
 bool closes_nothing_untouched(const GapAnalysis& analysis);
 

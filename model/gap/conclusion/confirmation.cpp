@@ -17,17 +17,17 @@ TrialModel without(const TrialModel& model, std::size_t effect) {
   return rest;
 }
 
-void find_initial_travel(const GapProblem& train, const TrialModel& model, GapProblem& problem, RunSet& runs,
-                         const ForEach& for_each) {
+void find_initial_travel(const Problem& train, const TrialModel& model, Problem& problem, RunSet& runs,
+                         const ParallelFor& parallel_for) {
   for (std::size_t i = 0; i < model.effects.size(); ++i) {
     const EffectInfo& info = *model.effects[i].info;
     if (!info.by_wheel_angle) continue;
-    const GapFit fit = train.fit(without(model, i), refit_steps);
-    const auto angles = find_wheel_angles(train, problem, fit, info, for_each);
+    const Fit fit = train.fit(without(model, i), refit_steps);
+    const auto angles = find_eccentricity_phases(train, problem, fit, info, parallel_for);
     if (!angles || !angles->differ) return;
-    problem.set_rolled_before(angles->heldout_rolled_m);
+    problem.set_initial_travel(angles->heldout_rolled_m);
     for (std::size_t r = 0; r < runs.runs.size(); ++r) {
-      runs.runs[r].rolled_before_m = runs.logs[r].rolled_before_m = angles->heldout_rolled_m[r];
+      runs.runs[r].initial_travel_m = runs.logs[r].initial_travel_m = angles->heldout_rolled_m[r];
     }
     return;
   }
@@ -35,15 +35,15 @@ void find_initial_travel(const GapProblem& train, const TrialModel& model, GapPr
 
 }  // namespace
 
-Confirmation confirm(const GapProblem& train, const GapSearch& search, RunSet& runs, bool untouched,
-                     const ForEach& for_each) {
+Confirmation confirm(const Problem& train, const GapSearch& search, RunSet& runs, bool untouched,
+                     const ParallelFor& parallel_for) {
   const TrialModel& accepted = search.final.model;
   const NoiseModel noise = train.noise_left_by(accepted);
-  GapProblem known = train;
+  Problem known = train;
   known.set_noise(noise);
-  GapProblem problem(runs.runs, runs.metres_per_tick, for_each);
+  Problem problem(runs.runs, runs.metres_per_tick, parallel_for);
   problem.set_noise(noise);
-  find_initial_travel(known, accepted, problem, runs, for_each);
+  find_initial_travel(known, accepted, problem, runs, parallel_for);
 
   Confirmation result;
   result.check = predictive_check(problem, accepted);
@@ -51,8 +51,8 @@ Confirmation confirm(const GapProblem& train, const GapSearch& search, RunSet& r
   const auto residuals = problem.residuals(accepted);
   const double ratio = variance_ratio(problem, residuals);
   for (std::size_t i = 0; i < accepted.effects.size(); ++i) {
-    const GapFit rest = known.fit(without(accepted, i), refit_steps);
-    const double gain = 0.5 * (squares_of(problem.residuals(rest.model)) - squares_of(residuals));
+    const Fit rest = known.fit(without(accepted, i), refit_steps);
+    const double gain = 0.5 * (sum_squares_of(problem.residuals(rest.model)) - sum_squares_of(residuals));
     result.effect_nats.push_back(gain / ratio);
     result.acts.push_back(problem.residuals(without(accepted, i)) != residuals);
   }

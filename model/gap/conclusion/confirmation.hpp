@@ -20,7 +20,7 @@ struct Confirmation {
 
 // The noise is what the accepted model leaves of the training runs. Where an effect hangs on the angle of the
 // wheels, each run shows that at which its wheels began: it is found first, and noted in the logs.
-Confirmation confirm(const GapProblem& train, const GapSearch& search, RunSet& runs, bool untouched,
-                     const ForEach& for_each);
+Confirmation confirm(const Problem& train, const GapSearch& search, RunSet& runs, bool untouched,
+                     const ParallelFor& parallel_for);
 
 }  // namespace wheelwright::gap

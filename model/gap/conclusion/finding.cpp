@@ -20,14 +20,14 @@ Finding finding(const GapSearch& search, std::size_t index) {
   found.setting = search.final.model.settings()[index];
   if (index >= search.checks.size()) return found;
   std::map<std::string, double> best_score;
-  const auto& contenders = search.checks[index].contenders;
-  for (const auto& contender : contenders) {
-    const std::string name = is_decoy(*contender.effect.info) ? "decoy" : contender.effect.info->name;
-    const auto entry = best_score.try_emplace(name, contender.score).first;
-    entry->second = std::max(entry->second, contender.score);
+  const auto& candidates = search.checks[index].candidates;
+  for (const auto& candidate : candidates) {
+    const std::string name = is_decoy(*candidate.effect.info) ? "decoy" : candidate.effect.info->name;
+    const auto entry = best_score.try_emplace(name, candidate.score).first;
+    entry->second = std::max(entry->second, candidate.score);
     if (name == found.setting.name && found.heldout_gain_nats == 0.0) {
-      found.heldout_gain_nats = contender.heldout_nats / contender.inflation;
-      found.inflation = contender.inflation;
+      found.heldout_gain_nats = candidate.heldout_nats / candidate.autocorrelation_factor;
+      found.autocorrelation_factor = candidate.autocorrelation_factor;
       found.p_value = std::clamp(std::exp(-found.heldout_gain_nats), smallest_p, 1.0);
     }
   }

@@ -25,7 +25,7 @@ struct Finding {
   double heldout_gain_nats = 0.0;        // deflated for correlation
   std::optional<double> test_gain_nats;  // the same on untouched runs
   bool acts_untouched = false;           // whether it moves anything there
-  double inflation = 1.0;                // by which
+  double autocorrelation_factor = 1.0;   // by which
   double p_value = 1.0;
   double posterior = 0.0;
   double rival_share = 0.0;   // of what it explains, what the best rival would explain in its place

@@ -24,7 +24,7 @@ RobotModel linear_model_of(const TrialModel& trial, const ModelOrigin& origin) {
     model.encoder_scale = origin.given->encoder_scale;
   }
   model.source = origin.logs;
-  model.core = trial.linear();
+  model.linear_part = trial.linear();
   return model;
 }
 

@@ -16,7 +16,7 @@ struct ModelOrigin {
   std::vector<std::string> logs;      // that the trial model was fitted to
 };
 
-// Its linear core alone.
+// Its linear part alone.
 RobotModel linear_model_of(const TrialModel& trial, const ModelOrigin& origin);
 
 // With its effects, in the order in which they act.

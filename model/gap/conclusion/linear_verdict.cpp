@@ -19,7 +19,7 @@ const LinearChange* longer_delay(const std::vector<LinearChange>& changes) {
 
 bool has_period(const RobotModel& model, double period_s) {
   constexpr double same_period = 0.02;
-  return std::abs(model.core.period_s - period_s) <= same_period * period_s;
+  return std::abs(model.linear_part.period_s - period_s) <= same_period * period_s;
 }
 
 bool lag_changed(const std::vector<LinearChange>& changes) {
@@ -44,7 +44,7 @@ void scale(std::vector<double>& weights, double gain) {
 RobotModel corrected_model(const RobotModel& given, const CommandCorrection& correction, const Finding& delay,
                            const std::vector<std::string>& source) {
   RobotModel model = given;
-  for (WheelResponse* response : {&model.core.left, &model.core.right}) {
+  for (WheelResponse* response : {&model.linear_part.left, &model.linear_part.right}) {
     scale(response->from_left, correction.gain.left);
     scale(response->from_right, correction.gain.right);
   }
@@ -92,18 +92,18 @@ void add_linear_changes(GapAnalysis& analysis, const LinearChanges& found, const
 std::string not_compared_in_words(const RobotModel& given, double period_s) {
   if (has_period(given, period_s)) return "";
   std::ostringstream words;
-  words << " The given model's period is " << given.core.period_s << " s and that of the logs " << period_s
-        << " s: its linear part was not compared with them.";
+  words << " The given model's period is " << given.linear_part.period_s << " s and that of the logs "
+        << period_s << " s: its linear part was not compared with them.";
   return words.str();
 }
 
 LinearChanges changes_of_linear_part(const GapAnalysis& analysis, const ModelOrigin& origin,
-                                     const GapProblem& train, const GapProblem& heldout) {
+                                     const Problem& train, const Problem& heldout) {
   const RobotModel& given = *origin.given;
   if (!has_period(given, train.runs().front().period_s)) return {};
   const TrialModel& accepted = analysis.search.final.model;
   RobotModel whole = whole_model_of(accepted, origin);
-  whole.core = given.core;
+  whole.linear_part = given.linear_part;
   // A linear effect that was found, as a delay, stands beside the fitted linear part; beside the given one it
   // has another size.
   std::erase_if(whole.effects, [&](const AddedEffect& effect) {
@@ -111,15 +111,15 @@ LinearChanges changes_of_linear_part(const GapAnalysis& analysis, const ModelOri
     return find_effect(effect.setting.name)->linear && std::ranges::none_of(given.effects, same);
   });
   const NoiseModel noise = train.noise_left_by(accepted);
-  GapProblem fitted = train;
-  GapProblem confirming = heldout;
+  Problem fitted = train;
+  Problem confirming = heldout;
   fitted.set_noise(noise);
   confirming.set_noise(noise);
   return linear_changes(whole, accepted, fitted, confirming);
 }
 
-bool add_linear_changes(GapAnalysis& analysis, const ModelOrigin& origin, const GapProblem& train,
-                        const GapProblem& heldout) {
+bool add_linear_changes(GapAnalysis& analysis, const ModelOrigin& origin, const Problem& train,
+                        const Problem& heldout) {
   add_linear_changes(analysis, changes_of_linear_part(analysis, origin, train, heldout), *origin.given);
   return !analysis.linear_changes.empty();
 }

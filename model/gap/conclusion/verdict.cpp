@@ -38,12 +38,12 @@ Judgement of_findings(const std::vector<Finding>& found) {
 
 // Whether the best of the last round would have been accepted, had it a name.
 bool decoy_explains(const GapAnalysis& analysis, const SearchLimits& limits) {
-  const auto& last = analysis.search.rounds.back().contenders;
+  const auto& last = analysis.search.selection_steps.back().candidates;
   if (last.empty() || !is_decoy(*last.front().effect.info)) return false;
-  const double train_nats = last.front().train_nats / last.front().inflation;
-  const double heldout_nats = last.front().heldout_nats / last.front().inflation;
+  const double train_nats = last.front().train_nats / last.front().autocorrelation_factor;
+  const double heldout_nats = last.front().heldout_nats / last.front().autocorrelation_factor;
   if (heldout_nats > beyond_doubt_nats && train_nats > beyond_doubt_nats) return true;
-  return heldout_nats > limits.least_heldout_nats && train_nats > limits.least_train_nats &&
+  return heldout_nats > limits.min_heldout_nats && train_nats > limits.min_train_nats &&
          some_figure_above_noise(analysis.tail_held_out ? analysis.train : analysis.test);
 }
 
@@ -112,13 +112,13 @@ Judgement of_nothing_found(const GapAnalysis& analysis, const SearchLimits& limi
   return {Verdict::nothing_missing, "Nothing is missing that these runs could show."};
 }
 
-// What a core without counts came to for each wheel when both are told the same, and for turns beside
+// What a linear part without counts came to for each wheel when both are told the same, and for turns beside
 // driving.
 std::string gains_in_words(const TrialModel& model) {
-  if (model.core.empty()) return {};
-  const LinearModel core = model.linear();
-  const DcGain left = dc_gain(core.left);
-  const DcGain right = dc_gain(core.right);
+  if (model.linear_part.empty()) return {};
+  const LinearModel linear_part = model.linear();
+  const DcGain left = dc_gain(linear_part.left);
+  const DcGain right = dc_gain(linear_part.right);
   const double drives = left.from_left + left.from_right + right.from_right + right.from_left;
   const double turns = left.from_left - left.from_right + right.from_right - right.from_left;
   const double excess =
@@ -143,7 +143,7 @@ std::string gains_in_words(const TrialModel& model) {
 }
 
 // Beyond what gyros err, relative: the wheel base is not what it was said to be, or the gyro's unit.
-constexpr double usual_gyro_scale = 0.05;
+constexpr double default_gyro_scale = 0.05;
 
 std::string gyro_scale_in_words(double scale) {
   std::ostringstream words;
@@ -182,19 +182,19 @@ std::string_view verdict_name(Verdict verdict) {
   return "";
 }
 
-std::vector<GainChange> changed_gains(const GapAnalysis& analysis, const GapProblem& train,
-                                      const GapProblem& heldout) {
+std::vector<GainChange> changed_gains(const GapAnalysis& analysis, const Problem& train,
+                                      const Problem& heldout) {
   constexpr double much_worse = 1.5;  // mean square of held-out residuals against those of training
-  constexpr double least_change = 0.01;
+  constexpr double min_change = 0.01;
   const GapSearch& search = analysis.search;
-  const double fitted = search.final.squares / static_cast<double>(train.readings());
-  const double held_out = search.heldout_squares_after / static_cast<double>(heldout.readings());
+  const double fitted = search.final.sum_squares / static_cast<double>(train.readings());
+  const double held_out = search.heldout_sum_squares_after / static_cast<double>(heldout.readings());
   std::vector<GainChange> changes;
   if (held_out < much_worse * fitted && !only_held_out(analysis)) return changes;
   for (const auto& run : heldout.runs()) {
     const WheelPair gain = travel_gain(search.final.model, run);
     const double change = std::max(std::abs(gain.left - 1.0), std::abs(gain.right - 1.0));
-    if (change >= least_change) changes.push_back({run.name, gain});
+    if (change >= min_change) changes.push_back({run.name, gain});
   }
   return changes;
 }
@@ -221,7 +221,7 @@ bool data_decide(GapAnalysis& analysis, const RunSet& train, const Testability& 
           ? "The logs hold no encoder counts, and no reference poses often enough to show how the wheels "
             "answer; record counts, or a pose at least once a second."
           : "The robot was never told to move in these runs.";
-  for (const EffectInfo* info : testability.candidates) {
+  for (const EffectInfo* info : testability.candidate_effects) {
     if (is_decoy(*info)) continue;
     analysis.not_testable.push_back({info->name, largest > 0.005
                                                      ? "no encoder counts and too few reference poses"
@@ -242,7 +242,7 @@ void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Resi
   }
   const double gyro_scale = analysis.search.final.model.gyro_scale();
   constexpr double worth_saying = 0.005;
-  if (analysis.verdict == Verdict::nothing_missing && std::abs(gyro_scale) > usual_gyro_scale) {
+  if (analysis.verdict == Verdict::nothing_missing && std::abs(gyro_scale) > default_gyro_scale) {
     analysis.verdict = Verdict::unnamed;
     analysis.summary = gyro_scale_in_words(gyro_scale);
   } else if (std::abs(gyro_scale) > worth_saying) {

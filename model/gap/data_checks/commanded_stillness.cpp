@@ -19,8 +19,8 @@ double size_of(const DriveLog& log, std::size_t row, bool left) {
 
 // What was asked for while the counts stood still, in the middle of its sizes; how much earlier than it acted
 // is not known, and the least is taken.
-double usual_command_m_s(const DriveLog& log, const Freeze& freeze) {
-  double least_m_s = std::numeric_limits<double>::infinity();
+double default_command_m_s(const DriveLog& log, const Freeze& freeze) {
+  double min_m_s = std::numeric_limits<double>::infinity();
   std::vector<double> sizes;
   for (std::size_t earlier = 0; earlier <= freeze.first; ++earlier) {
     if (log.samples[freeze.first].t_s - log.samples[freeze.first - earlier].t_s > acts_within_s) break;
@@ -30,13 +30,13 @@ double usual_command_m_s(const DriveLog& log, const Freeze& freeze) {
     }
     const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
     std::ranges::nth_element(sizes, middle);
-    least_m_s = std::min(least_m_s, *middle);
+    min_m_s = std::min(min_m_s, *middle);
   }
-  return least_m_s;
+  return min_m_s;
 }
 
 // Rows at which a wheel turns although for a while no more was asked of it than so much.
-std::size_t rows_that_move(const DriveLog& log, bool left, double most_m_s) {
+std::size_t rows_that_move(const DriveLog& log, bool left, double max_m_s) {
   const double tick_m = left ? log.metres_per_tick->left : log.metres_per_tick->right;
   const auto travel_m = [&](std::size_t from, std::size_t to) {
     const WheelTicks& a = *log.samples[from].ticks;
@@ -48,7 +48,7 @@ std::size_t rows_that_move(const DriveLog& log, bool left, double most_m_s) {
   std::size_t before = 0;
   for (std::size_t k = 1; k < log.samples.size(); ++k) {
     const double size = size_of(log, k - 1, left);
-    if (size == 0.0 || size > most_m_s) asked_from = k;
+    if (size == 0.0 || size > max_m_s) asked_from = k;
     const double now_s = log.samples[k].t_s;
     while (now_s - log.samples[before].t_s > 0.5 * acts_within_s) ++before;
     if (now_s - log.samples[asked_from].t_s < acts_within_s) continue;
@@ -64,13 +64,13 @@ std::size_t rows_that_move(const DriveLog& log, bool left, double most_m_s) {
 bool stand_by_command(const DriveLog& log, std::span<const Freeze> freezes) {
   constexpr std::size_t more_than_chance = 2;
   if (freezes.size() < more_than_chance) return false;
-  double most_m_s = 0.0;
+  double max_m_s = 0.0;
   std::size_t standing = 0;
   for (const Freeze& freeze : freezes) {
-    most_m_s = std::max(most_m_s, usual_command_m_s(log, freeze));
+    max_m_s = std::max(max_m_s, default_command_m_s(log, freeze));
     standing += freeze.end - freeze.first;
   }
-  const std::size_t moving = rows_that_move(log, true, most_m_s) + rows_that_move(log, false, most_m_s);
+  const std::size_t moving = rows_that_move(log, true, max_m_s) + rows_that_move(log, false, max_m_s);
   return static_cast<double>(moving) < exceptions_per_row * static_cast<double>(standing);
 }
 

@@ -105,9 +105,9 @@ class GainOf {
   bool surely_above(double limit) const { return known() && gain() - 4.0 * standard_error() > limit; }
 
  private:
-  static constexpr double least_windows = 3.0;
+  static constexpr double min_windows = 3.0;
 
-  bool known() const { return windows_ >= least_windows && given_squares_ > 0.0; }
+  bool known() const { return windows_ >= min_windows && given_squares_ > 0.0; }
   double standard_error() const {
     const double left = std::max(0.0, seen_squares_ - products_ * products_ / given_squares_);
     return std::sqrt(left / (windows_ - 1.0) / given_squares_);

@@ -14,7 +14,7 @@
 #include "model/gap/data_checks/gate_state.hpp"
 #include "model/gap/data_checks/held_reference.hpp"
 #include "model/identification/run_scales.hpp"
-#include "model/prediction/known_stretches.hpp"
+#include "model/prediction/segments.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -67,7 +67,7 @@ void remove_garbage_commands(GateState& gate) {
 }
 
 // Whether a counter that was switched off and on meanwhile tells of a way that no command asks for.
-bool counts_begin_anew(const GateState& gate, const LogHole& hole) {
+bool counter_was_reset(const GateState& gate, const LogHole& hole) {
   constexpr double beyond_what_was_asked = 1.5;
   const DriveLog& log = gate.result.log;
   if (!log.samples[hole.row].ticks || !log.samples[hole.row - 1].ticks) return false;
@@ -84,7 +84,7 @@ bool counts_begin_anew(const GateState& gate, const LogHole& hole) {
 void leave_out_holes(GateState& gate) {
   const auto& samples = gate.result.log.samples;
   for (const auto& hole : find_holes(gate.result.log)) {
-    const bool anew = counts_begin_anew(gate, hole);
+    const bool anew = counter_was_reset(gate, hole);
     gate.fault(hole.row, "no rows for " + in_digits(hole.duration_s, 4) + " s" +
                              (anew ? ", and the counts begin anew behind them" : "") +
                              "; the first second behind them was left out");
@@ -161,11 +161,11 @@ void remove_reference_jumps(GateState& gate) {
 }
 
 // So that no figure is taken across lost counts.
-void mark_counts_anew(GatedLog& gated) {
+void mark_counter_reset(GatedLog& gated) {
   auto& samples = gated.log.samples;
   bool lost = false;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    samples[i].counts_anew = lost || gated.flags.counts[i] != 0 || gated.flags.restart[i] != 0;
+    samples[i].counter_reset = lost || gated.flags.counts[i] != 0 || gated.flags.restart[i] != 0;
     lost = gated.flags.counts[i] != 0 || !samples[i].ticks;
   }
 }
@@ -186,7 +186,7 @@ GatedLog gate_beside(const DriveLog& log, std::size_t frozen_elsewhere) {
   remove_reference_jumps(state);
   check_reference(state);
   check_gyro(state);
-  mark_counts_anew(state.result);
+  mark_counter_reset(state.result);
   return std::move(state.result);
 }
 

@@ -1,4 +1,4 @@
-// What is wrong with a log before any model is asked: faults of the data are not effects (GAP.md, step 1).
+// What is wrong with a log before any model is asked: faults of the data are not effects.
 //
 // Rows that cannot be true are taken out and named; counts that stand still while their wheel turns, or of
 // which a part or all is missing, are a dropout of the encoder; signs, sides and units that contradict the

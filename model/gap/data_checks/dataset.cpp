@@ -9,18 +9,18 @@
 namespace wheelwright::gap {
 namespace {
 
-constexpr double least_s = 5.0;  // of all runs together
-constexpr std::size_t least_rows = 20;
-constexpr std::size_t least_to_hold_out_of = 3;  // training runs, where test runs are to stay untouched
+constexpr double min_s = 5.0;  // of all runs together
+constexpr std::size_t min_rows = 20;
+constexpr std::size_t min_to_hold_out_of = 3;  // training runs, where test runs are to stay untouched
 
 std::optional<GapRefusal> mismatch(std::span<const DriveLog> logs) {
   const DriveLog& first = logs.front();
   double all_s = 0.0;
   for (const auto& log : logs) {
     const std::string where = log.name + ":" + std::to_string(log.first_line) + ": ";
-    if (log.samples.size() < least_rows) {
+    if (log.samples.size() < min_rows) {
       return GapRefusal{where + "the run holds " + std::to_string(log.samples.size()) +
-                        " rows, but at least " + std::to_string(least_rows) + " are needed"};
+                        " rows, but at least " + std::to_string(min_rows) + " are needed"};
     }
     all_s += log.samples.back().t_s - log.samples.front().t_s;
     if (std::abs(log.wheel_base_m - first.wheel_base_m) > 1e-6) {
@@ -35,10 +35,10 @@ std::optional<GapRefusal> mismatch(std::span<const DriveLog> logs) {
     }
   }
   if (const auto far = find_far_period(logs)) return GapRefusal{*far};
-  if (all_s >= least_s) return std::nullopt;
+  if (all_s >= min_s) return std::nullopt;
   return GapRefusal{first.name + ":" + std::to_string(first.first_line) + ": " +
                     (logs.size() == 1 ? "the run lasts " : "the runs last ") + std::to_string(all_s) +
-                    " s in all, but at least " + std::to_string(static_cast<int>(least_s)) + " s are needed"};
+                    " s in all, but at least " + std::to_string(static_cast<int>(min_s)) + " s are needed"};
 }
 
 bool same_run(const DriveLog& one, const DriveLog& other) {
@@ -86,10 +86,10 @@ std::optional<GapRefusal> hold_out(GatheredRuns& gathered) {
     return std::nullopt;
   }
   const GapRun whole = train.runs.front();
-  if (whole.duration_s() < 3.0 * least_s) {
+  if (whole.duration_s() < 3.0 * min_s) {
     return GapRefusal{whole.name + ": a single run of " + std::to_string(whole.duration_s()) +
                       " s is too short to hold a part of it out; give at least " +
-                      std::to_string(static_cast<int>(3.0 * least_s)) + " s or a second run"};
+                      std::to_string(static_cast<int>(3.0 * min_s)) + " s or a second run"};
   }
   const std::size_t cut = whole.commands_m_s.size() * 2 / 3;
   train.runs.front() = part_of(whole, 0, cut);
@@ -112,10 +112,10 @@ std::optional<GapRefusal> gather_runs(std::span<const DriveLog> train, std::span
   gathered.to_learn_from = gathered.train.logs;
   add_gated(std::span(gated).subspan(train.size()), period_s, gathered.test, gathered);
   const std::size_t given = gathered.train.runs.size();
-  if (!test.empty() && given < least_to_hold_out_of) return std::nullopt;
+  if (!test.empty() && given < min_to_hold_out_of) return std::nullopt;
   if (!test.empty()) {
     std::swap(gathered.test, gathered.untouched);
-  } else if (given > least_to_hold_out_of) {
+  } else if (given > min_to_hold_out_of) {
     gathered.train.move_to(gathered.untouched, given - 1);
   }
   return hold_out(gathered);

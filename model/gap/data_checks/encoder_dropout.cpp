@@ -26,7 +26,8 @@ bool jumps(const DriveLog& log, std::size_t row, bool left) {
 }
 
 // A wheel that was told to stand may have stood.
-bool told_to_stand(const DriveLog& log, std::size_t first, std::size_t end, bool left, double speed_m_s) {
+bool commanded_to_stand(const DriveLog& log, std::size_t first, std::size_t end, bool left,
+                        double speed_m_s) {
   for (std::size_t k = first > 20 ? first - 20 : 0; k <= end; ++k) {
     const WheelPair& both = log.samples[k].command_m_s;
     const double command = left ? both.left : both.right;
@@ -160,9 +161,9 @@ std::vector<Freeze> frozen_counts(const GateState& gate) {
   for (const bool left : {true, false}) {
     for (const Freeze& freeze : freezes_of(gate, left)) {
       const auto [before, after] = speeds_around(gate, freeze);
-      const double least_m = std::min(std::abs(before), std::abs(after)) * duration_s(gate, freeze);
-      if (before * after <= 0.0 || least_m < expected_counts_in_freeze * tick_m(gate, left)) continue;
-      if (told_to_stand(gate.result.log, freeze.first, freeze.end, left, before)) continue;
+      const double min_m = std::min(std::abs(before), std::abs(after)) * duration_s(gate, freeze);
+      if (before * after <= 0.0 || min_m < expected_counts_in_freeze * tick_m(gate, left)) continue;
+      if (commanded_to_stand(gate.result.log, freeze.first, freeze.end, left, before)) continue;
       frozen.push_back(freeze);
     }
   }
@@ -183,8 +184,8 @@ void find_frozen_at_turns(GateState& gate, bool left) {
         fastest * duration < expected_counts_in_freeze * tick_m(gate, left)) {
       continue;
     }
-    const double least_lost_m = fastest * std::min(duration, surely_on_its_way_s);
-    if (!moved_as_counted(gate, freeze.first, freeze.end, 0.5 * least_lost_m)) leave_out_frozen(gate, freeze);
+    const double min_lost_m = fastest * std::min(duration, surely_on_its_way_s);
+    if (!moved_as_counted(gate, freeze.first, freeze.end, 0.5 * min_lost_m)) leave_out_frozen(gate, freeze);
   }
 }
 
@@ -212,45 +213,45 @@ void find_frozen_counts(GateState& gate) {
   for (const bool left : {true, false}) find_frozen_at_turns(gate, left);
 }
 
-void leave_out_thinned(GateState& gate, const ThinnedCounts& stretch, bool left, double duration_s) {
-  for (std::size_t k = stretch.first_row; k <= stretch.last_row; ++k) gate.result.flags.counts[k] = 1;
-  gate.result.dropouts.push_back({gate.result.log.samples[stretch.first_row - 1].t_s, duration_s});
-  gate.fault(stretch.first_row, std::string(left ? "ticks_left" : "ticks_right") + " miss " +
-                                    in_digits(std::round(100.0 * stretch.lost), 3) +
+void leave_out_thinned(GateState& gate, const ThinnedCounts& segment, bool left, double duration_s) {
+  for (std::size_t k = segment.first_row; k <= segment.last_row; ++k) gate.result.flags.counts[k] = 1;
+  gate.result.dropouts.push_back({gate.result.log.samples[segment.first_row - 1].t_s, duration_s});
+  gate.fault(segment.first_row, std::string(left ? "ticks_left" : "ticks_right") + " miss " +
+                                    in_digits(std::round(100.0 * segment.lost), 3) +
                                     " % of their edges for " + in_digits(duration_s, 3) +
                                     " s; the rows were left out");
 }
 
 // A part of the edges, for a while.
 void find_missed_edges(GateState& gate) {
-  std::vector<Freeze> stretches;
+  std::vector<Freeze> segments;
   std::vector<ThinnedCounts> thinned;
   for (const bool left : {true, false}) {
-    for (const auto& stretch : find_thinned_counts(gate.result.log, gate.result.flags.counts, left)) {
-      stretches.push_back({stretch.first_row - 1, stretch.last_row, left});
-      thinned.push_back(stretch);
+    for (const auto& segment : find_missed_encoder_edges(gate.result.log, gate.result.flags.counts, left)) {
+      segments.push_back({segment.first_row - 1, segment.last_row, left});
+      thinned.push_back(segment);
     }
   }
-  if (stand_by_command(gate.result.log, stretches)) return;
+  if (stand_by_command(gate.result.log, segments)) return;
   std::vector<Suspect> suspects;
   for (std::size_t i = 0; i < thinned.size(); ++i) {
-    const auto [first, end, left] = stretches[i];
+    const auto [first, end, left] = segments[i];
     const double counted_m = gate.travel(end, left) - gate.travel(first, left);
-    suspects.push_back({stretches[i], counted_m * thinned[i].lost / (1.0 - thinned[i].lost)});
+    suspects.push_back({segments[i], counted_m * thinned[i].lost / (1.0 - thinned[i].lost)});
   }
   const bool all_stood = stood_indeed(gate, suspects);
   std::vector<std::size_t> lost;
   for (std::size_t i = 0; i < thinned.size(); ++i) {
-    const auto [first, end, left] = stretches[i];
+    const auto [first, end, left] = segments[i];
     if (all_stood || moved_as_counted(gate, first, end, 0.5 * std::abs(suspects[i].lost_m))) {
-      gate.event(thinned[i].first_row, held(left, duration_s(gate, stretches[i])));
+      gate.event(thinned[i].first_row, held(left, duration_s(gate, segments[i])));
     } else {
       lost.push_back(i);
     }
   }
   if (lost.size() < more_than_chance) return;
   for (const std::size_t i : lost) {
-    leave_out_thinned(gate, thinned[i], stretches[i].left, duration_s(gate, stretches[i]));
+    leave_out_thinned(gate, thinned[i], segments[i].left, duration_s(gate, segments[i]));
   }
 }
 
@@ -281,7 +282,7 @@ DriveLog with_lost_counts(DriveLog log) {
   for (std::size_t i = 1; i < log.samples.size(); ++i) {
     DriveSample& sample = log.samples[i];
     if (!sample.ticks || !log.samples[i - 1].ticks) continue;
-    sample.counts_anew = jumps(log, i, true) || jumps(log, i, false);
+    sample.counter_reset = jumps(log, i, true) || jumps(log, i, false);
   }
   return log;
 }

@@ -89,8 +89,8 @@ class FrozenReference {
 
   // A jump of the counts is no way.
   bool is_possible(std::size_t i, double left_m, double right_m) const {
-    const double most_m = impossible_speed_m_s * (samples_[i].t_s - samples_[i - 1].t_s);
-    return std::abs(left_m) <= most_m && std::abs(right_m) <= most_m;
+    const double max_m = impossible_speed_m_s * (samples_[i].t_s - samples_[i - 1].t_s);
+    return std::abs(left_m) <= max_m && std::abs(right_m) <= max_m;
   }
 
   bool has_reference(std::size_t i) const {
@@ -146,7 +146,7 @@ class FrozenReference {
   std::optional<std::size_t> first_;
   std::size_t last_ = 0;
   std::size_t poses_ = 0;
-  Rolled rolled_;      // since the first pose of the stretch
+  Rolled rolled_;      // since the first pose of the segment
   Rolled until_last_;  // up to its last pose
   double frozen_m_ = 0.0;
   double all_m_ = 0.0;

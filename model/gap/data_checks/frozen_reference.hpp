@@ -6,7 +6,7 @@
 
 namespace wheelwright::gap {
 
-// Takes the poses out of stretches in which the reference stands, and names each. Where that is most of the
+// Takes the poses out of segments in which the reference stands, and names each. Where that is most of the
 // way the reference explains any gap.
 void remove_frozen_reference(GateState& gate);
 

@@ -116,7 +116,7 @@ void add_change(const Ranges& ranges, const WheelPair& from, const WheelPair& to
   }
 }
 
-void add_surroundings(const Ranges& ranges, const DriveSample& sample, double duration_s, Content& content) {
+void add_step_context(const Ranges& ranges, const DriveSample& sample, double duration_s, Content& content) {
   if (sample.reference_theta_rad) {
     const double turns = *sample.reference_theta_rad / (2.0 * std::numbers::pi);
     const Range turn{0.0, 1.0};
@@ -140,7 +140,7 @@ Content content_of(const DriveLog& log, const Segment& segment, const Ranges& ra
     const double duration_s = std::min(log.samples[row + 1].t_s - sample.t_s, 10.0 * log.period_s);
     add_command(ranges, sample.command_m_s, duration_s, content);
     add_change(ranges, sample.command_m_s, log.samples[row + 1].command_m_s, content);
-    add_surroundings(ranges, sample, duration_s, content);
+    add_step_context(ranges, sample, duration_s, content);
     content.add(Content::parts + whole.part_of(sample.t_s, Content::coarse), duration_s);
   }
   return content;
@@ -202,11 +202,11 @@ double worth(const Content& chosen, const Content& segment) {
 }
 
 // One after the other, each for what it adds; those that begin at rest before all others.
-std::vector<Segment> chosen_of(std::vector<Segment> segments, std::size_t most_rows) {
+std::vector<Segment> chosen_of(std::vector<Segment> segments, std::size_t max_rows) {
   const auto standing = std::partition(segments.begin(), segments.end(), std::mem_fn(&Segment::from_rest));
   std::size_t at_rest_rows = 0;
   for (auto segment = segments.begin(); segment != standing; ++segment) at_rest_rows += segment->rows();
-  if (at_rest_rows >= most_rows) segments.erase(standing, segments.end());
+  if (at_rest_rows >= max_rows) segments.erase(standing, segments.end());
   std::vector<Segment> chosen;
   Content all;
   std::size_t rows = 0;
@@ -215,7 +215,7 @@ std::vector<Segment> chosen_of(std::vector<Segment> segments, std::size_t most_r
     std::ranges::transform(segments, worths.begin(),
                            [&](const Segment& segment) { return worth(all, segment.content); });
     const auto best = segments.begin() + (std::ranges::max_element(worths) - worths.begin());
-    if (rows + best->rows() > most_rows && !chosen.empty()) break;
+    if (rows + best->rows() > max_rows && !chosen.empty()) break;
     rows += best->rows();
     for (std::size_t kind = 0; kind < Content::size; ++kind) all.add(kind, best->content.time_s(kind));
     chosen.push_back(*best);
@@ -263,7 +263,7 @@ Segments informative_segments(std::vector<DriveLog> logs, const SegmentLimits& l
     result.given_s += duration_s(log);
     rows += log.samples.size();
   }
-  if (rows <= limits.most_rows) {
+  if (rows <= limits.max_rows) {
     result.used_s = result.given_s;
     result.runs = std::move(logs);
     return result;
@@ -271,7 +271,7 @@ Segments informative_segments(std::vector<DriveLog> logs, const SegmentLimits& l
   const Ranges ranges = ranges_of(logs);
   std::vector<Segment> segments = segments_of(logs, limits.length_s);
   for (Segment& segment : segments) segment.content = content_of(logs[segment.log], segment, ranges);
-  for (const Segment& segment : chosen_of(std::move(segments), limits.most_rows)) {
+  for (const Segment& segment : chosen_of(std::move(segments), limits.max_rows)) {
     result.runs.push_back(cut_out(logs[segment.log], segment));
     result.used_s += duration_s(result.runs.back());
   }

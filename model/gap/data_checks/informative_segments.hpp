@@ -9,8 +9,8 @@
 namespace wheelwright::gap {
 
 struct SegmentLimits {
-  std::size_t most_rows = 60'000;  // of all runs together
-  double length_s = 60.0;          // of a segment
+  std::size_t max_rows = 60'000;  // of all runs together
+  double length_s = 60.0;         // of a segment
 };
 
 struct Segments {

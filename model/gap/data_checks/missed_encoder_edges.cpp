@@ -12,29 +12,29 @@
 namespace wheelwright::gap {
 namespace {
 
-// Bounds of the stretches of past command that a wheel's speed is made of.
+// Bounds of the segments of past command that a wheel's speed is made of.
 constexpr std::array response_s{0.0, 0.02, 0.04, 0.06, 0.08, 0.11, 0.15, 0.2, 0.3, 0.45, 0.7};
 constexpr Eigen::Index response_size = response_s.size() - 1;
 constexpr double shortest_s = 0.15;
-constexpr double least_speed_m_s = 0.05;  // a slower wheel may stick
-constexpr double least_edges = 8.0;       // expected in the shortest stretch
-constexpr double most_counted = 0.65;     // of what is expected
-constexpr double no_motor_m_s2 = 1.0;     // that brakes at a steady command
-constexpr double edge_closeness = 0.15;   // of the share counted, to that inside and to all of it outside
-constexpr double edge_steady = 0.15;      // by which the expected speed may change there
+constexpr double min_speed_m_s = 0.05;   // a slower wheel may stick
+constexpr double min_edges = 8.0;        // expected in the shortest segment
+constexpr double max_counted = 0.65;     // of what is expected
+constexpr double no_motor_m_s2 = 1.0;    // that brakes at a steady command
+constexpr double edge_closeness = 0.15;  // of the share counted, to that inside and to all of it outside
+constexpr double edge_steady = 0.15;     // by which the expected speed may change there
 constexpr std::size_t edge_rows = 3;
 
-// Sums over the rows up to one, so that those of any stretch are a difference.
+// Sums over the rows up to one, so that those of any segment are a difference.
 struct Sums {
   double expected_m = 0.0;
   double counted_m = 0.0;
-  double squares = 0.0;
+  double sum_squares = 0.0;
   double products = 0.0;
   double known = 0.0;
 };
 
 Sums operator-(const Sums& to, const Sums& from) {
-  return {to.expected_m - from.expected_m, to.counted_m - from.counted_m, to.squares - from.squares,
+  return {to.expected_m - from.expected_m, to.counted_m - from.counted_m, to.sum_squares - from.sum_squares,
           to.products - from.products, to.known - from.known};
 }
 
@@ -60,17 +60,17 @@ class Finder {
   std::vector<ThinnedCounts> find() {
     if (known_.size() < 10 * window_) return {};
     expect();
-    auto found = stretches();
+    auto found = segments();
     if (found.empty()) return found;
     // What was found has bent the response a little.
     auto known = known_;
-    for (const auto& stretch : found) {
-      for (std::size_t k = stretch.first_row; k <= stretch.last_row; ++k) known_[k] = 0;
+    for (const auto& segment : found) {
+      for (std::size_t k = segment.first_row; k <= segment.last_row; ++k) known_[k] = 0;
     }
     const auto response = fitted_response();
     known_ = std::move(known);
     sum_up(response);
-    return stretches();
+    return segments();
   }
 
  private:
@@ -85,7 +85,7 @@ class Finder {
   void sum_up(const Eigen::VectorXd& response);
   Sums over(std::size_t first, std::size_t end) const { return sums_[end] - sums_[first]; }
   bool thin(std::size_t first) const;
-  std::vector<ThinnedCounts> stretches() const;
+  std::vector<ThinnedCounts> segments() const;
   std::optional<ThinnedCounts> sharpened(std::size_t first, std::size_t end) const;
   bool has_sharp_edges(std::size_t first, std::size_t end) const;
   bool sharp(const Sums& outside, const Sums& inside, double share) const;
@@ -139,7 +139,7 @@ void Finder::sum_up(const Eigen::VectorXd& response) {
     Sums& sum = sums_[k + 1];
     sum.expected_m += expected;
     sum.counted_m += counted;
-    sum.squares += expected * expected;
+    sum.sum_squares += expected * expected;
     sum.products += expected * counted;
     sum.known += 1.0;
   }
@@ -148,27 +148,27 @@ void Finder::sum_up(const Eigen::VectorXd& response) {
 bool Finder::thin(std::size_t first) const {
   const Sums sums = over(first, first + window_);
   const double expected = std::abs(sums.expected_m);
-  if (sums.known < static_cast<double>(window_) || expected < least_edges * tick_m_ ||
-      expected < least_speed_m_s * shortest_s) {
+  if (sums.known < static_cast<double>(window_) || expected < min_edges * tick_m_ ||
+      expected < min_speed_m_s * shortest_s) {
     return false;
   }
   const double share = share_of(sums);
-  return share < most_counted && share > -0.1;
+  return share < max_counted && share > -0.1;
 }
 
-std::vector<ThinnedCounts> Finder::stretches() const {
+std::vector<ThinnedCounts> Finder::segments() const {
   std::vector<ThinnedCounts> found;
   for (std::size_t first = 1; first + window_ <= known_.size(); ++first) {
     if (!thin(first)) continue;
     std::size_t last = first;
     while (last + window_ < known_.size() && thin(last + 1)) ++last;
-    if (const auto stretch = sharpened(first, last + window_)) found.push_back(*stretch);
+    if (const auto segment = sharpened(first, last + window_)) found.push_back(*segment);
     first = last + window_;
   }
   return found;
 }
 
-// The windows reach beyond the stretch on both sides: its ends are where one share explains the most.
+// The windows reach beyond the segment on both sides: its ends are where one share explains the most.
 std::optional<ThinnedCounts> Finder::sharpened(std::size_t first, std::size_t end) const {
   std::size_t best_first = first;
   std::size_t best_end = end;
@@ -176,7 +176,7 @@ std::optional<ThinnedCounts> Finder::sharpened(std::size_t first, std::size_t en
   for (std::size_t from = first; from < std::min(first + window_, end); ++from) {
     for (std::size_t to = end; to > std::max(end - window_, from + 1); --to) {
       const Sums sums = over(from, to);
-      const double gain = std::pow(sums.squares - sums.products, 2) / std::max(sums.squares, 1e-12);
+      const double gain = std::pow(sums.sum_squares - sums.products, 2) / std::max(sums.sum_squares, 1e-12);
       if (gain <= most) continue;
       most = gain;
       best_first = from;
@@ -186,7 +186,7 @@ std::optional<ThinnedCounts> Finder::sharpened(std::size_t first, std::size_t en
   const Sums sums = over(best_first, best_end);
   const double duration_s = log_.samples[best_end - 1].t_s - log_.samples[best_first - 1].t_s;
   const double share = share_of(sums);
-  if (duration_s < shortest_s || share > most_counted || !has_sharp_edges(best_first, best_end)) return {};
+  if (duration_s < shortest_s || share > max_counted || !has_sharp_edges(best_first, best_end)) return {};
   return ThinnedCounts{best_first, best_end - 1, std::clamp(1.0 - share, 0.0, 1.0)};
 }
 
@@ -210,8 +210,8 @@ bool Finder::sharp(const Sums& outside, const Sums& inside, double share) const 
 
 }  // namespace
 
-std::vector<ThinnedCounts> find_thinned_counts(const DriveLog& log, std::span<const char> left_out,
-                                               bool left) {
+std::vector<ThinnedCounts> find_missed_encoder_edges(const DriveLog& log, std::span<const char> left_out,
+                                                     bool left) {
   return Finder(log, left_out, left).find();
 }
 

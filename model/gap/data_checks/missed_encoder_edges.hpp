@@ -1,4 +1,4 @@
-// Stretches in which a counter misses a part of its edges: dirt on the disc, a sensor at the edge of its
+// Segments in which a counter misses a part of its edges: dirt on the disc, a sensor at the edge of its
 // range.
 //
 // What the counts should be is told by the commands, through a short linear response that is fitted to the
@@ -21,7 +21,7 @@ struct ThinnedCounts {
 };
 
 // Of one wheel of a log that has ticks, in order. `left_out` has one flag per row.
-std::vector<ThinnedCounts> find_thinned_counts(const DriveLog& log, std::span<const char> left_out,
-                                               bool left);
+std::vector<ThinnedCounts> find_missed_encoder_edges(const DriveLog& log, std::span<const char> left_out,
+                                                     bool left);
 
 }  // namespace wheelwright::gap

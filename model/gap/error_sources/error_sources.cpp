@@ -17,10 +17,10 @@ struct Moment {
   double gap = 0.0;
   double time_s = 0.0;
   double since_reversal_s = 0.0;
-  double command = 0.0;        // largest of both wheels
-  double least_command = 0.0;  // of the wheels that are told to move
-  double speed = 0.0;          // of the body, signed
-  double acceleration = 0.0;   // of the wheel that changes the most, along its motion
+  double command = 0.0;       // largest of both wheels
+  double min_command = 0.0;   // of the wheels that are told to move
+  double speed = 0.0;         // of the body, signed
+  double acceleration = 0.0;  // of the wheel that changes the most, along its motion
   double turn_rate = 0.0;
   double battery_v = 0.0;
   Pose pose;
@@ -40,7 +40,7 @@ double quantile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(at)];
 }
 
-std::vector<std::vector<Moment>> moments_of(const GapProblem& problem, const TrialModel& model) {
+std::vector<std::vector<Moment>> moments_of(const Problem& problem, const TrialModel& model) {
   std::vector<std::vector<Moment>> all;
   for (std::size_t r = 0; r < problem.runs().size(); ++r) {
     const GapRun& run = problem.runs()[r];
@@ -57,7 +57,7 @@ std::vector<std::vector<Moment>> moments_of(const GapProblem& problem, const Tri
       m.command = std::max(std::abs(u.left), std::abs(u.right));
       const double l = u.left == 0.0 ? 1e9 : std::abs(u.left);
       const double s = u.right == 0.0 ? 1e9 : std::abs(u.right);
-      m.least_command = std::min(l, s) > 1e8 ? 0.0 : std::min(l, s);
+      m.min_command = std::min(l, s) > 1e8 ? 0.0 : std::min(l, s);
       m.speed = states[k].twist.v_m_s;
       m.turn_rate = states[k].twist.w_rad_s;
       if (k > 0) {
@@ -110,10 +110,10 @@ void add_quantiles(std::vector<Cell>& cells, const std::vector<Moment>& moments,
       {name + " < " + number(low) + unit, [=](const Moment& m) { return value(m) > 0.0 && value(m) < low; }});
 }
 
-std::vector<Cell> cells_for(const GapProblem& problem, const std::vector<Moment>& moments) {
+std::vector<Cell> cells_for(const Problem& problem, const std::vector<Moment>& moments) {
   std::vector<Cell> cells;
   add_quantiles(cells, moments, "|command|", " m/s", [](const Moment& m) { return m.command; });
-  add_quantiles(cells, moments, "smaller |command|", " m/s", [](const Moment& m) { return m.least_command; });
+  add_quantiles(cells, moments, "smaller |command|", " m/s", [](const Moment& m) { return m.min_command; });
   add_quantiles(cells, moments, "|turn rate|", " rad/s",
                 [](const Moment& m) { return std::abs(m.turn_rate); });
   add_quantiles(cells, moments, "speeding up by", " m/s^2", [](const Moment& m) { return m.acceleration; });
@@ -159,8 +159,8 @@ std::vector<Cell> cells_for(const GapProblem& problem, const std::vector<Moment>
 
 }  // namespace
 
-std::vector<Regime> regimes(const GapProblem& problem, const TrialModel& model,
-                            std::span<const double> before, std::span<const double> after, std::size_t most) {
+std::vector<Regime> regimes(const Problem& problem, const TrialModel& model, std::span<const double> before,
+                            std::span<const double> after, std::size_t most) {
   auto runs = moments_of(problem, model);
   const auto& places = problem.places();
   for (std::size_t i = 0; i < before.size(); ++i) {

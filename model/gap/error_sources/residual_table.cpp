@@ -14,7 +14,7 @@ namespace {
 constexpr double window_s = 0.25;
 constexpr double block_s = 2.0;  // longer than what is left hangs together
 constexpr std::size_t row_count = 8;
-constexpr std::size_t least_windows = 80;
+constexpr std::size_t min_windows = 80;
 
 enum Quantity {
   own_command,
@@ -206,7 +206,7 @@ std::optional<Tabulated> tabulated(const Windows& windows, Quantity quantity) {
   for (const auto& window : windows) {
     if (std::isfinite(window.at.at(quantity))) sorted.push_back(&window);
   }
-  if (sorted.size() < least_windows) return std::nullopt;
+  if (sorted.size() < min_windows) return std::nullopt;
   std::ranges::sort(sorted, {}, [quantity](const Window* window) { return window->at.at(quantity); });
   if (sorted.back()->at.at(quantity) - sorted.front()->at.at(quantity) < 1e-6) return std::nullopt;
   Tabulated result;

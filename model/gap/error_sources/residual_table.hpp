@@ -1,5 +1,5 @@
 // What a model leaves, tabulated over the one quantity that it hangs on the most: the picture of an effect
-// that has no name (GAP.md, step 5). It is a correction that could be read off, not an explanation.
+// that has no name. It is a correction that could be read off, not an explanation.
 #pragma once
 
 #include <optional>

@@ -26,14 +26,14 @@ Values values_of(const Score& score) {
           value(score.heading_rms_rad)};
 }
 
-// Where a run has a first and a last pose only, how far the robot wanders in between is assumed, not
-// measured: one may wander more.
+// Where a run has a first and a last pose only, how far the robot drifts in between is assumed, not
+// measured: one may drift more.
 double allowance_for(const GapFigures& figures, std::size_t which) {
   constexpr double longest_window_s = 15.0;
-  constexpr double usual_spread = 1.5;
+  constexpr double default_spread = 1.5;
   const auto& horizon = which == position ? figures.floor.position_rms_m : figures.floor.heading_rms_rad;
   const bool assumed = which >= position && horizon && horizon->horizon_s > longest_window_s;
-  return assumed ? usual_spread : 1.0;
+  return assumed ? default_spread : 1.0;
 }
 
 double excess(const GapFigures& figures, std::size_t which) {
@@ -115,21 +115,21 @@ Score bounded_floor(const Score& floor, const Score& after) {
   return bounded;
 }
 
-bool some_figure_falls(const GapFigures& figures, double least_share, double above_floor) {
+bool some_figure_falls(const GapFigures& figures, double min_share, double above_floor) {
   const Values before = values_of(figures.before);
   const Values after = values_of(figures.after);
   const Values floor = values_of(figures.floor);
   for (std::size_t i = 0; i < figure_count; ++i) {
     if (!before.at(i) || !after.at(i)) continue;
     if (floor.at(i) && *before.at(i) < above_floor * *floor.at(i)) continue;
-    if (*after.at(i) < (1.0 - least_share) * *before.at(i)) return true;
+    if (*after.at(i) < (1.0 - min_share) * *before.at(i)) return true;
   }
   return false;
 }
 
 bool shows(const GapFigures& figures) {
   constexpr double above_noise = 1.15;
-  return some_figure_falls(figures, least_fall, above_noise);
+  return some_figure_falls(figures, min_fall, above_noise);
 }
 
 }  // namespace wheelwright::gap

@@ -48,11 +48,11 @@ double largest_share_gone(const GapFigures& figures);
 // left, so a larger floor is an error of the noise model.
 Score bounded_floor(const Score& floor, const Score& after);
 
-constexpr double least_fall = 0.03;  // of a figure, that a person would see
+constexpr double min_fall = 0.03;  // of a figure, that a person would see
 
-// Whether any figure fell by `least_share` of itself. Figures that lay below `above_floor` floors do not
+// Whether any figure fell by `min_share` of itself. Figures that lay below `above_floor` floors do not
 // count.
-bool some_figure_falls(const GapFigures& figures, double least_share, double above_floor);
+bool some_figure_falls(const GapFigures& figures, double min_share, double above_floor);
 
 // Whether a gap that was to be seen above the noise became smaller: what a linear effect has to do to be more
 // than a better linear model.

@@ -8,8 +8,8 @@
 
 #include "model/gap/data_checks/encoder_dropout.hpp"
 #include "model/prediction/free_run.hpp"
-#include "model/prediction/known_stretches.hpp"
 #include "model/prediction/open_loop_runs.hpp"
+#include "model/prediction/segments.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -17,13 +17,13 @@ namespace {
 constexpr int draws = 3;
 
 // Noise of one channel, reading by reading.
-class Wander {
+class Drift {
  public:
-  Wander(const TravelNoise& noise, std::mt19937_64& random) : noise_(noise), random_(random) {
-    if (lasts()) speed_ = std::sqrt(wander_speed_variance(noise)) * normal_(random_);
+  Drift(const TravelNoise& noise, std::mt19937_64& random) : noise_(noise), random_(random) {
+    if (lasts()) speed_ = std::sqrt(drift_speed_variance(noise)) * normal_(random_);
   }
   double walk(double duration_s) {
-    const WanderStep step(noise_, duration_s);
+    const DriftStep step(noise_, duration_s);
     const double deviation = std::sqrt(std::max(0.0, step.travel_variance));
     const double chance = normal_(random_);
     at_ = step.kept * at_ + step.carry_s * speed_ + deviation * chance;
@@ -80,10 +80,10 @@ DriveLog with_noise(const std::vector<PredictedMotion>& motion, const DriveLog& 
                     std::mt19937_64& random) {
   DriveLog noisy = log;
   const bool counted = log.has_ticks();
-  Wander left(counted ? of(noise, Channel::left) : TravelNoise{0.0, 0.0}, random);
-  Wander right(counted ? of(noise, Channel::right) : TravelNoise{0.0, 0.0}, random);
-  Wander forward(of(noise, Channel::forward), random);
-  Wander turn(of(noise, Channel::turn), random);
+  Drift left(counted ? of(noise, Channel::left) : TravelNoise{0.0, 0.0}, random);
+  Drift right(counted ? of(noise, Channel::right) : TravelNoise{0.0, 0.0}, random);
+  Drift forward(of(noise, Channel::forward), random);
+  Drift turn(of(noise, Channel::turn), random);
   Tracker x(of(noise, Channel::forward), random);
   Tracker y(of(noise, Channel::forward), random);
   Tracker theta(of(noise, Channel::turn), random);
@@ -92,7 +92,7 @@ DriveLog with_noise(const std::vector<PredictedMotion>& motion, const DriveLog& 
     if (i > 0) {
       const double duration = motion[i].t_s - motion[i - 1].t_s;
       for (Tracker* tracker : {&x, &y, &theta}) tracker->go_on(duration);
-      const Pose step = relative_to(motion[i - 1].pose, motion[i].pose);
+      const Pose step = between(motion[i - 1].pose, motion[i].pose);
       const WheelPair wheels_before{left.at(), right.at()};
       const double forward_before = forward.at();
       const double turn_before = turn.at();
@@ -142,16 +142,16 @@ Score noise_floor(const RobotModel& model, std::span<const DriveLog> logs, const
   for (const auto& log : logs) {
     const auto motion = free_run(model, log);
     for (int draw = 0; draw < draws; ++draw) {
-      add_known_stretches(motion, with_noise(motion, log, noise, random), log.period_s, sums);
+      add_segments(motion, with_noise(motion, log, noise, random), log.period_s, sums);
     }
   }
   return sums.score();
 }
 
-NoiseModel with_slow_noise(const GapProblem& problem, const TrialModel& model, double most_apart_s) {
+NoiseModel with_slow_noise(const Problem& problem, const TrialModel& model, double max_apart_s) {
   NoiseModel noise = problem.noise();
   for (const double far_apart_s : {half_a_second_apart_s, two_seconds_apart_s}) {
-    if (far_apart_s > most_apart_s) continue;
+    if (far_apart_s > max_apart_s) continue;
     const NoiseModel slow = problem.noise_left_by(model, far_apart_s, no_lasting_s);
     for (std::size_t c = 0; c < channel_count; ++c) {
       if (slow.channel[c].walk_per_sqrt_s <= noise.channel[c].walk_per_sqrt_s) continue;

@@ -21,11 +21,11 @@ Score gap_size_with_lost_counts(const RobotModel& model, std::span<const DriveLo
 Score noise_floor(const RobotModel& model, std::span<const DriveLog> logs, const NoiseModel& noise,
                   std::uint64_t seed);
 
-// The noise of a problem with what its runs wander over seconds under a model: from reading to reading, what
-// wanders for a tenth of a second looks smoother than it is. Judged by readings half a second apart, or by
+// The noise of a problem with what its runs drift over seconds under a model: from reading to reading, what
+// drifts for a tenth of a second looks smoother than it is. Judged by readings half a second apart, or by
 // those and by readings two seconds apart.
 constexpr double half_a_second_apart_s = 0.5;
 constexpr double two_seconds_apart_s = 2.0;
-NoiseModel with_slow_noise(const GapProblem& problem, const TrialModel& model, double most_apart_s);
+NoiseModel with_slow_noise(const Problem& problem, const TrialModel& model, double max_apart_s);
 
 }  // namespace wheelwright::gap

@@ -9,8 +9,7 @@
 namespace wheelwright::gap {
 namespace {
 
-constexpr double least_known =
-    1e-10;  // of a direction, beside the best known one, in units of each parameter
+constexpr double min_known = 1e-10;  // of a direction, beside the best known one, in units of each parameter
 
 // The directions of which something is known, as columns, in units in which the information is the identity.
 Eigen::MatrixXd known_directions(const Eigen::MatrixXd& information) {
@@ -22,7 +21,7 @@ Eigen::MatrixXd known_directions(const Eigen::MatrixXd& information) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled);
   const Eigen::VectorXd& values = solver.eigenvalues();
   Eigen::Index first = 0;
-  while (first < values.size() && values(first) <= least_known) ++first;
+  while (first < values.size() && values(first) <= min_known) ++first;
   const Eigen::Index known = values.size() - first;
   return scale.asDiagonal() * solver.eigenvectors().rightCols(known) *
          values.tail(known).cwiseSqrt().cwiseInverse().asDiagonal();

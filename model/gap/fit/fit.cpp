@@ -29,12 +29,12 @@ std::vector<Eigen::Index> filled_columns(const Eigen::MatrixXd& columns) {
 
 // In slices of rows, whose sums do not depend on how many of them are worked on at once.
 Products products_of(const Eigen::MatrixXd& columns, const std::vector<double>& residuals,
-                     const ForEach& for_each) {
+                     const ParallelFor& parallel_for) {
   constexpr Eigen::Index slice_rows = 4096;
   const Eigen::Map<const Eigen::VectorXd> residual(residuals.data(), columns.rows());
   const std::vector<Eigen::Index> filled = filled_columns(columns);
   std::vector<Products> slices(static_cast<std::size_t>((columns.rows() + slice_rows - 1) / slice_rows));
-  for_each(slices.size(), [&](std::size_t i) {
+  parallel_for(slices.size(), [&](std::size_t i) {
     const Eigen::Index first = static_cast<Eigen::Index>(i) * slice_rows;
     const auto rows = Eigen::seqN(first, std::min(slice_rows, columns.rows() - first));
     const Eigen::MatrixXd some = columns(rows, filled);
@@ -66,13 +66,13 @@ TrialModel moved(const TrialModel& model, const Eigen::VectorXd& step) {
 
 // Where every wheel answers for itself, as most do, what is moved of one leaves the counts of the other as
 // they are: then both are moved in one free run. Whether it is so, the first parameter of each wheel shows.
-Eigen::MatrixXd GapProblem::jacobian(const TrialModel& model, const std::vector<double>& residuals,
-                                     Part part) const {
+Eigen::MatrixXd Problem::jacobian(const TrialModel& model, const std::vector<double>& residuals,
+                                  Part part) const {
   const std::size_t count = model.parameter_count();
   Eigen::MatrixXd columns =
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(size_), static_cast<Eigen::Index>(count));
   const auto fill = [&](const std::vector<MovedAtOnce>& all) {
-    for_each_(all.size() * runs_.size(), [&](std::size_t job) {
+    parallel_for_(all.size() * runs_.size(), [&](std::size_t job) {
       fill_columns(model, residuals, all[job / runs_.size()], job % runs_.size(), columns);
     });
   };
@@ -103,7 +103,7 @@ Eigen::MatrixXd GapProblem::jacobian(const TrialModel& model, const std::vector<
   return columns;
 }
 
-bool GapProblem::shows_only_in(const Eigen::MatrixXd& columns, std::size_t column, Channel channel) const {
+bool Problem::shows_only_in(const Eigen::MatrixXd& columns, std::size_t column, Channel channel) const {
   for (std::size_t i = 0; i < places_.size(); ++i) {
     if (places_[i].channel != channel &&
         columns(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(column)) != 0.0) {
@@ -113,8 +113,8 @@ bool GapProblem::shows_only_in(const Eigen::MatrixXd& columns, std::size_t colum
   return true;
 }
 
-void GapProblem::fill_columns(const TrialModel& model, const std::vector<double>& residuals,
-                              const MovedAtOnce& at_once, std::size_t run, Eigen::MatrixXd& columns) const {
+void Problem::fill_columns(const TrialModel& model, const std::vector<double>& residuals,
+                           const MovedAtOnce& at_once, std::size_t run, Eigen::MatrixXd& columns) const {
   TrialModel changed = model;
   for (const auto& moved : at_once) {
     changed.set_parameter(moved.parameter,
@@ -137,21 +137,21 @@ void GapProblem::fill_columns(const TrialModel& model, const std::vector<double>
   for (const auto& block : blocks_) {
     if (block.run == run) fill(block.offset, block.times_s.size(), static_cast<Channel>(block.channel));
   }
-  for (const auto& block : stretches_) {
+  for (const auto& block : segments_) {
     if (block.run == run) fill(block.offset, 3, std::nullopt);
   }
 }
 
-GapFit GapProblem::fit(const TrialModel& start, int most_steps, Part part) const {
+Fit Problem::fit(const TrialModel& start, int max_steps, Part part) const {
   constexpr double worth_a_step = 0.2;  // of the sum of squares: a tenth of a nat
-  GapFit best{start, 0.0, residuals(start, part), {}};
-  best.squares = squares_of(best.residuals);
+  Fit best{start, 0.0, residuals(start, part), {}};
+  best.sum_squares = sum_squares_of(best.residuals);
   double damping = 1e-3;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     const Products products =
-        products_of(jacobian(best.model, best.residuals, part), best.residuals, for_each_);
+        products_of(jacobian(best.model, best.residuals, part), best.residuals, parallel_for_);
     best.information = products.of_columns;
-    const double before = best.squares;
+    const double before = best.sum_squares;
     for (int attempt = 0; attempt < 6; ++attempt) {
       Eigen::MatrixXd damped = best.information;
       for (Eigen::Index i = 0; i < damped.rows(); ++i) {
@@ -160,22 +160,22 @@ GapFit GapProblem::fit(const TrialModel& start, int most_steps, Part part) const
       const TrialModel candidate = moved(best.model, -damped.ldlt().solve(products.with_residuals));
       if (candidate.stable()) {
         std::vector<double> there = residuals(candidate, part);
-        const double squares = squares_of(there);
-        if (squares < best.squares) {
+        const double sum_squares = sum_squares_of(there);
+        if (sum_squares < best.sum_squares) {
           best.model = candidate;
           best.residuals = std::move(there);
-          best.squares = squares;
+          best.sum_squares = sum_squares;
           damping = std::max(1e-7, 0.2 * damping);
           break;
         }
       }
       damping *= 8.0;
     }
-    if (before - best.squares < worth_a_step + 1e-5 * before) break;
+    if (before - best.sum_squares < worth_a_step + 1e-5 * before) break;
   }
   if (part != Part::all) {
     best.residuals = residuals(best.model);
-    best.squares = squares_of(best.residuals);
+    best.sum_squares = sum_squares_of(best.residuals);
   }
   return best;
 }

@@ -42,10 +42,10 @@ Path simulate(ModelSimulation& simulation, const GapRun& run, const Known& known
     path.odometry.reserve(periods);
     path.body.reserve(periods);
   }
-  simulation.reset(first_pose(run, simulation), run.rolled_before_m);
-  path.distance_m.push_back(run.rolled_before_m);
+  simulation.reset(first_pose(run, simulation), run.initial_travel_m);
+  path.distance_m.push_back(run.initial_travel_m);
   const double t = run.period_s;
-  WheelPair counted_m = run.rolled_before_m;
+  WheelPair counted_m = run.initial_travel_m;
   for (std::size_t k = 0; k < periods; ++k) {
     if (known.poses) simulation.set_pose(simulation.axle_of(run.passed[k]));
     if (known.travel) simulation.set_distance_m(counted_m);
@@ -174,7 +174,7 @@ void gyro_errors(const GapRun& run, const Path& path, const MeasuredSimulation& 
 }
 
 // Odometry, with what the model adds to it, from one reference to the next.
-StretchError stretch_error(const GapRun& run, const ModelSimulation& simulation, const Path& path,
+SegmentError segment_error(const GapRun& run, const ModelSimulation& simulation, const Path& path,
                            double lag_s, const Reference& from, const Reference& to) {
   Pose pose = simulation.axle_of(from.pose);
   for_each_period(earlier(run, from.at, lag_s), earlier(run, to.at, lag_s), [&](std::size_t k, double share) {
@@ -187,8 +187,8 @@ StretchError stretch_error(const GapRun& run, const ModelSimulation& simulation,
     pose = move_along_arc(pose, {step.forward_m, step.turn_rad}, share);
   });
   if (run.heading_alone) return {0.0, 0.0, wrap_angle(to.pose.theta_rad - pose.theta_rad)};
-  const Pose measured = relative_to(from.pose, to.pose);
-  const Pose predicted = relative_to(from.pose, simulation.observed(pose));
+  const Pose measured = between(from.pose, to.pose);
+  const Pose predicted = between(from.pose, simulation.observed(pose));
   return {measured.x_m - predicted.x_m, measured.y_m - predicted.y_m,
           wrap_angle(measured.theta_rad - predicted.theta_rad)};
 }
@@ -237,8 +237,8 @@ RunErrors free_run_errors(MeasuredSimulation model, const GapRun& run, Part part
   if (part == Part::wheels) return errors;
   if (run.sparse) {
     for (std::size_t i = 1; i < run.references.size(); ++i) {
-      errors.stretches.push_back(stretch_error(run, simulation, path, model.reference_lag_s,
-                                               run.references[i - 1], run.references[i]));
+      errors.segments.push_back(segment_error(run, simulation, path, model.reference_lag_s,
+                                              run.references[i - 1], run.references[i]));
     }
   }
   if (run.by_gyro) {
@@ -277,7 +277,7 @@ WheelPair travel_gain(const TrialModel& model, const GapRun& run) {
 
 std::vector<ModelState> model_states(const TrialModel& model, const GapRun& run) {
   ModelSimulation simulation = model.simulation();
-  simulation.reset(first_pose(run, simulation), run.rolled_before_m);
+  simulation.reset(first_pose(run, simulation), run.initial_travel_m);
   std::vector<ModelState> states;
   states.reserve(run.commands_m_s.size());
   for (std::size_t k = 0; k < run.commands_m_s.size(); ++k) {

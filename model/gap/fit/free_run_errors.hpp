@@ -10,9 +10,9 @@
 
 namespace wheelwright::gap {
 
-// A stretch between two references that lie far apart: errors of the second pose seen from the first. Of
+// A segment between two references that lie far apart: errors of the second pose seen from the first. Of
 // headings alone the other two are zero.
-struct StretchError {
+struct SegmentError {
   double x_m = 0.0;
   double y_m = 0.0;
   double theta_rad = 0.0;
@@ -20,7 +20,7 @@ struct StretchError {
 
 struct RunErrors {
   std::array<std::vector<double>, channel_count> series;  // one per reading
-  std::vector<StretchError> stretches;                    // of a sparse run
+  std::vector<SegmentError> segments;                     // of a sparse run
   double gyro_drift_rad_s = 0.0;                          // taken out of `turn` where that is a gyro's
 };
 

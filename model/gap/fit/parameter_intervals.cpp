@@ -11,17 +11,17 @@ namespace {
 
 constexpr double block_s = 3.0;         // longer than what is left hangs together
 constexpr double fewest_blocks = 20.0;  // shorter blocks rather than fewer
-constexpr double most_blocks = 200.0;   // longer ones rather than more
+constexpr double max_blocks = 200.0;    // longer ones rather than more
 constexpr std::size_t draws = 1000;
 constexpr std::uint64_t seed = 1;
 
-double length_of_blocks_s(const GapProblem& problem) {
+double length_of_blocks_s(const Problem& problem) {
   double total_s = 0.0;
   for (const GapRun& run : problem.runs()) total_s += run.duration_s();
-  return std::clamp(block_s, total_s / most_blocks, total_s / fewest_blocks);
+  return std::clamp(block_s, total_s / max_blocks, total_s / fewest_blocks);
 }
 
-std::vector<BlockSums> sums_of_blocks(const GapProblem& problem, const Eigen::MatrixXd& columns,
+std::vector<BlockSums> sums_of_blocks(const Problem& problem, const Eigen::MatrixXd& columns,
                                       const std::vector<double>& residuals) {
   const double length_s = length_of_blocks_s(problem);
   std::map<std::pair<std::size_t, std::size_t>, BlockSums> blocks;
@@ -44,7 +44,7 @@ std::vector<BlockSums> sums_of_blocks(const GapProblem& problem, const Eigen::Ma
 
 }  // namespace
 
-std::vector<LinearInterval> linear_intervals(const GapProblem& problem, const Eigen::MatrixXd& columns,
+std::vector<LinearInterval> linear_intervals(const Problem& problem, const Eigen::MatrixXd& columns,
                                              const std::vector<double>& residuals) {
   const auto blocks = sums_of_blocks(problem, columns, residuals);
   const Bootstrap bootstrap = block_bootstrap(blocks, draws, seed);
@@ -60,19 +60,19 @@ std::vector<LinearInterval> linear_intervals(const GapProblem& problem, const Ei
   return intervals;
 }
 
-FitWithIntervals with_effect_intervals(const GapProblem& problem, GapFit fit, int steps,
-                                       const ForEach& for_each) {
-  constexpr int most_rounds = 3;
+FitWithIntervals with_effect_intervals(const Problem& problem, Fit fit, int steps,
+                                       const ParallelFor& parallel_for) {
+  constexpr int max_rounds = 3;
   FitWithIntervals result{std::move(fit), {}};
   double roughness = 0.0;
-  for (int round = 0; round < most_rounds && !result.fit.model.effects.empty(); ++round) {
+  for (int round = 0; round < max_rounds && !result.fit.model.effects.empty(); ++round) {
     const Eigen::MatrixXd columns = problem.jacobian(result.fit.model, result.fit.residuals);
     const auto linear = linear_intervals(problem, columns, result.fit.residuals);
-    Profiles profiles = profile_intervals(problem, result.fit, columns, linear, roughness, for_each);
+    Profiles profiles = profile_intervals(problem, result.fit, columns, linear, roughness, parallel_for);
     result.intervals = std::move(profiles.intervals);
-    if (!profiles.likelier || round + 1 == most_rounds) break;
-    GapFit likelier = problem.fit(*profiles.likelier, steps);
-    roughness += result.fit.squares - likelier.squares;
+    if (!profiles.likelier || round + 1 == max_rounds) break;
+    Fit likelier = problem.fit(*profiles.likelier, steps);
+    roughness += result.fit.sum_squares - likelier.sum_squares;
     result.fit = std::move(likelier);
   }
   return result;

@@ -14,15 +14,15 @@ namespace wheelwright::gap {
 // white residuals would give; wider where the likelihood does not fall that far out (profile_intervals.hpp).
 // Where a likelier model is met in this, the fit goes on from there.
 struct FitWithIntervals {
-  GapFit fit;
+  Fit fit;
   std::vector<ParameterInterval> intervals;
 };
-FitWithIntervals with_effect_intervals(const GapProblem& problem, GapFit fit, int steps,
-                                       const ForEach& for_each);
+FitWithIntervals with_effect_intervals(const Problem& problem, Fit fit, int steps,
+                                       const ParallelFor& parallel_for);
 
 // The same by the bootstrap alone, as deviations from the estimate, of residuals whose derivatives by the
 // parameters are `columns`.
-std::vector<LinearInterval> linear_intervals(const GapProblem& problem, const Eigen::MatrixXd& columns,
+std::vector<LinearInterval> linear_intervals(const Problem& problem, const Eigen::MatrixXd& columns,
                                              const std::vector<double>& residuals);
 
 }  // namespace wheelwright::gap

@@ -10,22 +10,24 @@
 namespace wheelwright::gap {
 namespace {
 
-constexpr double least_stretch = 0.3;
-constexpr double most_usual_stretch = 1.5;
-constexpr double enough_stretch_readings = 100.0;
+constexpr double min_segment = 0.3;
+constexpr double max_default_segment = 1.5;
+constexpr double enough_segment_readings = 100.0;
 
 }  // namespace
 
-double squares_of(const std::vector<double>& values) {
+double sum_squares_of(const std::vector<double>& values) {
   return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
 }
 
-void for_each_in_turn(std::size_t count, const std::function<void(std::size_t)>& job) {
+void serial_for(std::size_t count, const std::function<void(std::size_t)>& job) {
   for (std::size_t i = 0; i < count; ++i) job(i);
 }
 
-GapProblem::GapProblem(std::vector<GapRun> runs, std::vector<WheelPair> metres_per_tick, ForEach for_each)
-    : runs_(std::move(runs)), metres_per_tick_(std::move(metres_per_tick)), for_each_(std::move(for_each)) {
+Problem::Problem(std::vector<GapRun> runs, std::vector<WheelPair> metres_per_tick, ParallelFor parallel_for)
+    : runs_(std::move(runs)),
+      metres_per_tick_(std::move(metres_per_tick)),
+      parallel_for_(std::move(parallel_for)) {
   for (std::size_t r = 0; r < runs_.size(); ++r) {
     const GapRun& run = runs_[r];
     const std::size_t begin = size_;
@@ -44,7 +46,7 @@ GapProblem::GapProblem(std::vector<GapRun> runs, std::vector<WheelPair> metres_p
     if (run.sparse) {
       for (std::size_t i = 1; i < run.references.size(); ++i) {
         if (run.references[i].anew) continue;
-        stretches_.push_back({r, i - 1, size_, Eigen::Matrix3d::Identity()});
+        segments_.push_back({r, i - 1, size_, Eigen::Matrix3d::Identity()});
         for (std::size_t part = 0; part < 3; ++part) {
           places_.push_back({r, std::nullopt, i, run.references[i].at.period});
         }
@@ -57,32 +59,32 @@ GapProblem::GapProblem(std::vector<GapRun> runs, std::vector<WheelPair> metres_p
   set_noise({});
 }
 
-bool GapProblem::has_counts() const {
+bool Problem::has_counts() const {
   return std::ranges::any_of(runs_, [](const GapRun& run) { return run.has_counts; });
 }
 
-bool GapProblem::has_motion() const {
+bool Problem::has_motion() const {
   return std::ranges::any_of(runs_, [](const GapRun& run) { return run.references.size() >= 2; });
 }
 
-double GapProblem::smallest_reading(std::size_t channel) const {
+double Problem::smallest_reading(std::size_t channel) const {
   if (channel > static_cast<std::size_t>(Channel::right)) return 1e-5;
   double largest_tick = 0.0;
   for (const auto& tick : metres_per_tick_) largest_tick = std::max({largest_tick, tick.left, tick.right});
   return std::max(largest_tick / std::sqrt(12.0), 1e-6);
 }
 
-NoiseModel GapProblem::noise_left_by(const TrialModel& model, double least_apart_s,
-                                     double longest_lasting_s) const {
+NoiseModel Problem::noise_left_by(const TrialModel& model, double min_apart_s,
+                                  double longest_lasting_s) const {
   std::vector<RunErrors> errors(runs_.size());
-  for_each_(runs_.size(), [&](std::size_t r) { errors[r] = free_run_errors(model, runs_[r]); });
+  parallel_for_(runs_.size(), [&](std::size_t r) { errors[r] = free_run_errors(model, runs_[r]); });
   NoiseModel noise = noise_;
-  for_each_(channel_count, [&](std::size_t c) {
+  parallel_for_(channel_count, [&](std::size_t c) {
     std::vector<ErrorSeries> series;
     for (const auto& block : blocks_) {
       if (block.channel != c) continue;
       series.push_back(thinned(
-          {block.times_s, runs_[block.run].series[c].restarts, errors[block.run].series[c]}, least_apart_s));
+          {block.times_s, runs_[block.run].series[c].restarts, errors[block.run].series[c]}, min_apart_s));
     }
     std::vector<NoiseSample> samples;
     samples.reserve(series.size());
@@ -93,52 +95,52 @@ NoiseModel GapProblem::noise_left_by(const TrialModel& model, double least_apart
       noise.channel[c] = noise_of(samples, {smallest_reading(c), longest_lasting_s, of_references});
   });
   // Both wheels are of one make: what one shows of noise holds for the other.
-  if (!stretches_.empty()) {
-    double squares = 0.0;
+  if (!segments_.empty()) {
+    double sum_squares = 0.0;
     double count = 0.0;
-    for (const auto& block : stretches_) {
+    for (const auto& block : segments_) {
       count += runs_[block.run].heading_alone ? 1.0 : 3.0;
-      const StretchError& e = errors[block.run].stretches[block.stretch];
-      const Eigen::LLT<Eigen::Matrix3d> factor(usual_stretch_covariance(runs_[block.run], block.stretch));
-      squares += factor.matrixL().solve(Eigen::Vector3d(e.x_m, e.y_m, e.theta_rad)).squaredNorm();
+      const SegmentError& e = errors[block.run].segments[block.segment];
+      const Eigen::LLT<Eigen::Matrix3d> factor(default_segment_covariance(runs_[block.run], block.segment));
+      sum_squares += factor.matrixL().solve(Eigen::Vector3d(e.x_m, e.y_m, e.theta_rad)).squaredNorm();
     }
     // A handful of poses cannot tell noise from what is missing: then no more is believed than robots usually
-    // wander.
+    // drift.
     const double most =
-        count < enough_stretch_readings ? most_usual_stretch : std::numeric_limits<double>::infinity();
-    noise.stretch = std::clamp(std::sqrt(squares / count), least_stretch, most);
+        count < enough_segment_readings ? max_default_segment : std::numeric_limits<double>::infinity();
+    noise.segment = std::clamp(std::sqrt(sum_squares / count), min_segment, most);
   }
   return noise;
 }
 
-void GapProblem::set_noise(const NoiseModel& noise) {
+void Problem::set_noise(const NoiseModel& noise) {
   noise_ = noise;
   whiteners_.clear();
   for (const auto& block : blocks_) {
     whiteners_.emplace_back(block.times_s, runs_[block.run].series[block.channel].restarts,
                             noise.channel[block.channel]);
   }
-  for (auto& block : stretches_) {
+  for (auto& block : segments_) {
     const Eigen::Matrix3d covariance =
-        noise.stretch * noise.stretch * usual_stretch_covariance(runs_[block.run], block.stretch);
+        noise.segment * noise.segment * default_segment_covariance(runs_[block.run], block.segment);
     const Eigen::LLT<Eigen::Matrix3d> factor(covariance);
     block.whitening = factor.matrixL().solve(Eigen::Matrix3d::Identity());
   }
 }
 
-Part GapProblem::part_of(EffectStage stage) const {
+Part Problem::part_of(EffectStage stage) const {
   if (parts_touch_) return Part::all;
   return stage == EffectStage::command || stage == EffectStage::wheel ? Part::wheels : Part::motion;
 }
 
-Part GapProblem::part_of(const TrialEffect& effect) const {
+Part Problem::part_of(const TrialEffect& effect) const {
   return part_of(effect.info->variants[effect.variant].stage);
 }
 
-Part GapProblem::part_of_parameter(const TrialModel& model, std::size_t parameter) const {
+Part Problem::part_of_parameter(const TrialModel& model, std::size_t parameter) const {
   if (parameter < model.shape.of_wheels()) return part_of(EffectStage::command);
-  if (parameter < model.core.size()) return part_of(EffectStage::observation);
-  parameter -= model.core.size();
+  if (parameter < model.linear_part.size()) return part_of(EffectStage::observation);
+  parameter -= model.linear_part.size();
   for (const auto& effect : model.effects) {
     if (parameter < effect.parameters.size()) return part_of(effect);
     parameter -= effect.parameters.size();
@@ -146,17 +148,17 @@ Part GapProblem::part_of_parameter(const TrialModel& model, std::size_t paramete
   return Part::all;
 }
 
-bool GapProblem::in_part(std::size_t residual, Part part) const {
+bool Problem::in_part(std::size_t residual, Part part) const {
   return is_of(part, places_[residual].channel);
 }
 
-bool GapProblem::is_of(Part part, const std::optional<Channel>& channel) {
+bool Problem::is_of(Part part, const std::optional<Channel>& channel) {
   if (part == Part::all) return true;
   const bool of_wheels = channel == Channel::left || channel == Channel::right;
   return of_wheels == (part == Part::wheels);
 }
 
-std::vector<double> GapProblem::whitened(std::size_t run, const RunErrors& errors) const {
+std::vector<double> Problem::whitened(std::size_t run, const RunErrors& errors) const {
   const auto [begin, end] = run_range_[run];
   std::vector<double> residuals(end - begin, 0.0);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
@@ -164,9 +166,9 @@ std::vector<double> GapProblem::whitened(std::size_t run, const RunErrors& error
     if (blocks_[b].run != run || series.empty()) continue;
     whiteners_[b].apply(series, residuals.data() + (blocks_[b].offset - begin));
   }
-  for (const auto& block : stretches_) {
-    if (block.run != run || errors.stretches.empty()) continue;
-    const StretchError& e = errors.stretches[block.stretch];
+  for (const auto& block : segments_) {
+    if (block.run != run || errors.segments.empty()) continue;
+    const SegmentError& e = errors.segments[block.segment];
     const Eigen::Vector3d white = block.whitening * Eigen::Vector3d(e.x_m, e.y_m, e.theta_rad);
     for (std::size_t i = 0; i < 3; ++i)
       residuals[block.offset - begin + i] = white(static_cast<Eigen::Index>(i));
@@ -174,16 +176,16 @@ std::vector<double> GapProblem::whitened(std::size_t run, const RunErrors& error
   return residuals;
 }
 
-std::vector<double> GapProblem::residuals(const TrialModel& model, Part part) const {
+std::vector<double> Problem::residuals(const TrialModel& model, Part part) const {
   std::vector<double> all(size_, 0.0);
-  for_each_(runs_.size(), [&](std::size_t run) {
+  parallel_for_(runs_.size(), [&](std::size_t run) {
     std::ranges::copy(whitened(run, free_run_errors(model, runs_[run], part)),
                       all.begin() + static_cast<std::ptrdiff_t>(run_range_[run].first));
   });
   return all;
 }
 
-std::vector<double> GapProblem::residuals(std::span<const RunErrors> errors) const {
+std::vector<double> Problem::residuals(std::span<const RunErrors> errors) const {
   std::vector<double> all(size_, 0.0);
   for (std::size_t run = 0; run < runs_.size(); ++run) {
     std::ranges::copy(whitened(run, errors[run]),
@@ -192,8 +194,8 @@ std::vector<double> GapProblem::residuals(std::span<const RunErrors> errors) con
   return all;
 }
 
-std::optional<GapProblem::Innovations> GapProblem::innovations(std::size_t run, Channel channel,
-                                                               std::span<const double> errors) const {
+std::optional<Problem::Innovations> Problem::innovations(std::size_t run, Channel channel,
+                                                         std::span<const double> errors) const {
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (blocks_[b].run != run || blocks_[b].channel != static_cast<std::size_t>(channel)) continue;
     Innovations result{blocks_[b].offset, std::vector<double>(errors.size())};
@@ -203,8 +205,8 @@ std::optional<GapProblem::Innovations> GapProblem::innovations(std::size_t run, 
   return std::nullopt;
 }
 
-void GapProblem::set_rolled_before(std::span<const WheelPair> rolled_m) {
-  for (std::size_t r = 0; r < runs_.size(); ++r) runs_[r].rolled_before_m = rolled_m[r];
+void Problem::set_initial_travel(std::span<const WheelPair> rolled_m) {
+  for (std::size_t r = 0; r < runs_.size(); ++r) runs_[r].initial_travel_m = rolled_m[r];
 }
 
 }  // namespace wheelwright::gap

@@ -1,4 +1,4 @@
-// Runs, their noise, and the fit of a whole model to them: core and effects together, in free run.
+// Runs, their noise, and the fit of a whole model to them: linear part and effects together, in free run.
 #pragma once
 
 #include <cstddef>
@@ -19,30 +19,30 @@ namespace wheelwright::gap {
 
 // Calls a job for 0 .. count-1, in any order, perhaps side by side; returns when all are done. How is the
 // caller's affair: nothing here knows of threads.
-using ForEach = std::function<void(std::size_t count, const std::function<void(std::size_t)>& job)>;
+using ParallelFor = std::function<void(std::size_t count, const std::function<void(std::size_t)>& job)>;
 
 // One after the other.
-void for_each_in_turn(std::size_t count, const std::function<void(std::size_t)>& job);
+void serial_for(std::size_t count, const std::function<void(std::size_t)>& job);
 
-// Noise of each channel, and of a stretch between far references.
+// Noise of each channel, and of a segment between far references.
 struct NoiseModel {
   std::array<TravelNoise, channel_count> channel;
-  double stretch = 1.0;  // by which the usual noise of a stretch is multiplied
+  double segment = 1.0;  // by which the usual noise of a segment is multiplied
 };
 
-double squares_of(const std::vector<double>& values);
+double sum_squares_of(const std::vector<double>& values);
 
-struct GapFit {
+struct Fit {
   TrialModel model;
-  double squares = 0.0;  // sum of squared innovations: minus twice the log likelihood
+  double sum_squares = 0.0;  // sum of squared innovations: minus twice the log likelihood
   std::vector<double> residuals;
   Eigen::MatrixXd information;  // of all parameters, at the solution; zero rows where nothing is learned
 };
 
-class GapProblem {
+class Problem {
  public:
   // The runs must be made with one period and wheel base.
-  GapProblem(std::vector<GapRun> runs, std::vector<WheelPair> metres_per_tick, ForEach for_each);
+  Problem(std::vector<GapRun> runs, std::vector<WheelPair> metres_per_tick, ParallelFor parallel_for);
 
   const std::vector<GapRun>& runs() const { return runs_; }
   bool has_counts() const;
@@ -50,7 +50,7 @@ class GapProblem {
   std::size_t readings() const { return size_; }
 
   // The noise under which what a model leaves is most likely, judged by readings so far apart.
-  NoiseModel noise_left_by(const TrialModel& model, double least_apart_s = 0.0,
+  NoiseModel noise_left_by(const TrialModel& model, double min_apart_s = 0.0,
                            double longest_lasting_s = lasting_of_motors_s) const;
   void set_noise(const NoiseModel& noise);
   const NoiseModel& noise() const { return noise_; }
@@ -70,7 +70,7 @@ class GapProblem {
   // What one residual belongs to.
   struct Place {
     std::size_t run;
-    std::optional<Channel> channel;  // nothing for a stretch
+    std::optional<Channel> channel;  // nothing for a segment
     std::size_t reading;
     std::size_t period;  // grid time
   };
@@ -89,14 +89,14 @@ class GapProblem {
   double smallest_reading(std::size_t channel) const;
 
   // Sets where the wheels of each run stood at its start.
-  void set_rolled_before(std::span<const WheelPair> rolled_m);
+  void set_initial_travel(std::span<const WheelPair> rolled_m);
 
   // One column per parameter, of the residuals; zero for parameters that do not belong to the part.
   Eigen::MatrixXd jacobian(const TrialModel& model, const std::vector<double>& residuals,
                            Part part = Part::all) const;
 
   // Levenberg-Marquardt from `start`, over the parameters of one part. Stops early where nothing is gained.
-  GapFit fit(const TrialModel& start, int most_steps, Part part = Part::all) const;
+  Fit fit(const TrialModel& start, int max_steps, Part part = Part::all) const;
 
  private:
   struct Block {  // one channel of one run in the vector of residuals
@@ -105,9 +105,9 @@ class GapProblem {
     std::size_t offset;
     std::vector<double> times_s;
   };
-  struct StretchBlock {
+  struct SegmentBlock {
     std::size_t run;
-    std::size_t stretch;
+    std::size_t segment;
     std::size_t offset;
     Eigen::Matrix3d whitening;
   };
@@ -128,10 +128,10 @@ class GapProblem {
 
   std::vector<GapRun> runs_;
   std::vector<WheelPair> metres_per_tick_;  // of each run; zero without counts
-  ForEach for_each_;
+  ParallelFor parallel_for_;
   NoiseModel noise_;
   std::vector<Block> blocks_;
-  std::vector<StretchBlock> stretches_;
+  std::vector<SegmentBlock> segments_;
   std::vector<Whitener> whiteners_;                             // one per block
   std::vector<std::pair<std::size_t, std::size_t>> run_range_;  // of each run in the vector of residuals
   std::vector<Place> places_;

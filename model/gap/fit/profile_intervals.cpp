@@ -10,23 +10,23 @@ namespace wheelwright::gap {
 namespace {
 
 constexpr double chi_squared_95 = two_sided_95 * two_sided_95;
-constexpr int most_steps_of_others = 5;
+constexpr int max_steps_of_others = 5;
 constexpr double worth_a_step = 0.02;  // of the sum of squares
-constexpr int most_doublings = 30;
+constexpr int max_doublings = 30;
 constexpr int halvings = 4;
 constexpr double a_nat = 2.0;         // of the sum of squares
 constexpr double first_share = 0.02;  // of the usual size, where nothing is known
 constexpr double nearly = 0.9;        // of chi squared: where the slopes are right
 
 // It stands for what is known of a parameter of which the readings say nothing.
-double usual_size(const ParameterInfo* info) {
-  constexpr double of_core = 0.1;
-  return info == nullptr ? of_core : smallest_size(*info);
+double default_size(const ParameterInfo* info) {
+  constexpr double of_linear_part = 0.1;
+  return info == nullptr ? of_linear_part : smallest_size(*info);
 }
 
 std::vector<std::size_t> of_the_same_effect_and_unit(const TrialModel& model, std::size_t parameter) {
   std::vector<std::size_t> others;
-  std::size_t first = model.core.size();
+  std::size_t first = model.linear_part.size();
   for (const TrialEffect& effect : model.effects) {
     const std::size_t last = first + effect.parameters.size();
     for (std::size_t i = first; i < last && first <= parameter && parameter < last; ++i) {
@@ -40,13 +40,13 @@ std::vector<std::size_t> of_the_same_effect_and_unit(const TrialModel& model, st
 
 struct Point {
   TrialModel model;
-  double squares = 0.0;
+  double sum_squares = 0.0;
 };
 
 // The likelihood with one parameter held, and the others as good as they can be.
 class Profile {
  public:
-  Profile(const GapProblem& problem, const GapFit& fit, const Eigen::MatrixXd& columns,
+  Profile(const Problem& problem, const Fit& fit, const Eigen::MatrixXd& columns,
           const Eigen::MatrixXd& information, std::size_t held)
       : problem_(problem), fit_(fit), columns_(columns), held_(held) {
     for (Eigen::Index i = 0; i < columns.cols(); ++i) {
@@ -54,7 +54,7 @@ class Profile {
     }
     Eigen::MatrixXd of_others = information(free_, free_);
     for (std::size_t i = 0; i < free_.size(); ++i) {
-      const double size = usual_size(fit.model.parameter_info(static_cast<std::size_t>(free_[i])));
+      const double size = default_size(fit.model.parameter_info(static_cast<std::size_t>(free_[i])));
       const auto at = static_cast<Eigen::Index>(i);
       of_others(at, at) += 1.0 / (size * size);
     }
@@ -75,9 +75,9 @@ class Profile {
 
  private:
   bool reaches(const TrialModel& start, double chi_squared) {
-    Point point = with_others_fitted(start, fit_.squares + chi_squared);
-    if (point.squares - fit_.squares >= chi_squared) return false;
-    if (point.squares < (best_ ? best_->squares : fit_.squares - a_nat)) best_ = point;
+    Point point = with_others_fitted(start, fit_.sum_squares + chi_squared);
+    if (point.sum_squares - fit_.sum_squares >= chi_squared) return false;
+    if (point.sum_squares < (best_ ? best_->sum_squares : fit_.sum_squares - a_nat)) best_ = point;
     nearest_ = std::move(point.model);
     return true;
   }
@@ -106,9 +106,9 @@ class Profile {
       for (const double share : {1.0, -1.0, 0.5, -0.5}) {
         TrialModel traded = start;
         traded.set_parameter(other, start.parameter(other) + share * by);
-        const double squares = squares_of(problem_.residuals(traded));
-        if (squares >= least) continue;
-        least = squares;
+        const double sum_squares = sum_squares_of(problem_.residuals(traded));
+        if (sum_squares >= least) continue;
+        least = sum_squares;
         best = std::move(traded);
       }
     }
@@ -118,9 +118,9 @@ class Profile {
   // By the slopes at the estimate, as far as they lead down; no further than is asked for.
   Point with_others_fitted(const TrialModel& start, double low_enough) const {
     std::vector<double> residuals = problem_.residuals(start);
-    Point best{start, squares_of(residuals)};
+    Point best{start, sum_squares_of(residuals)};
     double share = 1.0;
-    for (int step = 0; step < most_steps_of_others && best.squares >= low_enough; ++step) {
+    for (int step = 0; step < max_steps_of_others && best.sum_squares >= low_enough; ++step) {
       const Eigen::Map<const Eigen::VectorXd> left(residuals.data(), columns_.rows());
       const Eigen::VectorXd change = inverse_ * (columns_.transpose() * left)(free_);
       Point next{best.model, 0.0};
@@ -131,8 +131,8 @@ class Profile {
       }
       if (!next.model.stable()) break;
       std::vector<double> there = problem_.residuals(next.model);
-      next.squares = squares_of(there);
-      if (next.squares > best.squares - worth_a_step) {
+      next.sum_squares = sum_squares_of(there);
+      if (next.sum_squares > best.sum_squares - worth_a_step) {
         share *= 0.5;
         continue;
       }
@@ -142,8 +142,8 @@ class Profile {
     return best;
   }
 
-  const GapProblem& problem_;
-  const GapFit& fit_;
+  const Problem& problem_;
+  const Fit& fit_;
   const Eigen::MatrixXd& columns_;
   std::size_t held_;
   std::vector<Eigen::Index> free_;  // the other parameters
@@ -160,7 +160,7 @@ double end_of(Profile& profile, double estimate, double first_deviation, double 
   const double most = std::abs(bound - estimate);
   double inside = 0.0;
   double outside = std::min(first_deviation, most);
-  for (int doubling = 0; doubling < most_doublings; ++doubling) {
+  for (int doubling = 0; doubling < max_doublings; ++doubling) {
     if (profile.excludes(estimate + direction * outside, chi_squared)) break;
     if (outside == most) return bound;
     inside = outside;
@@ -175,15 +175,15 @@ double end_of(Profile& profile, double estimate, double first_deviation, double 
 
 }  // namespace
 
-Profiles profile_intervals(const GapProblem& problem, const GapFit& fit, const Eigen::MatrixXd& columns,
+Profiles profile_intervals(const Problem& problem, const Fit& fit, const Eigen::MatrixXd& columns,
                            std::span<const LinearInterval> linear, double roughness,
-                           const ForEach& for_each) {
-  const std::size_t first = fit.model.core.size();
+                           const ParallelFor& parallel_for) {
+  const std::size_t first = fit.model.linear_part.size();
   const std::size_t count = fit.model.parameter_count() - first;
   const Eigen::MatrixXd information = columns.transpose() * columns;
   std::vector<ParameterInterval> intervals(count);
   std::vector<std::optional<Point>> met(2 * count);
-  for_each(2 * count, [&](std::size_t job) {
+  parallel_for(2 * count, [&](std::size_t job) {
     const std::size_t parameter = first + job / 2;
     const bool lower = job % 2 == 0;
     const ParameterInfo& info = *fit.model.parameter_info(parameter);
@@ -197,16 +197,16 @@ Profiles profile_intervals(const GapProblem& problem, const GapFit& fit, const E
     Profile profile(problem, fit, columns, information, parameter);
     const double chi_squared = chi_squared_95 * scatter * scatter + roughness;
     if (end != bound && (white == 0.0 || !profile.excludes(end, nearly * chi_squared))) {
-      const double begin = white > 0.0 ? 2.0 * deviation : first_share * usual_size(&info);
+      const double begin = white > 0.0 ? 2.0 * deviation : first_share * default_size(&info);
       end = end_of(profile, estimate, begin, bound, chi_squared);
     }
     (lower ? intervals[job / 2].lower : intervals[job / 2].upper) = end;
     met[job] = profile.best();
   });
-  const auto squares = [](const std::optional<Point>& point) {
-    return point ? point->squares : std::numeric_limits<double>::infinity();
+  const auto sum_squares = [](const std::optional<Point>& point) {
+    return point ? point->sum_squares : std::numeric_limits<double>::infinity();
   };
-  const auto best = std::ranges::min_element(met, {}, squares);
+  const auto best = std::ranges::min_element(met, {}, sum_squares);
   Profiles result{std::move(intervals), std::nullopt};
   if (best != met.end() && *best) result.likelier = (*best)->model;
   return result;

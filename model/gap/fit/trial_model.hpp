@@ -1,4 +1,4 @@
-// A model while it is being searched for: a small linear core as a vector of numbers, and effects.
+// A model while it is being searched for: a small linear part as a vector of numbers, and effects.
 #pragma once
 
 #include <cstddef>
@@ -23,49 +23,49 @@ struct TrialEffect {
   TrialEffect within_bounds() const;
 };
 
-// The linear core: y(k) = sum a_i y(k-i) + sum b_j u(k-j) for each wheel from its own command.
+// The linear part: y(k) = sum a_i y(k-i) + sum b_j u(k-j) for each wheel from its own command.
 //
-// Short on purpose: what a long core could imitate (delay, lag, ringing), it would take from the effect that
-// is there (GAP.md, point 6). `shared` gives both wheels one response, but for a gain of each: without
-// counts, a difference of the wheels and one of their motors are the same, and what a linear core can hold is
-// no effect. `skewed`: a shared core all the same gives one wheel's motor more lag, and the other's less.
-// `reference_lag`: the references may tell of a moment other than the counts do, by a clock that is off or a
-// tyre that yields; how much is found beside the core, or the loss at each reversal would look like play.
-// `gyro_scaled`: so is by how much the gyro says too much.
-enum class Crossing {
+// Short on purpose: what a long linear part could imitate (delay, lag, ringing), it would take from the
+// effect that is there. `shared` gives both wheels one response, but for a gain of each:
+// without counts, a difference of the wheels and one of their motors are the same, and what a linear
+// part can hold is no effect. `unequal_lags`: a shared linear part all the same gives one wheel's motor more
+// lag, and the other's less. `reference_lag`: the references may tell of a moment other than the counts do,
+// by a clock that is off or a tyre that yields; how much is found beside the linear part, or the loss at each
+// reversal would look like play. `gyro_scaled`: so is by how much the gyro says too much.
+enum class CrossCoupling {
   none,
   share,     // each wheel also feels a share of the other's command, as it feels its own
   balanced,  // with weights of its own whose sum is 0: turns answer otherwise than travel, by the same gain
   free       // with as many weights of its own as its own command has
 };
 
-struct CoreShape {
+struct LinearPartShape {
   std::size_t poles = 2;
   std::size_t weights = 6;  // from_own lags 0..weights-1
   bool shared = false;
-  Crossing crossing = Crossing::none;
-  bool skewed = false;  // only where shared
+  CrossCoupling cross_coupling = CrossCoupling::none;
+  bool unequal_lags = false;  // only where shared
   bool reference_lag = false;
   bool gyro_scaled = false;
 
-  std::size_t crossing_size() const {
-    switch (crossing) {
-      case Crossing::none:
+  std::size_t cross_coupling_size() const {
+    switch (cross_coupling) {
+      case CrossCoupling::none:
         return 0;
-      case Crossing::share:
+      case CrossCoupling::share:
         return 1;
-      case Crossing::balanced:
+      case CrossCoupling::balanced:
         return weights - 1;  // the last one makes up for the others
-      case Crossing::free:
+      case CrossCoupling::free:
         break;
     }
     return weights;
   }
-  bool crosses_by_weights() const { return crossing >= Crossing::balanced; }
-  std::size_t per_wheel() const { return poles + weights + crossing_size(); }
+  bool crosses_by_weights() const { return cross_coupling >= CrossCoupling::balanced; }
+  std::size_t per_wheel() const { return poles + weights + cross_coupling_size(); }
   std::size_t of_responses() const { return shared ? per_wheel() : 2 * per_wheel(); }
   std::size_t of_wheels() const { return of_responses() + (shared ? 1 : 0); }
-  std::size_t lag_index() const { return of_wheels() + (skewed ? 1 : 0); }
+  std::size_t lag_index() const { return of_wheels() + (unequal_lags ? 1 : 0); }
   std::size_t gyro_index() const { return lag_index() + (reference_lag ? 1 : 0); }
   std::size_t size() const { return gyro_index() + (gyro_scaled ? 1 : 0); }
 };
@@ -74,44 +74,44 @@ struct CoreShape {
 constexpr double largest_gyro_scale = 0.15;
 
 struct TrialModel {
-  CoreShape shape;
+  LinearPartShape shape;
   double period_s = 0.018;
   double wheel_base_m = 0.235;
   // a, b, share or weights of the other's command; left, then right where not shared, or else by how much the
   // right wheel's gain exceeds the left's, relative; periods by which the right wheel lags behind the left;
   // lag of the references, s; by how much the gyro says too much, relative
-  std::vector<double> core;
+  std::vector<double> linear_part;
   std::vector<TrialEffect> effects;
 
   LinearModel linear() const;
   // The left wheel's; 0 where it has weights of its own.
   double share_of_other_wheel() const {
-    return shape.crossing == Crossing::share ? core[shape.per_wheel() - 1] : 0.0;
+    return shape.cross_coupling == CrossCoupling::share ? linear_part[shape.per_wheel() - 1] : 0.0;
   }
   // Of the right wheel's gain over the left's, relative; 0 where each has a response of its own.
-  double excess_of_right() const { return shape.shared ? core[shape.per_wheel()] : 0.0; }
-  double reference_lag_s() const { return shape.reference_lag ? core[shape.lag_index()] : 0.0; }
-  double gyro_scale() const { return shape.gyro_scaled ? core[shape.gyro_index()] : 0.0; }
+  double excess_of_right() const { return shape.shared ? linear_part[shape.per_wheel()] : 0.0; }
+  double reference_lag_s() const { return shape.reference_lag ? linear_part[shape.lag_index()] : 0.0; }
+  double gyro_scale() const { return shape.gyro_scaled ? linear_part[shape.gyro_index()] : 0.0; }
   ModelSimulation simulation() const;
   // Core and effect parameters, one after the other.
   std::size_t parameter_count() const;
   double parameter(std::size_t index) const;
   void set_parameter(std::size_t index, double value);
-  // The effect to which a parameter belongs, or nothing for the core's.
+  // The effect to which a parameter belongs, or nothing for the linear part's.
   const ParameterInfo* parameter_info(std::size_t index) const;
   bool stable() const;
   // The same model with a core of one more pole, `pole`, and one more weight, which hides it for a start.
-  TrialModel with_larger_core(double pole = 0.0) const;
-  // The same model with a core that is crossed, by as much as before for a start.
-  TrialModel with_crossed_core(Crossing crossing) const;
-  // The same model with a core that answers so much later, by as many more weights as that takes.
-  TrialModel with_later_core(double delay_s) const;
-  // The same model, whose transport_delay, if it has one, is a part of the core.
-  TrialModel with_delay_in_core() const;
-  // The same model with a core that is skewed.
-  TrialModel with_skewed_core() const;
+  TrialModel with_higher_order(double pole = 0.0) const;
+  // The same model with a linear part that is crossed, by as much as before for a start.
+  TrialModel with_cross_coupling(CrossCoupling cross_coupling) const;
+  // The same model with a linear part that answers so much later, by as many more weights as that takes.
+  TrialModel with_later_linear_part(double delay_s) const;
+  // The same model, whose transport_delay, if it has one, is a part of the linear part.
+  TrialModel with_delay_in_linear_part() const;
+  // The same model with a linear part that is skewed.
+  TrialModel with_unequal_lags() const;
   // The same model with a response of its own for each wheel.
-  TrialModel with_parted_core() const;
+  TrialModel with_parted_linear_part() const;
   // Of the effects, as they are listed.
   std::vector<EffectSetting> settings() const;
   // The effects in the order in which they act: as they are listed, but for those that act first.
@@ -120,7 +120,7 @@ struct TrialModel {
 
 // A first-order lag behind a delay, with a gain of 1: where every search begins. Of more poles than two, one
 // is slow and hidden for a start.
-TrialModel first_guess(const CoreShape& shape, double period_s, double wheel_base_m, double lag_s,
+TrialModel first_guess(const LinearPartShape& shape, double period_s, double wheel_base_m, double lag_s,
                        double delay_s);
 
 // The smallest size that a search tries.

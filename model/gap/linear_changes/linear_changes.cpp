@@ -40,10 +40,10 @@ bool any_acts(const RobotModel& model, bool EffectInfo::*how) {
 // Residuals of one problem as a function of the correction.
 class CorrectedRuns {
  public:
-  CorrectedRuns(const RobotModel& model, const TrialModel& measured, const GapProblem& problem)
+  CorrectedRuns(const RobotModel& model, const TrialModel& measured, const Problem& problem)
       : problem_(problem),
-        lag_s_(lag_of(model.core)),
-        simulation_{ModelSimulation(model.core, effect_settings(model)),
+        lag_s_(lag_of(model.linear_part)),
+        simulation_{ModelSimulation(model.linear_part, effect_settings(model)),
                     any_acts(model, &EffectInfo::by_pose), any_acts(model, &EffectInfo::by_wheel_angle),
                     measured.reference_lag_s(), measured.gyro_scale()} {}
 
@@ -71,10 +71,10 @@ class CorrectedRuns {
     return columns;
   }
 
-  double least_lag_s() const { return -0.9 * lag_s_; }
+  double min_lag_s() const { return -0.9 * lag_s_; }
 
  private:
-  const GapProblem& problem_;
+  const Problem& problem_;
   double lag_s_;
   MeasuredSimulation simulation_;
 };
@@ -86,13 +86,13 @@ Parameters no_change() {
 // No slope leads over a delay of many periods: the best one on a grid.
 Parameters best_delay(const CorrectedRuns& runs, double period_s) {
   Parameters best = no_change();
-  double least = squares_of(runs.residuals(best));
+  double least = sum_squares_of(runs.residuals(best));
   for (double delay_s = -0.15; delay_s <= 0.6; delay_s += 2.0 * period_s) {
     Parameters p = no_change();
     p(2) = delay_s;
-    const double squares = squares_of(runs.residuals(p));
-    if (squares >= least) continue;
-    least = squares;
+    const double sum_squares = sum_squares_of(runs.residuals(p));
+    if (sum_squares >= least) continue;
+    least = sum_squares;
     best = p;
   }
   return best;
@@ -100,33 +100,33 @@ Parameters best_delay(const CorrectedRuns& runs, double period_s) {
 
 // Levenberg-Marquardt.
 Parameters fitted(const CorrectedRuns& runs, Parameters p) {
-  constexpr int most_steps = 12;
+  constexpr int max_steps = 12;
   constexpr int attempts = 5;
   auto residuals = runs.residuals(p);
-  double squares = squares_of(residuals);
+  double sum_squares = sum_squares_of(residuals);
   double damping = 1e-3;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     const Eigen::MatrixXd columns = runs.derivatives(p, residuals);
     const Eigen::Map<const Eigen::VectorXd> left(residuals.data(), columns.rows());
     const Eigen::MatrixXd information = columns.transpose() * columns;
     const Eigen::VectorXd slope = columns.transpose() * left;
-    const double before = squares;
+    const double before = sum_squares;
     for (int attempt = 0; attempt < attempts; ++attempt, damping *= 8.0) {
       Eigen::MatrixXd damped = information;
       damped.diagonal() +=
           damping * information.diagonal() + Eigen::VectorXd::Constant(parameter_count, prior_information);
       Parameters moved = p - Parameters(damped.ldlt().solve(slope));
-      moved(3) = std::max(moved(3), runs.least_lag_s());
+      moved(3) = std::max(moved(3), runs.min_lag_s());
       auto there = runs.residuals(moved);
-      const double squares_there = squares_of(there);
-      if (squares_there >= squares) continue;
+      const double sum_squares_there = sum_squares_of(there);
+      if (sum_squares_there >= sum_squares) continue;
       p = moved;
       residuals = std::move(there);
-      squares = squares_there;
+      sum_squares = sum_squares_there;
       damping = std::max(1e-7, 0.1 * damping);
       break;
     }
-    if (before - squares < 0.2 + 1e-5 * before) break;
+    if (before - sum_squares < 0.2 + 1e-5 * before) break;
   }
   return p;
 }
@@ -137,9 +137,9 @@ bool leaves_out(const ParameterInterval& interval, double none) {
 
 }  // namespace
 
-LinearChanges linear_changes(const RobotModel& model, const TrialModel& measured, const GapProblem& train,
-                             const GapProblem& heldout) {
-  const double period_s = model.core.period_s;
+LinearChanges linear_changes(const RobotModel& model, const TrialModel& measured, const Problem& train,
+                             const Problem& heldout) {
+  const double period_s = model.linear_part.period_s;
   const CorrectedRuns runs(model, measured, train);
   const Parameters p = fitted(runs, best_delay(runs, period_s));
   LinearChanges result;
@@ -147,8 +147,8 @@ LinearChanges linear_changes(const RobotModel& model, const TrialModel& measured
 
   const CorrectedRuns unseen(model, measured, heldout);
   const auto after = unseen.residuals(p);
-  result.heldout_gain_nats =
-      0.5 * (squares_of(unseen.residuals(no_change())) - squares_of(after)) / variance_ratio(heldout, after);
+  result.heldout_gain_nats = 0.5 * (sum_squares_of(unseen.residuals(no_change())) - sum_squares_of(after)) /
+                             variance_ratio(heldout, after);
   if (result.heldout_gain_nats < confirming_nats) return result;
 
   const auto residuals = runs.residuals(p);

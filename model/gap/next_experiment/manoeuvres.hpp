@@ -1,5 +1,4 @@
-// Short drives on free floor that are known to show what ordinary drives hide (GAP.md, "Pairs that ordinary
-// logs cannot tell").
+// Short drives on free floor that are known to show what ordinary drives hide.
 #pragma once
 
 #include <string>

@@ -12,26 +12,26 @@
 namespace wheelwright::gap {
 namespace {
 
-constexpr double sure = 0.9;              // posterior from which on there is nothing to decide
-constexpr double least_posterior = 0.02;  // of a rival worth a drive
-constexpr std::size_t most_rivals = 3;
-constexpr double least_nats = 3.0;  // a drive that tells less apart is not worth its time
+constexpr double sure = 0.9;            // posterior from which on there is nothing to decide
+constexpr double min_posterior = 0.02;  // of a rival worth a drive
+constexpr std::size_t max_rivals = 3;
+constexpr double min_nats = 3.0;  // a drive that tells less apart is not worth its time
 const std::string nothing = "nothing";
 
 // One manoeuvre with what it would tell.
-struct Candidate {
+struct ManoeuvreOption {
   std::string name;
   DriveLog commands;
   std::vector<std::string> makes_testable;
-  double nats =
-      -1.0;  // of the pair that it separates the least; negative where it does not come into question
+  // Of the pair that it separates the least; negative where it does not come into question.
+  double nats = -1.0;
   std::array<std::string, 2> pair;
 };
 
 class Planner {
  public:
   Planner(const GapAnalysis& analysis, std::span<const DriveLog> train, const ManoeuvreLimits& limits,
-          const ForEach& for_each);
+          const ParallelFor& parallel_for);
   std::optional<NextExperiment> plan();
 
  private:
@@ -39,15 +39,15 @@ class Planner {
   Hypothesis hypothesis(const std::string& name, const TrialModel& model) const;
   TrialModel with_effect(const EffectInfo& info) const;
   std::vector<std::string> shown_by(const DriveLog& commands) const;
-  void judge_rivals(Candidate& candidate, const std::vector<Hypothesis>& rivals) const;
-  void judge_untested(Candidate& candidate) const;
+  void judge_rivals(ManoeuvreOption& candidate, const std::vector<Hypothesis>& rivals) const;
+  void judge_untested(ManoeuvreOption& candidate) const;
   bool safe(const DriveLog& commands, const std::vector<Hypothesis>& rivals) const;
 
   const GapAnalysis& analysis_;
   std::span<const DriveLog> train_;
   ManoeuvreLimits limits_;
-  const ForEach& for_each_;
-  std::optional<GapProblem> problem_;
+  const ParallelFor& parallel_for_;
+  std::optional<Problem> problem_;
   std::vector<Untestable>
       untestable_;  // by the runs so far: they lack what it takes, or hold too little of it
   Sensors sensors_;
@@ -55,11 +55,11 @@ class Planner {
 };
 
 Planner::Planner(const GapAnalysis& analysis, std::span<const DriveLog> train, const ManoeuvreLimits& limits,
-                 const ForEach& for_each)
+                 const ParallelFor& parallel_for)
     : analysis_(analysis),
       train_(train),
       limits_(limits),
-      for_each_(for_each),
+      parallel_for_(parallel_for),
       untestable_(testability(train).untestable) {
   std::ranges::copy_if(analysis.not_testable, std::back_inserter(untestable_), [&](const Untestable& effect) {
     return std::ranges::find(untestable_, effect.effect, &Untestable::effect) == untestable_.end();
@@ -72,10 +72,10 @@ Planner::Planner(const GapAnalysis& analysis, std::span<const DriveLog> train, c
     metres_per_tick.push_back(gated.log.metres_per_tick.value_or(WheelPair{}));
   }
   sensors_ = sensors_of(runs.front());
-  problem_.emplace(std::move(runs), std::move(metres_per_tick), for_each);
+  problem_.emplace(std::move(runs), std::move(metres_per_tick), parallel_for);
   TrialModel model = analysis.search.final.model;
-  if (model.core.empty()) {
-    CoreShape shape;
+  if (model.linear_part.empty()) {
+    LinearPartShape shape;
     shape.shared = !sensors_.counts;
     model = first_guess(shape, shortest_period_s(train), train.front().wheel_base_m, 0.1, 0.036);
   } else {
@@ -98,22 +98,23 @@ std::vector<Hypothesis> Planner::rivals() const {
       return effect.info->name == doubtful->setting.name;
     });
   };
-  const auto check = std::ranges::find_if(analysis_.search.checks, [&](const Round& round) {
-    return !holds(round.without.model) && std::ranges::any_of(round.contenders, [&](const Contender& one) {
-      return one.effect.info->name == doubtful->setting.name;
-    });
+  const auto check = std::ranges::find_if(analysis_.search.checks, [&](const SelectionStep& selection_step) {
+    return !holds(selection_step.without.model) &&
+           std::ranges::any_of(selection_step.candidates, [&](const Candidate& one) {
+             return one.effect.info->name == doubtful->setting.name;
+           });
   });
   if (check == analysis_.search.checks.end()) return {};
   std::vector<Hypothesis> result;
   const auto add = [&](const std::string& name) {
-    const auto best = std::ranges::find_if(check->contenders, [&](const Contender& one) {
+    const auto best = std::ranges::find_if(check->candidates, [&](const Candidate& one) {
       return name == "decoy" ? is_decoy(*one.effect.info) : one.effect.info->name == name;
     });
-    if (best != check->contenders.end()) result.push_back(hypothesis(name, best->fit.model));
+    if (best != check->candidates.end()) result.push_back(hypothesis(name, best->fit.model));
   };
   add(doubtful->setting.name);
   for (const auto& rival : doubtful->rivals) {
-    if (rival.posterior >= least_posterior && result.size() < 1 + most_rivals) add(rival.effect);
+    if (rival.posterior >= min_posterior && result.size() < 1 + max_rivals) add(rival.effect);
   }
   if (result.size() == 1) result.push_back(hypothesis(nothing, check->without.model));
   return result;
@@ -139,7 +140,7 @@ std::vector<std::string> Planner::shown_by(const DriveLog& commands) const {
   std::vector<std::string> names;
   for (const auto& effect : untestable_) {
     const bool shown = std::ranges::any_of(
-        with.candidates, [&](const EffectInfo* info) { return info->name == effect.effect; });
+        with.candidate_effects, [&](const EffectInfo* info) { return info->name == effect.effect; });
     if (shown) names.push_back(effect.effect);
   }
   return names;
@@ -152,7 +153,7 @@ bool Planner::safe(const DriveLog& commands, const std::vector<Hypothesis>& riva
          });
 }
 
-void Planner::judge_rivals(Candidate& candidate, const std::vector<Hypothesis>& rivals) const {
+void Planner::judge_rivals(ManoeuvreOption& candidate, const std::vector<Hypothesis>& rivals) const {
   for (std::size_t i = 0; i < rivals.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       // Any effect can be as small as nothing, so a drive by nothing tells nothing apart.
@@ -169,14 +170,14 @@ void Planner::judge_rivals(Candidate& candidate, const std::vector<Hypothesis>& 
 }
 
 // Effects that would still not show are no merit of the drive.
-void Planner::judge_untested(Candidate& candidate) const {
+void Planner::judge_untested(ManoeuvreOption& candidate) const {
   std::vector<std::string> shown;
   for (const auto& name : candidate.makes_testable) {
     const EffectInfo* info = find_effect(name);
     if (info == nullptr) continue;
     const Hypothesis effect{name, with_effect(*info), {}};
     const double nats = divergence(effect, present_, candidate.commands, sensors_, problem_->noise());
-    if (nats < least_nats) continue;
+    if (nats < min_nats) continue;
     shown.push_back(name);
     if (candidate.nats >= 0.0 && nats >= candidate.nats) continue;
     candidate.nats = nats;
@@ -188,9 +189,9 @@ void Planner::judge_untested(Candidate& candidate) const {
 std::optional<NextExperiment> Planner::plan() {
   const std::vector<Hypothesis> possible = rivals();
   const auto menu = safe_manoeuvres(limits_, present_.model.wheel_base_m, present_.model.period_s);
-  std::vector<Candidate> candidates(menu.size());
-  for_each_(menu.size(), [&](std::size_t m) {
-    Candidate& candidate = candidates[m];
+  std::vector<ManoeuvreOption> candidate_effects(menu.size());
+  parallel_for_(menu.size(), [&](std::size_t m) {
+    ManoeuvreOption& candidate = candidate_effects[m];
     candidate.name = menu[m].name;
     candidate.commands = commands_of(menu[m], present_.model);
     if (!safe(candidate.commands, possible)) return;
@@ -201,10 +202,10 @@ std::optional<NextExperiment> Planner::plan() {
       judge_rivals(candidate, possible);
     }
   });
-  const auto best = std::ranges::max_element(candidates, {}, [&](const Candidate& candidate) {
+  const auto best = std::ranges::max_element(candidate_effects, {}, [&](const ManoeuvreOption& candidate) {
     return std::pair(possible.empty() ? candidate.makes_testable.size() : 0, candidate.nats);
   });
-  if (best == candidates.end() || best->nats < least_nats) return std::nullopt;
+  if (best == candidate_effects.end() || best->nats < min_nats) return std::nullopt;
   return NextExperiment{best->name,
                         best->commands,
                         best->pair,
@@ -217,7 +218,7 @@ std::optional<NextExperiment> Planner::plan() {
 
 ManoeuvreLimits limits_of(std::span<const DriveLog> logs) {
   constexpr double never_driven_m_s = 0.2;
-  constexpr double least_m_s = 0.1;
+  constexpr double min_m_s = 0.1;
   ManoeuvreLimits limits;
   double largest = 0.0;
   for (const auto& log : logs) {
@@ -231,16 +232,17 @@ ManoeuvreLimits limits_of(std::span<const DriveLog> logs) {
     }
   }
   limits.largest_speed_m_s =
-      largest < least_m_s ? never_driven_m_s : std::min(limits.largest_speed_m_s, largest);
+      largest < min_m_s ? never_driven_m_s : std::min(limits.largest_speed_m_s, largest);
   return limits;
 }
 
 std::optional<NextExperiment> next_experiment(const GapAnalysis& analysis, std::span<const DriveLog> train,
-                                              const ManoeuvreLimits& limits, const ForEach& for_each) {
+                                              const ManoeuvreLimits& limits,
+                                              const ParallelFor& parallel_for) {
   const bool faulty = analysis.verdict == Verdict::bad_data;
   const bool doubt = analysis.verdict == Verdict::ambiguous || !analysis.not_testable.empty();
   if (faulty || !doubt || train.empty()) return std::nullopt;
-  return Planner(analysis, train, limits, for_each).plan();
+  return Planner(analysis, train, limits, parallel_for).plan();
 }
 
 }  // namespace wheelwright::gap

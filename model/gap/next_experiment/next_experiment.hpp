@@ -34,7 +34,7 @@ struct NextExperiment {
 // turns or variety, what shows the most of them. Nothing where neither is so, or where no manoeuvre within
 // the limits helps. `train` are the logs that the analysis was made from.
 std::optional<NextExperiment> next_experiment(const GapAnalysis& analysis, std::span<const DriveLog> train,
-                                              const ManoeuvreLimits& limits, const ForEach& for_each);
+                                              const ManoeuvreLimits& limits, const ParallelFor& parallel_for);
 
 // The limits that the logs themselves suggest: no faster and no harder than the robot was driven there.
 ManoeuvreLimits limits_of(std::span<const DriveLog> logs);

@@ -15,7 +15,7 @@ struct Profile {
 };
 
 struct Innovations {
-  double squares = 0.0;
+  double sum_squares = 0.0;
   double log_determinant = 0.0;
   std::size_t count = 0;
 };
@@ -27,7 +27,7 @@ Innovations innovations_of(std::span<const NoiseSample> samples, const TravelNoi
     const Whitener whitener(sample.times_s, sample.restarts, noise);
     innovations.assign(sample.errors.size(), 0.0);
     whitener.apply(sample.errors, innovations.data());
-    for (const double innovation : innovations) sum.squares += innovation * innovation;
+    for (const double innovation : innovations) sum.sum_squares += innovation * innovation;
     sum.log_determinant += whitener.log_determinant();
     sum.count += whitener.innovations();
   }
@@ -38,18 +38,18 @@ Profile profile(std::span<const NoiseSample> samples, const TravelNoise& shape) 
   const Innovations all = innovations_of(samples, shape);
   if (all.count == 0) return {0.0, 1.0};
   const double n = static_cast<double>(all.count);
-  const double variance = std::max(all.squares / n, 1e-30);
+  const double variance = std::max(all.sum_squares / n, 1e-30);
   return {-0.5 * n * std::log(variance) - all.log_determinant, std::sqrt(variance)};
 }
 
 constexpr std::array lasting_s{0.03, 0.06, 0.12, lasting_of_motors_s, 0.5, lasting_of_swaying_s};
 constexpr std::array returning_s{1.0, 3.0, 10.0};
-constexpr double usual_tracker_s = 0.1;
+constexpr double default_tracker_s = 0.1;
 constexpr std::array tracker_lasts_s{0.04, 0.2, 0.4};
 constexpr std::array tracker_of_reading{0.7, 1.4, 3.0, 10.0};
 constexpr double worth_it_nats = 10.0;  // of a further number
 constexpr std::array far_apart_s{0.5, 2.0};
-constexpr double least_far_share = 0.85;  // of what is foretold for readings that lie far apart
+constexpr double min_far_share = 0.85;  // of what is predicted for readings that lie far apart
 
 // Walk in one second over reading noise, in steps of a quarter of a decade.
 constexpr int steps = 24;
@@ -108,9 +108,9 @@ Shape climbed(std::span<const NoiseSample> samples, const TravelNoise& noise, do
 Shape refined(std::span<const NoiseSample> samples, const Shape& present) {
   Shape best = present;
   for (const double width : {0.5, 0.25, 0.125}) {
-    const Shape around = best;
-    for (const double step : {around.step - width, around.step + width}) {
-      const Shape found = of_step(samples, around.noise, step);
+    const Shape context = best;
+    for (const double step : {context.step - width, context.step + width}) {
+      const Shape found = of_step(samples, context.noise, step);
       if (found.likelier_than(best)) best = found;
     }
   }
@@ -150,11 +150,11 @@ bool holds_between_far_readings(std::span<const NoiseSample> samples, const Shap
     std::vector<NoiseSample> far;
     far.reserve(series.size());
     for (const auto& one : series) far.push_back(one.sample());
-    return profile(far, shape.noise).size > least_far_share * shape.profile.size;
+    return profile(far, shape.noise).size > min_far_share * shape.profile.size;
   });
 }
 
-Shape of_wandering(std::span<const NoiseSample> samples, const Shape& walk, const NoiseLimits& limits) {
+Shape of_drift(std::span<const NoiseSample> samples, const Shape& walk, const NoiseLimits& limits) {
   Shape best = lasting(samples, walk, limits.longest_lasting_s);
   const Shape returns = returning(samples, best);
   if (returns.noise.returns_s != best.noise.returns_s)
@@ -164,11 +164,11 @@ Shape of_wandering(std::span<const NoiseSample> samples, const Shape& walk, cons
 
 // So many readings of each that they tell what lasts for a part of a second.
 std::vector<NoiseSample> begins_of(std::span<const NoiseSample> samples) {
-  constexpr std::size_t most_readings = 6000;
+  constexpr std::size_t max_readings = 6000;
   std::vector<NoiseSample> begins;
   begins.reserve(samples.size());
   for (const auto& [times_s, restarts, errors] : samples) {
-    const std::size_t count = std::min(times_s.size(), most_readings / samples.size());
+    const std::size_t count = std::min(times_s.size(), max_readings / samples.size());
     begins.push_back({times_s.first(count), restarts.first(count), errors.first(count)});
   }
   return begins;
@@ -186,7 +186,7 @@ Shape tracked(std::span<const NoiseSample> samples, const Shape& walk) {
     if (found.likelier_than(best, best.noise.tracker == 0.0 ? 2.0 * worth_it_nats : 0.0)) best = found;
   };
   for (const double of_reading : tracker_of_reading) {
-    for (const double fewer : {0.0, 4.0, 8.0}) consider(usual_tracker_s, of_reading, walk.step - fewer);
+    for (const double fewer : {0.0, 4.0, 8.0}) consider(default_tracker_s, of_reading, walk.step - fewer);
   }
   if (best.noise.tracker == 0.0) return best;
   const double of_reading = best.noise.tracker;
@@ -198,12 +198,12 @@ Shape tracked(std::span<const NoiseSample> samples, const Shape& walk) {
 
 }  // namespace
 
-ErrorSeries thinned(const NoiseSample& all, double least_apart_s) {
+ErrorSeries thinned(const NoiseSample& all, double min_apart_s) {
   ErrorSeries kept;
   bool restart = false;
   for (std::size_t i = 0; i < all.times_s.size(); ++i) {
     restart = restart || all.restarts[i] != 0;
-    if (!restart && !kept.times_s.empty() && all.times_s[i] - kept.times_s.back() < least_apart_s) continue;
+    if (!restart && !kept.times_s.empty() && all.times_s[i] - kept.times_s.back() < min_apart_s) continue;
     kept.times_s.push_back(all.times_s[i]);
     kept.restarts.push_back(restart ? 1 : 0);
     kept.errors.push_back(all.errors[i]);
@@ -214,7 +214,7 @@ ErrorSeries thinned(const NoiseSample& all, double least_apart_s) {
 
 TravelNoise noise_of(std::span<const NoiseSample> samples, const NoiseLimits& limits) {
   const Shape walk = most_likely_walk(samples);
-  Shape best = of_wandering(samples, walk, limits);
+  Shape best = of_drift(samples, walk, limits);
   if (limits.tracked) {
     const auto begins = begins_of(samples);
     const Shape at_begin = tracked(begins, of_step(begins, walk.noise, walk.step));

@@ -23,9 +23,9 @@ struct ErrorSeries {
 };
 
 // Only readings that lie so far behind the one before, and those behind which nothing is known.
-ErrorSeries thinned(const NoiseSample& all, double least_apart_s);
+ErrorSeries thinned(const NoiseSample& all, double min_apart_s);
 
-// How long the speed of what wanders may last: of motors, and of what sways. Readings that lie far apart do
+// How long the speed of what drifts may last: of motors, and of what sways. Readings that lie far apart do
 // not tell; then it is a random walk.
 constexpr double no_lasting_s = 0.0;
 constexpr double lasting_of_motors_s = 0.25;

@@ -14,13 +14,13 @@ constexpr double reading_rad = 2e-3;
 
 }  // namespace
 
-Eigen::Matrix3d usual_stretch_covariance(const GapRun& run, std::size_t stretch) {
-  const Reference& from = run.references[stretch];
-  const Reference& to = run.references[stretch + 1];
+Eigen::Matrix3d default_segment_covariance(const GapRun& run, std::size_t segment) {
+  const Reference& from = run.references[segment];
+  const Reference& to = run.references[segment + 1];
   const std::size_t first = from.at.period;
   const std::size_t last = std::max(to.at.period, first + 1);
   std::vector<Pose> path{Pose{}};
-  const Pose end = relative_to(from.pose, to.pose);
+  const Pose end = between(from.pose, to.pose);
   for (std::size_t k = first; k < last; ++k) {
     const double share = 1.0 / static_cast<double>(last - first);
     path.push_back(

@@ -1,4 +1,4 @@
-// What is usual of the errors of a stretch between two far references.
+// What is usual of the errors of a segment between two far references.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +10,9 @@
 namespace wheelwright::gap {
 
 // Covariance of x, y (m) and heading (rad) of the second pose seen from the first, before the data say
-// better: wandering in distance and heading, carried to the end of the stretch along the path that odometry
+// better: drifting in distance and heading, carried to the end of the segment along the path that odometry
 // shows (without counts: along the straight line between the references), and the readings' own noise.
-// `stretch` counts from 0, from the first reference of the run to the second.
-Eigen::Matrix3d usual_stretch_covariance(const GapRun& run, std::size_t stretch);
+// `segment` counts from 0, from the first reference of the run to the second.
+Eigen::Matrix3d default_segment_covariance(const GapRun& run, std::size_t segment);
 
 }  // namespace wheelwright::gap

@@ -6,7 +6,7 @@
 namespace wheelwright::gap {
 // White noise drives a speed that decays at rate b, and that a travel that decays at rate a; the integrals
 // are those of the squares and products of their impulse responses.
-WanderStep::WanderStep(const TravelNoise& noise, double duration_s) {
+DriftStep::DriftStep(const TravelNoise& noise, double duration_s) {
   const double walk2 = noise.walk_per_sqrt_s * noise.walk_per_sqrt_s;
   const double a = 1.0 / noise.returns_s;
   const auto integral = [duration_s](double rate) {
@@ -30,7 +30,7 @@ WanderStep::WanderStep(const TravelNoise& noise, double duration_s) {
   speed_variance = walk2 * b * b * integral(2.0 * b);
 }
 
-double wander_speed_variance(const TravelNoise& noise) {
+double drift_speed_variance(const TravelNoise& noise) {
   return noise.lasts_s > 0.0 ? noise.walk_per_sqrt_s * noise.walk_per_sqrt_s / (2.0 * noise.lasts_s) : 0.0;
 }
 
@@ -48,17 +48,17 @@ bool Whitener::Spread::as_good_as(const Spread& other) const {
          close(speed_tracker, other.speed_tracker) && close(tracker, other.tracker);
 }
 
-Whitener::Step Whitener::advance(Spread& spread, const WanderStep& wander, const TrackerStep& tracker,
+Whitener::Step Whitener::advance(Spread& spread, const DriftStep& drift, const TrackerStep& tracker,
                                  double reading) {
-  const double ahead = wander.kept * spread.travel_speed + wander.carry_s * spread.speed;
+  const double ahead = drift.kept * spread.travel_speed + drift.carry_s * spread.speed;
   Spread expected{};
-  expected.travel = wander.kept * (wander.kept * spread.travel + wander.carry_s * spread.travel_speed) +
-                    wander.carry_s * ahead + wander.travel_variance;
-  expected.travel_speed = wander.decay * ahead + wander.covariance;
-  expected.speed = wander.decay * wander.decay * spread.speed + wander.speed_variance;
+  expected.travel = drift.kept * (drift.kept * spread.travel + drift.carry_s * spread.travel_speed) +
+                    drift.carry_s * ahead + drift.travel_variance;
+  expected.travel_speed = drift.decay * ahead + drift.covariance;
+  expected.speed = drift.decay * drift.decay * spread.speed + drift.speed_variance;
   expected.travel_tracker =
-      tracker.kept * (wander.kept * spread.travel_tracker + wander.carry_s * spread.speed_tracker);
-  expected.speed_tracker = tracker.kept * wander.decay * spread.speed_tracker;
+      tracker.kept * (drift.kept * spread.travel_tracker + drift.carry_s * spread.speed_tracker);
+  expected.speed_tracker = tracker.kept * drift.decay * spread.speed_tracker;
   expected.tracker = tracker.kept * tracker.kept * spread.tracker + tracker.variance;
 
   const double with_travel = expected.travel + expected.travel_tracker;
@@ -74,11 +74,11 @@ Whitener::Step Whitener::advance(Spread& spread, const WanderStep& wander, const
             expected.travel_tracker - gain * with_tracker,
             expected.speed_tracker - speed_gain * with_tracker,
             expected.tracker - tracker_gain * with_tracker};
-  return {{wander.kept, wander.carry_s, tracker.kept, 0.0},
-          {(1.0 - gain) * wander.kept, (1.0 - gain) * wander.carry_s, -gain * tracker.kept, gain},
-          {-speed_gain * wander.kept, wander.decay - speed_gain * wander.carry_s, -speed_gain * tracker.kept,
+  return {{drift.kept, drift.carry_s, tracker.kept, 0.0},
+          {(1.0 - gain) * drift.kept, (1.0 - gain) * drift.carry_s, -gain * tracker.kept, gain},
+          {-speed_gain * drift.kept, drift.decay - speed_gain * drift.carry_s, -speed_gain * tracker.kept,
            speed_gain},
-          {-tracker_gain * wander.kept, -tracker_gain * wander.carry_s, (1.0 - tracker_gain) * tracker.kept,
+          {-tracker_gain * drift.kept, -tracker_gain * drift.carry_s, (1.0 - tracker_gain) * tracker.kept,
            tracker_gain},
           1.0 / std::sqrt(innovation)};
 }
@@ -87,7 +87,7 @@ Whitener::Whitener(std::span<const double> times_s, std::span<const char> restar
     : lasting_(noise.lasts_s > 0.0), tracked_(noise.tracker > 0.0) {
   const double reading = noise.reading * noise.reading;
   const double alike = noise.tracker * noise.tracker;
-  WanderStep wander(noise, 0.0);
+  DriftStep drift(noise, 0.0);
   TrackerStep tracker{1.0, 0.0};
   double duration_s = 0.0;
   Spread spread{};
@@ -95,26 +95,26 @@ Whitener::Whitener(std::span<const double> times_s, std::span<const char> restar
   double log_deviation = 0.0;
   for (std::size_t i = 0; i < times_s.size(); ++i) {
     if (i == 0 || restarts[i]) {
-      stretches_.push_back({{}, 1});
-      spread = {reading + alike, 0.0, wander_speed_variance(noise), -alike, 0.0, alike};
+      segments_.push_back({{}, 1});
+      spread = {reading + alike, 0.0, drift_speed_variance(noise), -alike, 0.0, alike};
       settled = false;
       continue;
     }
     constexpr double as_long_s = 1e-9;
     if (std::abs(times_s[i] - times_s[i - 1] - duration_s) > as_long_s) {
       duration_s = times_s[i] - times_s[i - 1];
-      wander = WanderStep(noise, duration_s);
+      drift = DriftStep(noise, duration_s);
       tracker.kept = noise.tracker_kept(duration_s);
       tracker.variance = alike * (1.0 - tracker.kept * tracker.kept);
       settled = false;
     }
     if (settled) {
-      ++stretches_.back().readings;
+      ++segments_.back().readings;
     } else {
       const Spread before = spread;
-      stretches_.push_back({advance(spread, wander, tracker, reading), 1});
+      segments_.push_back({advance(spread, drift, tracker, reading), 1});
       settled = spread.as_good_as(before);
-      log_deviation = -std::log(stretches_.back().step.scale);
+      log_deviation = -std::log(segments_.back().step.scale);
     }
     log_determinant_ += log_deviation;
     ++count_;
@@ -137,7 +137,7 @@ void Whitener::apply_to(std::span<const double> errors, double* innovations) con
   double speed = 0.0;
   double tracker = 0.0;
   std::size_t next = 0;
-  for (const auto& [step, readings] : stretches_) {
+  for (const auto& [step, readings] : segments_) {
     if (step.scale == 0.0) {
       begin = errors[next];
       travel = speed = tracker = 0.0;

@@ -2,11 +2,11 @@
 //
 // A reading of travel errs by white noise (quantisation, the reference's own noise), and by what a tracker's
 // readings have in common for a part of a second, as it smooths them. Between readings the travel itself
-// wanders (slip, what pushes a motor that no model predicts): by a random walk, or by a speed that is
+// drifts (slip, what pushes a motor that no model predicts): by a random walk, or by a speed that is
 // forgotten within a part of a second (Ornstein and Uhlenbeck, 1930). Where a wheel's speed is held by a
 // controller with an integral, what it lost comes back within seconds. Of a series of errors with these,
 // the innovations of the Kalman filter for it are white with unit variance, so that their sum of squares is a
-// log likelihood, whatever the correlation of the errors themselves (GAP.md, point 5).
+// log likelihood, whatever the correlation of the errors themselves.
 #pragma once
 
 #include <limits>
@@ -17,8 +17,8 @@ namespace wheelwright::gap {
 
 struct TravelNoise {
   double reading = 1e-3;          // standard deviation of one reading, by itself
-  double walk_per_sqrt_s = 1e-3;  // of the wandering, per square root of time, before it returns
-  double lasts_s = 0.0;           // until the wandering's speed is forgotten; zero: a random walk
+  double walk_per_sqrt_s = 1e-3;  // of the drifting, per square root of time, before it returns
+  double lasts_s = 0.0;           // until the drifting's speed is forgotten; zero: a random walk
   double returns_s = std::numeric_limits<double>::infinity();  // until the travel comes back
   double tracker = 0.0;          // standard deviation of what readings near each other err alike
   double tracker_lasts_s = 0.0;  // until that is forgotten
@@ -27,10 +27,10 @@ struct TravelNoise {
   double tracker_kept(double duration_s) const;
 };
 
-// How travel that wanders goes on over some time: by itself and its speed, which decay, and by what comes to
+// How travel that drifts goes on over some time: by itself and its speed, which decay, and by what comes to
 // both.
-struct WanderStep {
-  WanderStep(const TravelNoise& noise, double duration_s);
+struct DriftStep {
+  DriftStep(const TravelNoise& noise, double duration_s);
   double kept;     // of the travel
   double carry_s;  // travel by the speed at its begin
   double decay;    // of the speed
@@ -39,7 +39,7 @@ struct WanderStep {
   double speed_variance = 0.0;
 };
 // Of the speed, at any time.
-double wander_speed_variance(const TravelNoise& noise);
+double drift_speed_variance(const TravelNoise& noise);
 
 // The linear filter from errors to innovations for readings at given times. The first reading, and each one
 // after a restart, tells only where the series begins: its innovation is zero.
@@ -83,16 +83,16 @@ class Whitener {
     double kept;
     double variance;
   };
-  static Step advance(Spread& spread, const WanderStep& wander, const TrackerStep& tracker, double reading);
+  static Step advance(Spread& spread, const DriftStep& drift, const TrackerStep& tracker, double reading);
   template <bool lasting, bool tracked>
   void apply_to(std::span<const double> errors, double* innovations) const;
 
   // The same step for so many readings.
-  struct Stretch {
+  struct Segment {
     Step step;
     std::size_t readings;
   };
-  std::vector<Stretch> stretches_;
+  std::vector<Segment> segments_;
   bool lasting_ = false;
   bool tracked_ = false;
   double log_determinant_ = 0.0;

@@ -42,14 +42,14 @@ std::vector<GyroTurn> gyro_turns(const DriveLog& log) {
 GyroErrors without_drift(const GapRun& run, std::vector<double> errors_rad) {
   const Series& series = run[Channel::turn];
   double products = 0.0;
-  double squares = 0.0;
+  double sum_squares = 0.0;
   for (std::size_t i = 1; i < errors_rad.size(); ++i) {
     if (series.restarts[i]) continue;
     const double duration_s = seconds_at(run, series.at[i]) - seconds_at(run, series.at[i - 1]);
     products += duration_s * (errors_rad[i] - errors_rad[i - 1]);
-    squares += duration_s * duration_s;
+    sum_squares += duration_s * duration_s;
   }
-  const double drift_rad_s = squares > 0.0 ? products / squares : 0.0;
+  const double drift_rad_s = sum_squares > 0.0 ? products / sum_squares : 0.0;
   for (std::size_t i = 0; i < errors_rad.size(); ++i)
     errors_rad[i] -= drift_rad_s * seconds_at(run, series.at[i]);
   return {std::move(errors_rad), drift_rad_s};

@@ -2,8 +2,8 @@
 //
 // A raw gyro tells too much by a bias that nobody knows, and too much or too little by a scale that is off by
 // a per cent or so. Neither is the robot's: the bias of each run is the steady rate under which what a model
-// leaves is the least (of a random walk, which integrated noise is), and the scale is found beside the linear
-// core. What a wheel base would do is therefore not to be told from what the gyro's scale does (GAP.md).
+// leaves is the least (of a random walk, which integrated noise is), and the scale is found beside the
+// linear part. So a wrong wheel base and a wrong scale of the gyro cannot be distinguished.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ struct GyroTurn {
 // By trapezoids, from the first row that holds a rate on. Empty where there is no gyro.
 std::vector<GyroTurn> gyro_turns(const DriveLog& log);
 
-// Radians by which the gyro of a run turned beyond what the model foretells, bias and all, less the line that
+// Radians by which the gyro of a run turned beyond what the model predicts, bias and all, less the line that
 // its bias leaves in it.
 struct GyroErrors {
   std::vector<double> errors_rad;

@@ -1,14 +1,14 @@
 // One run as the gap workflow sees it: commands on the grid of model periods, and what was measured, as
 // series of travel that a model's motion can be compared with.
 //
-// Everything is compared in the integrated domain (GAP.md, point 2). A series is a sum of increments:
+// Everything is compared in the integrated domain. A series is a sum of increments:
 //   left, right   travel of each wheel by its encoder, m
 //   forward, aside, turn   motion of the reference point between two reference poses, m, m, rad, seen in the
 //                 direction halfway through the turn. Where there are counts too, this is what the motion has
 //                 beyond odometry: slip and geometry, without the motors.
 // Where references tell the heading alone, there is no other channel of motion than `turn`.
 // Where there are counts and a gyro, but no dense references, the gyro tells of `turn` (gyro_turns.hpp).
-// References that lie far apart (`sparse`) are not summed: each stretch between two of them is one reading,
+// References that lie far apart (`sparse`) are not summed: each segment between two of them is one reading,
 // and odometry is integrated along it together with what the model adds.
 #pragma once
 
@@ -57,7 +57,7 @@ struct GapRun {
   double start_s = 0.0;                 // time of the first row
   std::vector<WheelPair> commands_m_s;  // one per period
   std::vector<double> battery_v;        // one per period; not-a-number where unknown
-  WheelPair rolled_before_m;            // tells the angle at which the wheels stood at the start
+  WheelPair initial_travel_m;           // tells the angle at which the wheels stood at the start
   std::array<Series, channel_count> series;
   std::vector<Reference> references;  // with x, y and heading
   std::vector<Pose> passed;           // the same at each grid point, between the references; empty if sparse

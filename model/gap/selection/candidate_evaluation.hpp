@@ -15,69 +15,70 @@ namespace wheelwright::gap {
 constexpr int steps_of_a_fit = 10;
 constexpr int steps_of_a_refit = 5;
 
-class GapLook {
+class CandidateEvaluation {
  public:
   // `candidates` are the effects that the data can show at all, decoys among them.
-  GapLook(GapProblem& train, GapProblem& heldout, Contest& contest,
-          std::span<const EffectInfo* const> candidates, const SearchLimits& limits, ForEach for_each)
+  CandidateEvaluation(Problem& train, Problem& heldout, ModelComparison& comparison,
+                      std::span<const EffectInfo* const> candidate_effects, const SearchLimits& limits,
+                      ParallelFor parallel_for)
       : train_(train),
         heldout_(heldout),
-        contest_(contest),
-        candidates_(candidates.begin(), candidates.end()),
+        comparison_(comparison),
+        candidate_effects_(candidate_effects.begin(), candidate_effects.end()),
         limits_(limits),
-        for_each_(std::move(for_each)) {}
+        parallel_for_(std::move(parallel_for)) {}
 
   // Noise is what the model leaves; it holds from here on.
   void set_noise_left_by(const TrialModel& model);
   // Fit and noise depend on each other: both, as often as asked for.
-  GapFit settle(TrialModel model, int passes);
+  Fit settle(TrialModel model, int passes);
 
-  // Screens all that the model does not hold, fits the most promising ones beside the core and judges them.
-  // `more_models`, each with one effect more than `without`, are tried in any case, and two effects at once
-  // where each masks the other. The noise is then what the best one leaves, since before, it holds what is
-  // missing; and all are fitted again under it.
-  Round look(const GapFit& without, const std::vector<TrialModel>& more_models = {});
+  // Screens all that the model does not hold, fits the most promising ones beside the linear part and judges
+  // them. `more_models`, each with one effect more than `without`, are tried in any case, and two effects at
+  // once where each masks the other. The noise is then what the best one leaves, since before, it holds what
+  // is missing; and all are fitted again under it.
+  SelectionStep evaluate(const Fit& without, const std::vector<TrialModel>& more_models = {});
 
-  // The same effects beside a core that was found anew, where that explains more: what a core had taken up of
-  // an effect that has come in since, it does not give back step by step.
-  GapFit with_core_afresh(const GapFit& fit);
+  // The same effects beside a linear part that was found again, where that explains more: what a linear part
+  // had taken up of an effect that has come in since, it does not give back step by step.
+  Fit with_refitted_linear_part(const Fit& fit);
 
   std::vector<const EffectInfo*> absent_from(const TrialModel& model) const;
 
  private:
   const TrialModel& closest(const std::vector<TrialModel>& models) const;
-  TrialModel beside_bare_core(const TrialModel& without, const std::vector<TrialEffect>& effects,
-                              std::span<const double> lags_s) const;
-  std::vector<TrialModel> instead_of_core(const TrialModel& without,
-                                          const std::vector<const EffectInfo*>& candidates) const;
-  std::optional<TrialEffect> align_wheels(const GapFit& without,
-                                          const std::vector<const EffectInfo*>& candidates);
-  std::optional<TrialEffect> steps_beside(const GapFit& without, const EffectInfo& info);
+  TrialModel beside_default_linear_part(const TrialModel& without, const std::vector<TrialEffect>& effects,
+                                        std::span<const double> lags_s) const;
+  std::vector<TrialModel> instead_of_linear_part(
+      const TrialModel& without, const std::vector<const EffectInfo*>& candidate_effects) const;
+  std::optional<TrialEffect> align_wheels(const Fit& without,
+                                          const std::vector<const EffectInfo*>& candidate_effects);
+  std::optional<TrialEffect> steps_beside(const Fit& without, const EffectInfo& info);
   struct Starts {
     std::vector<TrialModel> singles;
     std::optional<TrialModel> pair;
   };
-  Starts starts(const GapFit& without, const std::vector<TrialModel>& more_models);
+  Starts starts(const Fit& without, const std::vector<TrialModel>& more_models);
   TrialModel tuned(const TrialModel& model) const;
-  using RegionSearch = TrialModel (*)(const GapProblem&, TrialModel, const ForEach&);
-  void place_regions(Round& round, int steps, RegionSearch placed) const;
-  bool stands_out_of_its_own_noise(const Round& round);
-  bool pair_stands_out_of_its_own_noise(const Round& round);
-  GapFit with_core_of(const GapFit& without, const TrialModel& contender) const;
-  void start_from_core_of(const TrialModel& without, std::vector<Contender>& contenders) const;
-  Part part_of_last(const TrialModel& model, std::size_t effects) const;
+  using RegionSearch = TrialModel (*)(const Problem&, TrialModel, const ParallelFor&);
+  void place_regions(SelectionStep& selection_step, int steps, RegionSearch placed) const;
+  bool stands_out_of_its_own_noise(const SelectionStep& selection_step);
+  bool pair_stands_out_of_its_own_noise(const SelectionStep& selection_step);
+  Fit with_linear_part_of(const Fit& without, const TrialModel& candidate) const;
+  void start_from_linear_part_of(const TrialModel& without, std::vector<Candidate>& candidates) const;
+  Part affected_outputs_of_last(const TrialModel& model, std::size_t effects) const;
 
-  GapProblem& train_;
-  GapProblem& heldout_;
-  Contest& contest_;
-  std::vector<const EffectInfo*> candidates_;
+  Problem& train_;
+  Problem& heldout_;
+  ModelComparison& comparison_;
+  std::vector<const EffectInfo*> candidate_effects_;
   SearchLimits limits_;
-  ForEach for_each_;
+  ParallelFor parallel_for_;
   std::optional<TrialEffect> steps_;  // in which commands seem to act
   std::optional<std::size_t> steps_beside_;
 };
 
-// The best contender that has a name; nothing where only decoys were left.
-const Contender* best_named(const Round& round);
+// The best candidate that has a name; nothing where only decoys were left.
+const Candidate* best_named(const SelectionStep& selection_step);
 
 }  // namespace wheelwright::gap

@@ -10,12 +10,12 @@ namespace wheelwright::gap {
 namespace {
 
 constexpr double block_s = 2.0;  // longer than what is left hangs together
-constexpr double largest_inflation = 30.0;
+constexpr double max_autocorrelation_factor = 30.0;
 
 // By how much the variance of an effect's likelihood gain exceeds that of white residuals: sums over blocks
 // of time of residual times change, against the sum of squared changes.
-double inflation_of(const GapProblem& problem, const std::vector<double>& without,
-                    const std::vector<double>& with) {
+double autocorrelation_factor_of(const Problem& problem, const std::vector<double>& without,
+                                 const std::vector<double>& with) {
   std::map<std::pair<std::size_t, std::size_t>, double> blocks;
   double power = 0.0;
   const auto& places = problem.places();
@@ -29,7 +29,7 @@ double inflation_of(const GapProblem& problem, const std::vector<double>& withou
   if (!(power > 0.0)) return 1.0;
   double variance = 0.0;
   for (const auto& [key, sum] : blocks) variance += sum * sum;
-  return std::clamp(variance / power, 1.0, largest_inflation);
+  return std::clamp(variance / power, 1.0, max_autocorrelation_factor);
 }
 
 // Of several sizes, all have to be.
@@ -44,12 +44,12 @@ bool negligible(const TrialEffect& effect) {
   return any;
 }
 
-const TrialEffect& effect_of(const Contender& contender) {
-  const auto& effects = contender.fit.model.effects;
-  return effects[effects.size() - 1 - contender.behind];
+const TrialEffect& effect_of(const Candidate& candidate) {
+  const auto& effects = candidate.fit.model.effects;
+  return effects[effects.size() - 1 - candidate.behind];
 }
 
-double largest_command_m_s(const GapProblem& problem) {
+double largest_command_m_s(const Problem& problem) {
   double largest = 0.0;
   for (const GapRun& run : problem.runs()) {
     for (const WheelPair& command : run.commands_m_s)
@@ -60,209 +60,220 @@ double largest_command_m_s(const GapProblem& problem) {
 
 }  // namespace
 
-Contest::Contest(const GapProblem& train, const GapProblem& heldout, const SearchLimits& limits)
+ModelComparison::ModelComparison(const Problem& train, const Problem& heldout, const SearchLimits& limits)
     : train_(train),
       heldout_(heldout),
       limits_(limits),
       largest_command_m_s_(std::max(largest_command_m_s(train), largest_command_m_s(heldout))) {}
 
-// A sound robot acts 50 to 100 ms late (PAPER.md), and its motor's lag adds to that: a linear core holds it.
-bool beyond_a_core(const TrialEffect& effect) {
-  constexpr double reach_of_a_core_s = 0.12;
-  return effect.info->linear && effect.parameters.front() > reach_of_a_core_s;
+// A sound robot acts 50 to 100 ms late (source paper), and its motor's lag adds to that: a linear part
+// holds it.
+bool beyond_a_linear_part(const TrialEffect& effect) {
+  constexpr double reach_of_a_linear_part_s = 0.12;
+  return effect.info->linear && effect.parameters.front() > reach_of_a_linear_part_s;
 }
 
-double Contest::price_of_a_parameter() const {
+double ModelComparison::penalty_per_parameter() const {
   return 0.5 * std::log(static_cast<double>(train_.readings() + heldout_.readings()));
 }
 
-double Contest::price(const TrialEffect& effect) const {
+double ModelComparison::complexity_penalty(const TrialEffect& effect) const {
   auto parameters = effect.parameters.size();
   if (effect.info->by_wheel_angle && angles_differ_) {
     parameters += 2 * (train_.runs().size() + heldout_.runs().size() - 1);
   }
-  return price_of_a_parameter() * static_cast<double>(parameters);
+  return penalty_per_parameter() * static_cast<double>(parameters);
 }
 
-double Contest::price(const TrialModel& model) const {
-  double sum = price_of_a_parameter() * static_cast<double>(model.core.size());
-  for (const auto& effect : model.effects) sum += price(effect);
+double ModelComparison::complexity_penalty(const TrialModel& model) const {
+  double sum = penalty_per_parameter() * static_cast<double>(model.linear_part.size());
+  for (const auto& effect : model.effects) sum += complexity_penalty(effect);
   return sum;
 }
 
-Contender Contest::judged(const GapFit& without, const std::vector<double>& heldout_without,
-                          Contender contender) const {
-  const GapFit& fit = contender.fit;
-  contender.effect = effect_of(contender);
-  contender.train_nats = 0.5 * (without.squares - fit.squares);
+Candidate ModelComparison::judged(const Fit& without, const std::vector<double>& heldout_without,
+                                  Candidate candidate) const {
+  const Fit& fit = candidate.fit;
+  candidate.effect = effect_of(candidate);
+  candidate.train_nats = 0.5 * (without.sum_squares - fit.sum_squares);
   const std::vector<double> heldout_with = heldout_.residuals(fit.model);
-  contender.heldout_nats = 0.5 * (squares_of(heldout_without) - squares_of(heldout_with));
-  contender.inflation = std::max(inflation_of(train_, without.residuals, fit.residuals),
-                                 inflation_of(heldout_, heldout_without, heldout_with));
-  if (contender.effect.info->by_wheel_angle && angles_differ_) {
+  candidate.heldout_nats = 0.5 * (sum_squares_of(heldout_without) - sum_squares_of(heldout_with));
+  candidate.autocorrelation_factor =
+      std::max(autocorrelation_factor_of(train_, without.residuals, fit.residuals),
+               autocorrelation_factor_of(heldout_, heldout_without, heldout_with));
+  if (candidate.effect.info->by_wheel_angle && angles_differ_) {
     // Two angles were taken from each held-out run: that much they explain of mere noise.
-    contender.heldout_nats -= contender.inflation * static_cast<double>(heldout_.runs().size());
+    candidate.heldout_nats -= candidate.autocorrelation_factor * static_cast<double>(heldout_.runs().size());
   }
-  contender.heldout_residuals = heldout_with;
-  return contender;
+  candidate.heldout_residuals = heldout_with;
+  return candidate;
 }
 
-void Contest::judge(Round& round) const {
-  const std::vector<double> heldout_without = heldout_.residuals(round.without.model);
-  round.heldout_squares = squares_of(heldout_without);
-  // What an effect of no consequence explains, its core explains; what one out of character does, another.
-  std::erase_if(round.contenders, [this](const Contender& contender) {
-    const TrialEffect& effect = effect_of(contender);
+void ModelComparison::judge(SelectionStep& selection_step) const {
+  const std::vector<double> heldout_without = heldout_.residuals(selection_step.without.model);
+  selection_step.heldout_sum_squares = sum_squares_of(heldout_without);
+  // What an effect of no consequence explains, its linear part explains; what one out of character does,
+  // another.
+  std::erase_if(selection_step.candidates, [this](const Candidate& candidate) {
+    const TrialEffect& effect = effect_of(candidate);
     const auto& in_character = effect.info->in_character;
     return negligible(effect) ||
            (in_character && !in_character({effect.parameters, effect.variant}, largest_command_m_s_));
   });
-  for (auto& contender : round.contenders) {
-    contender = judged(round.without, heldout_without, std::move(contender));
+  for (auto& candidate : selection_step.candidates) {
+    candidate = judged(selection_step.without, heldout_without, std::move(candidate));
   }
   // A fit that runs away on runs that it has not seen is no fit.
-  std::erase_if(round.contenders, [this](const Contender& one) {
+  std::erase_if(selection_step.candidates, [this](const Candidate& one) {
     return !std::isfinite(one.train_nats) || !std::isfinite(one.heldout_nats) || acts_linearly(one);
   });
-  rank(round.contenders);
-  leave_out_aliases(round.contenders);
+  rank(selection_step.candidates);
+  leave_out_aliases(selection_step.candidates);
 }
 
-// Where all that it is more than a lag plays next to no part in these runs, the core lacks a lag.
-bool Contest::acts_linearly(const Contender& contender) const {
-  const TrialEffect& effect = contender.effect;
+// Where all that it is more than a lag plays next to no part in these runs, the linear part lacks a lag.
+bool ModelComparison::acts_linearly(const Candidate& candidate) const {
+  const TrialEffect& effect = candidate.effect;
   if (!effect.info->linear_part) return false;
-  TrialModel linear = contender.fit.model;
-  linear.effects[linear.effects.size() - 1 - contender.behind].parameters =
+  TrialModel linear = candidate.fit.model;
+  linear.effects[linear.effects.size() - 1 - candidate.behind].parameters =
       effect.info->linear_part({effect.parameters, effect.variant});
-  const double lost_nats = 0.5 * (squares_of(train_.residuals(linear)) - contender.fit.squares);
-  return lost_nats < limits_.least_further_nats;
+  const double lost_nats = 0.5 * (sum_squares_of(train_.residuals(linear)) - candidate.fit.sum_squares);
+  return lost_nats < limits_.min_further_nats;
 }
 
-double Contest::inflation_between(const Contender& worse, const Contender& better) const {
-  return std::max(inflation_of(train_, worse.fit.residuals, better.fit.residuals),
-                  inflation_of(heldout_, worse.heldout_residuals, better.heldout_residuals));
+double ModelComparison::autocorrelation_factor_between(const Candidate& worse,
+                                                       const Candidate& better) const {
+  return std::max(autocorrelation_factor_of(train_, worse.fit.residuals, better.fit.residuals),
+                  autocorrelation_factor_of(heldout_, worse.heldout_residuals, better.heldout_residuals));
 }
 
 // By likelihood less the price of the parameters. The best one is measured against the model without it, the
 // others against the best one: how much correlation inflates a difference hangs on what the two differ in.
 // One that only training or only held-out runs speak for comes behind all that both speak for.
-void Contest::rank(std::vector<Contender>& contenders) const {
-  if (contenders.empty()) return;
-  const auto holds = [](const Contender& one) { return one.train_nats > 0.0 && one.heldout_nats > 0.0; };
-  const auto nats = [](const Contender& one) { return one.train_nats + one.heldout_nats; };
-  const Contender& best = *std::ranges::max_element(contenders, [&](const Contender& a, const Contender& b) {
+void ModelComparison::rank(std::vector<Candidate>& candidates) const {
+  if (candidates.empty()) return;
+  const auto holds = [](const Candidate& one) { return one.train_nats > 0.0 && one.heldout_nats > 0.0; };
+  const auto nats = [](const Candidate& one) { return one.train_nats + one.heldout_nats; };
+  const Candidate& best = *std::ranges::max_element(candidates, [&](const Candidate& a, const Candidate& b) {
     return std::pair(holds(a), nats(a)) < std::pair(holds(b), nats(b));
   });
   const double best_score = score_alone(best);
-  for (auto& contender : contenders) {
-    contender.score = best_score;
-    if (&contender == &best) continue;
-    contender.score -= (nats(best) - nats(contender)) / inflation_between(contender, best);
-    contender.score -= price(contender.effect) - price(best.effect);
-    if (!holds(contender)) contender.score = std::min(contender.score, 0.0);
+  for (auto& candidate : candidates) {
+    candidate.score = best_score;
+    if (&candidate == &best) continue;
+    candidate.score -= (nats(best) - nats(candidate)) / autocorrelation_factor_between(candidate, best);
+    candidate.score -= complexity_penalty(candidate.effect) - complexity_penalty(best.effect);
+    if (!holds(candidate)) candidate.score = std::min(candidate.score, 0.0);
   }
-  std::ranges::sort(contenders, std::greater<>{}, &Contender::score);
+  std::ranges::sort(candidates, std::greater<>{}, &Candidate::score);
 }
 
 // On some drives a decoy does what an effect of the library does (where both wheels are always told the same
 // speed, each one's own and the other's are the same): one that explains the same as a name is no rival.
-void Contest::leave_out_aliases(std::vector<Contender>& contenders) {
+void ModelComparison::leave_out_aliases(std::vector<Candidate>& candidates) {
   constexpr double same = 0.01;  // of the score
-  const auto is_named = [](const Contender& one) { return !is_decoy(*one.effect.info); };
-  const auto named = std::ranges::find_if(contenders, is_named);
-  if (named == contenders.end() || named->score <= 0.0) return;
+  const auto is_named = [](const Candidate& one) { return !is_decoy(*one.effect.info); };
+  const auto named = std::ranges::find_if(candidates, is_named);
+  if (named == candidates.end() || named->score <= 0.0) return;
   const double score = named->score;
-  std::erase_if(contenders, [&](const Contender& one) {
+  std::erase_if(candidates, [&](const Candidate& one) {
     return !is_named(one) && std::abs(one.score - score) < same * score;
   });
 }
 
-double Contest::core_score(const Round& round, const GapFit& richer) const {
-  const double train_nats = 0.5 * (round.without.squares - richer.squares);
-  const double heldout_nats = 0.5 * (round.heldout_squares - squares_of(heldout_.residuals(richer.model)));
-  const double inflation = std::max(inflation_of(train_, round.without.residuals, richer.residuals),
-                                    round.contenders.empty() ? 1.0 : round.contenders.front().inflation);
-  if (heldout_nats / inflation < limits_.least_core_nats) return 0.0;
-  return (train_nats + heldout_nats) / inflation - price(richer.model) + price(round.without.model);
+double ModelComparison::core_score(const SelectionStep& selection_step, const Fit& richer) const {
+  const double train_nats = 0.5 * (selection_step.without.sum_squares - richer.sum_squares);
+  const double heldout_nats =
+      0.5 * (selection_step.heldout_sum_squares - sum_squares_of(heldout_.residuals(richer.model)));
+  const double autocorrelation_factor = std::max(
+      autocorrelation_factor_of(train_, selection_step.without.residuals, richer.residuals),
+      selection_step.candidates.empty() ? 1.0 : selection_step.candidates.front().autocorrelation_factor);
+  if (heldout_nats / autocorrelation_factor < limits_.min_linear_part_nats) return 0.0;
+  return (train_nats + heldout_nats) / autocorrelation_factor - complexity_penalty(richer.model) +
+         complexity_penalty(selection_step.without.model);
 }
 
-double Contest::advantage(const GapFit& one, const GapFit& other) const {
+double ModelComparison::advantage(const Fit& one, const Fit& other) const {
   const std::vector<double> heldout_one = heldout_.residuals(one.model);
   const std::vector<double> heldout_other = heldout_.residuals(other.model);
-  const double nats =
-      0.5 * (other.squares - one.squares + squares_of(heldout_other) - squares_of(heldout_one));
-  const auto inflation = [&](const GapFit& worse, const std::vector<double>& heldout_worse,
-                             const GapFit& better, const std::vector<double>& heldout_better) {
-    return std::max(inflation_of(train_, worse.residuals, better.residuals),
-                    inflation_of(heldout_, heldout_worse, heldout_better));
+  const double nats = 0.5 * (other.sum_squares - one.sum_squares + sum_squares_of(heldout_other) -
+                             sum_squares_of(heldout_one));
+  const auto autocorrelation_factor = [&](const Fit& worse, const std::vector<double>& heldout_worse,
+                                          const Fit& better, const std::vector<double>& heldout_better) {
+    return std::max(autocorrelation_factor_of(train_, worse.residuals, better.residuals),
+                    autocorrelation_factor_of(heldout_, heldout_worse, heldout_better));
   };
-  const double deflated = nats / (nats > 0.0 ? inflation(other, heldout_other, one, heldout_one)
-                                             : inflation(one, heldout_one, other, heldout_other));
-  return deflated - price(one.model) + price(other.model);
+  const double deflated =
+      nats / (nats > 0.0 ? autocorrelation_factor(other, heldout_other, one, heldout_one)
+                         : autocorrelation_factor(one, heldout_one, other, heldout_other));
+  return deflated - complexity_penalty(one.model) + complexity_penalty(other.model);
 }
 
-double Contest::score_alone(const Contender& contender) const {
-  return (contender.train_nats + contender.heldout_nats) / contender.inflation - price(contender.effect);
+double ModelComparison::score_alone(const Candidate& candidate) const {
+  return (candidate.train_nats + candidate.heldout_nats) / candidate.autocorrelation_factor -
+         complexity_penalty(candidate.effect);
 }
 
-bool Contest::good_enough(const Contender& contender) const {
-  const double heldout_nats = contender.heldout_nats / contender.inflation;
-  const double train_nats = contender.train_nats / contender.inflation;
-  const bool both = heldout_nats > limits_.least_heldout_nats && train_nats > limits_.least_train_nats;
+bool ModelComparison::good_enough(const Candidate& candidate) const {
+  const double heldout_nats = candidate.heldout_nats / candidate.autocorrelation_factor;
+  const double train_nats = candidate.train_nats / candidate.autocorrelation_factor;
+  const bool both = heldout_nats > limits_.min_heldout_nats && train_nats > limits_.min_train_nats;
   const bool confirmed = heldout_nats > limits_.confirming_nats && train_nats > limits_.clear_train_nats;
-  return (both || confirmed) && score_alone(contender) > 0.0;
+  return (both || confirmed) && score_alone(candidate) > 0.0;
 }
 
-bool Contest::clear(const Contender& contender) const {
-  return good_enough(contender) &&
-         contender.heldout_nats / contender.inflation > limits_.least_further_nats &&
-         contender.train_nats / contender.inflation > limits_.least_further_nats;
+bool ModelComparison::clear(const Candidate& candidate) const {
+  return good_enough(candidate) &&
+         candidate.heldout_nats / candidate.autocorrelation_factor > limits_.min_further_nats &&
+         candidate.train_nats / candidate.autocorrelation_factor > limits_.min_further_nats;
 }
 
-bool Contest::worth_adding(const Contender& contender, const std::vector<Round>& so_far) const {
+bool ModelComparison::worth_adding(const Candidate& candidate,
+                                   const std::vector<SelectionStep>& so_far) const {
   double largest = 0.0;
-  for (const auto& round : so_far) {
-    if (round.contenders.empty()) continue;
-    const Contender& first = round.contenders.front();
-    largest = std::max(largest, first.heldout_nats / first.inflation);
+  for (const auto& selection_step : so_far) {
+    if (selection_step.candidates.empty()) continue;
+    const Candidate& first = selection_step.candidates.front();
+    largest = std::max(largest, first.heldout_nats / first.autocorrelation_factor);
   }
-  const double nats = contender.heldout_nats / contender.inflation;
+  const double nats = candidate.heldout_nats / candidate.autocorrelation_factor;
   // What a wrong shape of the strongest effect leaves, another may fit, but not so that noise alone is left.
   constexpr double of_noise_alone = 2.0;
-  const double least_share =
-      contender.inflation < of_noise_alone ? limits_.least_share_before_noise : limits_.least_share;
-  return good_enough(contender) &&
-         (largest == 0.0 || nats > std::max(limits_.least_further_nats, least_share * largest));
+  const double min_share =
+      candidate.autocorrelation_factor < of_noise_alone ? limits_.min_share_before_noise : limits_.min_share;
+  return good_enough(candidate) &&
+         (largest == 0.0 || nats > std::max(limits_.min_further_nats, min_share * largest));
 }
 
-bool Contest::clearly_better(const GapFit& with, const GapFit& without) const {
+bool ModelComparison::clearly_better(const Fit& with, const Fit& without) const {
   const std::vector<double> heldout_without = heldout_.residuals(without.model);
   const std::vector<double> heldout_with = heldout_.residuals(with.model);
-  const double inflation = std::max(inflation_of(train_, without.residuals, with.residuals),
-                                    inflation_of(heldout_, heldout_without, heldout_with));
-  const double train_nats = 0.5 * (without.squares - with.squares);
-  const double heldout_nats = 0.5 * (squares_of(heldout_without) - squares_of(heldout_with));
-  return train_nats / inflation > limits_.least_further_nats &&
-         heldout_nats / inflation > limits_.least_further_nats;
+  const double autocorrelation_factor =
+      std::max(autocorrelation_factor_of(train_, without.residuals, with.residuals),
+               autocorrelation_factor_of(heldout_, heldout_without, heldout_with));
+  const double train_nats = 0.5 * (without.sum_squares - with.sum_squares);
+  const double heldout_nats = 0.5 * (sum_squares_of(heldout_without) - sum_squares_of(heldout_with));
+  return train_nats / autocorrelation_factor > limits_.min_further_nats &&
+         heldout_nats / autocorrelation_factor > limits_.min_further_nats;
 }
 
-bool Contest::stands_beside(const GapFit& both, const Contender& decoy) const {
+bool ModelComparison::stands_beside(const Fit& both, const Candidate& decoy) const {
   return clearly_better(both, decoy.fit);
 }
 
-bool Contest::explains_something_else(const GapFit& both, const Contender& one,
-                                      const Contender& other) const {
+bool ModelComparison::explains_something_else(const Fit& both, const Candidate& one,
+                                              const Candidate& other) const {
   constexpr double about_as_much = 0.7;
-  const double train_nats = 0.5 * (other.fit.squares - both.squares);
+  const double train_nats = 0.5 * (other.fit.sum_squares - both.sum_squares);
   const double heldout_nats =
-      0.5 * (squares_of(other.heldout_residuals) - squares_of(heldout_.residuals(both.model)));
+      0.5 * (sum_squares_of(other.heldout_residuals) - sum_squares_of(heldout_.residuals(both.model)));
   return train_nats > about_as_much * one.train_nats && heldout_nats > about_as_much * one.heldout_nats;
 }
 
-bool Contest::pair_worth_adding(const GapFit& pair, const Round& round) const {
-  return clearly_better(pair, round.without) &&
-         (round.contenders.empty() || advantage(pair, round.contenders.front().fit) > 0.0);
+bool ModelComparison::pair_worth_adding(const Fit& pair, const SelectionStep& selection_step) const {
+  return clearly_better(pair, selection_step.without) &&
+         (selection_step.candidates.empty() || advantage(pair, selection_step.candidates.front().fit) > 0.0);
 }
 
 }  // namespace wheelwright::gap

@@ -1,4 +1,4 @@
-// Who explains more: contenders for a place in a model, judged on runs that they were fitted to and on runs
+// Who explains more: candidates for a place in a model, judged on runs that they were fitted to and on runs
 // that were held out.
 #pragma once
 
@@ -10,96 +10,97 @@
 
 namespace wheelwright::gap {
 
-// One effect that was tried beside others, fitted jointly with the core.
-struct Contender {
+// One effect that was tried beside others, fitted jointly with the linear part.
+struct Candidate {
   TrialEffect effect;
   double train_nats = 0.0;    // gain of log likelihood over the model without it
   double heldout_nats = 0.0;  // the same on the held-out runs, with nothing fitted there
-  double inflation = 1.0;     // by which correlation of what is left makes these gains look too large
-  double score = 0.0;         // both gains, deflated, less the price of the parameters, beside the best one's
-  GapFit fit;
+  double autocorrelation_factor =
+      1.0;             // by which correlation of what is left makes these gains look too large
+  double score = 0.0;  // both gains, deflated, less the price of the parameters, beside the best one's
+  Fit fit;
   std::size_t behind = 0;  // so many of the fit's effects act behind it
   std::vector<double> heldout_residuals;
 };
 
-// A delay that no usual core could hold is more than another shape of one.
-bool beyond_a_core(const TrialEffect& effect);
+// A delay that no usual linear part could hold is more than another shape of one.
+bool beyond_a_linear_part(const TrialEffect& effect);
 
 // One look at a model: who could be added to it, best first.
-struct Round {
-  GapFit without;
-  double heldout_squares = 0.0;  // of `without`
-  std::vector<Contender> contenders;
-  std::optional<GapFit> pair;  // with two more effects that explain together what no single one does
+struct SelectionStep {
+  Fit without;
+  double heldout_sum_squares = 0.0;  // of `without`
+  std::vector<Candidate> candidates;
+  std::optional<Fit> pair;  // with two more effects that explain together what no single one does
 };
 
 struct SearchLimits {
-  std::size_t most_effects = 4;
-  std::size_t most_fits = 9;        // per round
-  double least_heldout_nats = 9.0;  // deflated; the chance of a false one is at most exp(-9) each
-  double least_train_nats = 9.0;
-  double clear_train_nats = 30.0;    // training leaves no doubt which effect held-out runs have to confirm,
-  double confirming_nats = 6.0;      // and this confirms it
-  std::size_t most_poles = 5;        // of the linear core
-  double least_core_nats = 3.0;      // held out, deflated, for a larger core
-  double least_further_nats = 20.0;  // held out, deflated, for a further effect
-  double least_share = 0.06;         // of what the strongest effect explains, for a further one
-  double least_share_before_noise = 0.015;  // the same for one that leaves nothing but noise
-  double least_idle_nats = 40.0;            // held out, deflated, for one that free runs do not show
-  double clear_delay_nats = 100.0;          // the same for a delay that no core could hold
-  std::size_t most_paths = 3;               // first effects from each of which a search goes on
-  double least_path_score = 0.4;            // of the best one's, for a path of its own
+  std::size_t max_effects = 4;
+  std::size_t max_fits = 9;       // per round
+  double min_heldout_nats = 9.0;  // deflated; the chance of a false one is at most exp(-9) each
+  double min_train_nats = 9.0;
+  double clear_train_nats = 30.0;     // training leaves no doubt which effect held-out runs have to confirm,
+  double confirming_nats = 6.0;       // and this confirms it
+  std::size_t max_poles = 5;          // of the linear part
+  double min_linear_part_nats = 3.0;  // held out, deflated, for a larger linear part
+  double min_further_nats = 20.0;     // held out, deflated, for a further effect
+  double min_share = 0.06;            // of what the strongest effect explains, for a further one
+  double min_share_before_noise = 0.015;  // the same for one that leaves nothing but noise
+  double min_idle_nats = 40.0;            // held out, deflated, for one that free runs do not show
+  double clear_delay_nats = 100.0;        // the same for a delay that no linear part could hold
+  std::size_t max_paths = 3;              // first effects from each of which a search goes on
+  double min_path_score = 0.4;            // of the best one's, for a path of its own
 };
 
-class Contest {
+class ModelComparison {
  public:
-  Contest(const GapProblem& train, const GapProblem& heldout, const SearchLimits& limits);
+  ModelComparison(const Problem& train, const Problem& heldout, const SearchLimits& limits);
 
   // Whether the wheels of each run began at angles of their own: that is paid for.
   void set_angles_differ(bool differ) { angles_differ_ = differ; }
 
-  // Judges the fits of all contenders against the model without them, and puts the best first. Those whose
+  // Judges the fits of all candidates against the model without them, and puts the best first. Those whose
   // effect came out of no consequence are gone.
-  void judge(Round& round) const;
+  void judge(SelectionStep& selection_step) const;
 
-  // Whether a richer core that was fitted to the same runs is worth its parameters; nothing or less if not.
-  double core_score(const Round& round, const GapFit& richer) const;
+  // Whether a richer linear part that was fitted to the same runs is worth its parameters; nothing or less if
+  // not.
+  double core_score(const SelectionStep& selection_step, const Fit& richer) const;
 
   // By how much one whole model is better than another, in deflated nats less the price of the parameters.
   // Both must have been fitted under the present noise.
-  double advantage(const GapFit& one, const GapFit& other) const;
+  double advantage(const Fit& one, const Fit& other) const;
 
-  bool good_enough(const Contender& contender) const;
+  bool good_enough(const Candidate& candidate) const;
   // Good enough for a further effect, small as it may be beside the first.
-  bool clear(const Contender& contender) const;
+  bool clear(const Candidate& candidate) const;
   // A second effect that explains next to nothing beside the first is more often the first one's shape than
   // an effect.
-  bool worth_adding(const Contender& contender, const std::vector<Round>& so_far) const;
+  bool worth_adding(const Candidate& candidate, const std::vector<SelectionStep>& so_far) const;
   // A decoy that explains more does not speak against a name that explains something else: with the decoy in
   // the model (`both`), the name must still gain what it takes to be named.
-  bool stands_beside(const GapFit& both, const Contender& decoy) const;
-  // Whether one contender gains about as much beside another as alone: then they are no rivals. `both` has
+  bool stands_beside(const Fit& both, const Candidate& decoy) const;
+  // Whether one candidate gains about as much beside another as alone: then they are no rivals. `both` has
   // the two of them.
-  bool explains_something_else(const GapFit& both, const Contender& one, const Contender& other) const;
+  bool explains_something_else(const Fit& both, const Candidate& one, const Candidate& other) const;
   // Whether two effects at once are worth it: against the model without them, and against the best single
   // one.
-  bool pair_worth_adding(const GapFit& pair, const Round& round) const;
+  bool pair_worth_adding(const Fit& pair, const SelectionStep& selection_step) const;
 
  private:
-  Contender judged(const GapFit& without, const std::vector<double>& heldout_without,
-                   Contender contender) const;
-  bool acts_linearly(const Contender& contender) const;
-  double inflation_between(const Contender& worse, const Contender& better) const;
-  void rank(std::vector<Contender>& contenders) const;
-  static void leave_out_aliases(std::vector<Contender>& contenders);
-  double score_alone(const Contender& contender) const;
-  bool clearly_better(const GapFit& with, const GapFit& without) const;
-  double price(const TrialModel& model) const;
-  double price(const TrialEffect& effect) const;
-  double price_of_a_parameter() const;
+  Candidate judged(const Fit& without, const std::vector<double>& heldout_without, Candidate candidate) const;
+  bool acts_linearly(const Candidate& candidate) const;
+  double autocorrelation_factor_between(const Candidate& worse, const Candidate& better) const;
+  void rank(std::vector<Candidate>& candidates) const;
+  static void leave_out_aliases(std::vector<Candidate>& candidates);
+  double score_alone(const Candidate& candidate) const;
+  bool clearly_better(const Fit& with, const Fit& without) const;
+  double complexity_penalty(const TrialModel& model) const;
+  double complexity_penalty(const TrialEffect& effect) const;
+  double penalty_per_parameter() const;
 
-  const GapProblem& train_;
-  const GapProblem& heldout_;
+  const Problem& train_;
+  const Problem& heldout_;
   SearchLimits limits_;
   double largest_command_m_s_ = 0.0;
   bool angles_differ_ = false;

@@ -20,117 +20,118 @@ TrialModel with_last(TrialModel model, std::size_t place) {
 
 // What is said for an effect where it was looked at in its own place; nothing where training speaks against
 // it.
-double own_nats(const Round& check, const EffectInfo* info) {
+double own_nats(const SelectionStep& check, const EffectInfo* info) {
   const auto itself = std::ranges::find_if(
-      check.contenders, [&](const Contender& contender) { return contender.effect.info == info; });
-  if (itself == check.contenders.end() || itself->train_nats <= 0.0) return 0.0;
-  return itself->heldout_nats / itself->inflation;
+      check.candidates, [&](const Candidate& candidate) { return candidate.effect.info == info; });
+  if (itself == check.candidates.end() || itself->train_nats <= 0.0) return 0.0;
+  return itself->heldout_nats / itself->autocorrelation_factor;
 }
 
 }  // namespace
 
 // What one effect does is what the next one gets: a rival takes the place of the effect that it replaces.
-GapFit GapChecks::in_place(const Contender& contender, std::size_t place) const {
-  TrialModel model = contender.fit.model;
+Fit RivalChecks::in_place(const Candidate& candidate, std::size_t place) const {
+  TrialModel model = candidate.fit.model;
   const auto to = model.effects.begin() + static_cast<std::ptrdiff_t>(place);
-  if (contender.behind != 0 || to + 1 == model.effects.end()) return contender.fit;
+  if (candidate.behind != 0 || to + 1 == model.effects.end()) return candidate.fit;
   std::rotate(to, model.effects.end() - 1, model.effects.end());
   return train_.fit(model, steps_of_a_fit);
 }
 
 // Friction in front of the play is another robot than friction behind it: the best few are judged where the
 // effect stood that they are to replace, if they explain more there.
-void GapChecks::try_in_place(Round& check, std::size_t place) const {
+void RivalChecks::try_in_place(SelectionStep& check, std::size_t place) const {
   constexpr std::size_t few = 3;
   const auto stage = [](const TrialEffect& effect) { return effect.info->variants[effect.variant].stage; };
   bool any = false;
-  for (std::size_t i = 0; i < std::min(few, check.contenders.size()); ++i) {
-    Contender& contender = check.contenders[i];
-    const auto& effects = contender.fit.model.effects;
+  for (std::size_t i = 0; i < std::min(few, check.candidates.size()); ++i) {
+    Candidate& candidate = check.candidates[i];
+    const auto& effects = candidate.fit.model.effects;
     const std::size_t behind = effects.size() - 1 - place;
     const bool order_matters =
         std::any_of(effects.begin() + static_cast<std::ptrdiff_t>(place), effects.end() - 1,
                     [&](const TrialEffect& other) { return stage(other) == stage(effects.back()); });
     if (!order_matters) continue;
-    GapFit moved = in_place(contender, place);
-    if (moved.squares >= contender.fit.squares) continue;
-    contender.fit = std::move(moved);
-    contender.behind = behind;
+    Fit moved = in_place(candidate, place);
+    if (moved.sum_squares >= candidate.fit.sum_squares) continue;
+    candidate.fit = std::move(moved);
+    candidate.behind = behind;
     any = true;
   }
-  if (any) contest_.judge(check);
+  if (any) comparison_.judge(check);
 }
 
 // A decoy beside which the present effect gains what it takes to be named is no rival of it.
-void GapChecks::leave_out_decoys_of_something_else(Round& check, const TrialEffect& present) const {
-  if (check.contenders.empty() || !is_decoy(*check.contenders.front().effect.info)) return;
-  TrialModel both = check.contenders.front().fit.model;
+void RivalChecks::leave_out_decoys_of_something_else(SelectionStep& check, const TrialEffect& present) const {
+  if (check.candidates.empty() || !is_decoy(*check.candidates.front().effect.info)) return;
+  TrialModel both = check.candidates.front().fit.model;
   both.effects.push_back(present);
-  if (!contest_.stands_beside(train_.fit(both, steps_of_a_fit), check.contenders.front())) return;
-  std::erase_if(check.contenders, [](const Contender& one) { return is_decoy(*one.effect.info); });
-  contest_.judge(check);
+  if (!comparison_.stands_beside(train_.fit(both, steps_of_a_fit), check.candidates.front())) return;
+  std::erase_if(check.candidates, [](const Candidate& one) { return is_decoy(*one.effect.info); });
+  comparison_.judge(check);
 }
 
 // How far correlation inflates the difference of two effects that explain different things says nothing of
 // either; only those that explain the same are rivals.
-void GapChecks::leave_out_rivals_of_something_else(Round& check, const EffectInfo* than) const {
+void RivalChecks::leave_out_rivals_of_something_else(SelectionStep& check, const EffectInfo* than) const {
   constexpr double doubtful = 5.0;  // of the score: 150 to 1
-  const auto found = std::ranges::find(check.contenders, than,
-                                       [](const Contender& contender) { return contender.effect.info; });
-  if (found == check.contenders.end()) return;
-  const Contender itself = *found;
-  std::erase_if(check.contenders, [&](const Contender& rival) {
+  const auto found = std::ranges::find(check.candidates, than,
+                                       [](const Candidate& candidate) { return candidate.effect.info; });
+  if (found == check.candidates.end()) return;
+  const Candidate itself = *found;
+  std::erase_if(check.candidates, [&](const Candidate& rival) {
     if (rival.effect.info == than || is_decoy(*rival.effect.info)) return false;
     if (rival.score < itself.score - doubtful) return false;
     TrialModel both = rival.fit.model;
     both.effects.push_back(itself.effect);
-    return contest_.explains_something_else(train_.fit(both, steps_of_a_fit), itself, rival);
+    return comparison_.explains_something_else(train_.fit(both, steps_of_a_fit), itself, rival);
   });
 }
 
 // For each accepted effect: would another one do better in its place, now that the others are there?
-bool GapChecks::improve_by_swaps(GapSearch& result, Swaps swaps) {
+bool RivalChecks::improve_by_swaps(GapSearch& result, Swaps swaps) {
   bool changed = false;
   result.checks.clear();
   for (std::size_t i = 0; i < result.final.model.effects.size(); ++i) {
     TrialModel others = result.final.model;
     const TrialEffect present = others.effects[i];
     others.effects.erase(others.effects.begin() + static_cast<std::ptrdiff_t>(i));
-    const GapFit without = look_.with_core_afresh(train_.fit(others, steps_of_a_fit));
+    const Fit without = evaluation_.with_refitted_linear_part(train_.fit(others, steps_of_a_fit));
     const TrialModel present_last = with_last(result.final.model, i);
-    Round round = look_.look(without, {present_last});
-    try_in_place(round, i);
-    leave_out_decoys_of_something_else(round, present_last.effects.back());
+    SelectionStep selection_step = evaluation_.evaluate(without, {present_last});
+    try_in_place(selection_step, i);
+    leave_out_decoys_of_something_else(selection_step, present_last.effects.back());
     // One that is better but explains something else takes the place when swaps are made; after, it is no
     // doubt.
-    if (swaps == Swaps::only_looked_at) leave_out_rivals_of_something_else(round, present.info);
-    if (!round.contenders.empty()) {
-      leave_out_rivals_of_something_else(round, round.contenders.front().effect.info);
+    if (swaps == Swaps::only_looked_at) leave_out_rivals_of_something_else(selection_step, present.info);
+    if (!selection_step.candidates.empty()) {
+      leave_out_rivals_of_something_else(selection_step, selection_step.candidates.front().effect.info);
     }
-    const Contender* best = best_named(round);
-    const bool none = best == nullptr || !contest_.good_enough(*best);
+    const Candidate* best = best_named(selection_step);
+    const bool none = best == nullptr || !comparison_.good_enough(*best);
     if (swaps == Swaps::made && (none || best->effect.info != present.info)) {
-      result.final = none ? round.without : in_place(*best, i);  // none: not needed beside the others
+      result.final =
+          none ? selection_step.without : in_place(*best, i);  // none: not needed beside the others
       changed = true;
     }
-    result.checks.push_back(std::move(round));
+    result.checks.push_back(std::move(selection_step));
     if (changed) break;
   }
   return changed;
 }
 
 // Swaps look at one effect at a time; a model with another effect that came out worse as a whole is not kept.
-void GapChecks::swap_while_better(GapSearch& result) {
+void RivalChecks::swap_while_better(GapSearch& result) {
   for (int tries = 0; tries < 3 && !result.final.model.effects.empty(); ++tries) {
-    const GapFit before = result.final;
+    const Fit before = result.final;
     if (!improve_by_swaps(result, Swaps::made)) return;
     if (result.final.model.effects.size() < before.model.effects.size()) continue;
-    const GapFit kept = train_.fit(before.model, steps_of_a_refit);
+    const Fit kept = train_.fit(before.model, steps_of_a_refit);
     result.final = train_.fit(result.final.model, steps_of_a_refit);
     const bool simpler = result.final.model.parameter_count() < kept.model.parameter_count();
-    const double explained = result.checks.back().contenders.front().score;
+    const double explained = result.checks.back().candidates.front().score;
     const double margin = simpler ? -resolution_of_a_fit * explained : 0.0;
-    if (contest_.advantage(result.final, kept) > margin) continue;
+    if (comparison_.advantage(result.final, kept) > margin) continue;
     result.final = kept;
     break;
   }
@@ -139,10 +140,10 @@ void GapChecks::swap_while_better(GapSearch& result) {
 
 // Beside other effects, one that helps a little is often the shape of the others: such an effect stays only
 // where free runs come closer by it. One at a time, the least needed first, since two may stand for each
-// other. A delay that a core could hold is no more than a better linear model: where it is clear, or free
-// runs come closer by it, the core holds it from then on; one that no core could hold is no mere shape. One
-// that does not stand for itself goes whatever the free runs say.
-bool GapChecks::drop_idle(GapSearch& result) {
+// other. A delay that a linear part could hold is no more than a better linear model: where it is clear, or
+// free runs come closer by it, the linear part holds it from then on; one that no linear part could hold is
+// no mere shape. One that does not stand for itself goes whatever the free runs say.
+bool RivalChecks::drop_idle(GapSearch& result) {
   const auto& effects = result.final.model.effects;
   if (effects.size() < 2) return false;
   std::vector<double> nats;
@@ -155,18 +156,18 @@ bool GapChecks::drop_idle(GapSearch& result) {
   for (const std::size_t place : order) {
     const bool stands = stands_for_itself(result.checks[place], effects[place].info, nats[place], largest);
     const bool linear = effects[place].info->linear;
-    const double least_nats = linear ? limits_.clear_delay_nats : limits_.least_idle_nats;
-    const bool of_a_core = linear && !beyond_a_core(effects[place]);
-    const bool is_clear = stands && nats[place] >= least_nats;
-    if (is_clear && !of_a_core) continue;
+    const double min_nats = linear ? limits_.clear_delay_nats : limits_.min_idle_nats;
+    const bool of_a_linear_part = linear && !beyond_a_linear_part(effects[place]);
+    const bool is_clear = stands && nats[place] >= min_nats;
+    if (is_clear && !of_a_linear_part) continue;
     TrialModel others = result.final.model;
     others.effects.erase(others.effects.begin() + static_cast<std::ptrdiff_t>(place));
-    GapFit without = look_.with_core_afresh(train_.fit(others, steps_of_a_fit));
+    Fit without = evaluation_.with_refitted_linear_part(train_.fit(others, steps_of_a_fit));
     const bool closer = stands && free_runs_.closer(without.model, result.final.model);
-    if (closer && !of_a_core) continue;
+    if (closer && !of_a_linear_part) continue;
     if (closer || is_clear) {
       const double delay_s = effects[place].parameters.front();
-      without = train_.fit(others.with_later_core(delay_s), steps_of_a_refit);
+      without = train_.fit(others.with_later_linear_part(delay_s), steps_of_a_refit);
     }
     result.final = std::move(without);
     return true;
@@ -176,20 +177,20 @@ bool GapChecks::drop_idle(GapSearch& result) {
 
 // One that helps a little and in whose place another would help more does not, nor one that a decoy beats,
 // nor one that is small beside the others and hardly told from its rivals.
-bool GapChecks::stands_for_itself(const Round& check, const EffectInfo* info, double nats,
-                                  double largest) const {
+bool RivalChecks::stands_for_itself(const SelectionStep& check, const EffectInfo* info, double nats,
+                                    double largest) const {
   constexpr double told_by = 2.2;  // of the score: 9 to 1
-  if (check.contenders.empty()) return nats >= limits_.least_idle_nats;
-  const Contender& first = check.contenders.front();
+  if (check.candidates.empty()) return nats >= limits_.min_idle_nats;
+  const Candidate& first = check.candidates.front();
   if (is_decoy(*first.effect.info)) return false;
-  if (first.effect.info != info) return nats >= limits_.least_idle_nats;
+  if (first.effect.info != info) return nats >= limits_.min_idle_nats;
   const auto rival = std::ranges::find_if(
-      check.contenders, [&](const Contender& contender) { return contender.effect.info != info; });
-  const bool told = rival == check.contenders.end() || first.score - rival->score > told_by;
-  return told || nats >= limits_.least_share * largest;
+      check.candidates, [&](const Candidate& candidate) { return candidate.effect.info != info; });
+  const bool told = rival == check.candidates.end() || first.score - rival->score > told_by;
+  return told || nats >= limits_.min_share * largest;
 }
 
-void GapChecks::check(GapSearch& result) {
+void RivalChecks::check(GapSearch& result) {
   improve_by_swaps(result, Swaps::only_looked_at);
 }
 

@@ -7,11 +7,15 @@
 
 namespace wheelwright::gap {
 
-class GapChecks {
+class RivalChecks {
  public:
-  GapChecks(const GapProblem& train, const Contest& contest, GapLook& look, const SearchLimits& limits,
-            const FreeRuns& free_runs)
-      : train_(train), contest_(contest), look_(look), limits_(limits), free_runs_(free_runs) {}
+  RivalChecks(const Problem& train, const ModelComparison& comparison, CandidateEvaluation& evaluation,
+              const SearchLimits& limits, const FreeRuns& free_runs)
+      : train_(train),
+        comparison_(comparison),
+        evaluation_(evaluation),
+        limits_(limits),
+        free_runs_(free_runs) {}
 
   // Puts another effect in the place of one, or none, as long as the whole model gets better by it; leaves
   // the checks of what is there then.
@@ -25,15 +29,16 @@ class GapChecks {
  private:
   enum class Swaps { made, only_looked_at };
   bool improve_by_swaps(GapSearch& result, Swaps swaps);
-  void leave_out_decoys_of_something_else(Round& check, const TrialEffect& present) const;
-  void leave_out_rivals_of_something_else(Round& check, const EffectInfo* than) const;
-  bool stands_for_itself(const Round& check, const EffectInfo* info, double nats, double largest) const;
-  GapFit in_place(const Contender& contender, std::size_t place) const;
-  void try_in_place(Round& check, std::size_t place) const;
+  void leave_out_decoys_of_something_else(SelectionStep& check, const TrialEffect& present) const;
+  void leave_out_rivals_of_something_else(SelectionStep& check, const EffectInfo* than) const;
+  bool stands_for_itself(const SelectionStep& check, const EffectInfo* info, double nats,
+                         double largest) const;
+  Fit in_place(const Candidate& candidate, std::size_t place) const;
+  void try_in_place(SelectionStep& check, std::size_t place) const;
 
-  const GapProblem& train_;
-  const Contest& contest_;
-  GapLook& look_;
+  const Problem& train_;
+  const ModelComparison& comparison_;
+  CandidateEvaluation& evaluation_;
   SearchLimits limits_;
   const FreeRuns& free_runs_;
 };

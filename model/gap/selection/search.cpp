@@ -23,94 +23,98 @@ std::vector<const EffectInfo*> infos_of(const TrialModel& model) {
 
 // One way through the effects: the rounds so far, and the model that they led to.
 struct Path {
-  std::vector<Round> rounds;
-  GapFit model;
+  std::vector<SelectionStep> selection_steps;
+  Fit model;
   bool met_another = false;  // which goes on from here
 };
 
 class Search {
  public:
-  Search(GapProblem& train, GapProblem& heldout, std::span<const EffectInfo* const> candidates,
-         const SearchLimits& limits, const FreeRuns& free_runs, const ForEach& for_each,
+  Search(Problem& train, Problem& heldout, std::span<const EffectInfo* const> candidate_effects,
+         const SearchLimits& limits, const FreeRuns& free_runs, const ParallelFor& parallel_for,
          const Progress& progress)
       : train_(train),
         heldout_(heldout),
         limits_(limits),
         free_runs_(free_runs),
-        for_each_(for_each),
+        parallel_for_(parallel_for),
         progress_(progress),
-        contest_(train, heldout, limits_),
-        look_(train, heldout, contest_, candidates, limits_, for_each),
-        checks_(train, contest_, look_, limits_, free_runs) {}
+        comparison_(train, heldout, limits_),
+        evaluation_(train, heldout, comparison_, candidate_effects, limits_, parallel_for),
+        checks_(train, comparison_, evaluation_, limits_, free_runs) {}
 
   GapSearch run(const TrialModel& start);
 
  private:
-  Round first_round(const TrialModel& start);
-  std::vector<TrialModel> richer_cores(const TrialModel& present) const;
-  std::optional<GapFit> better_core(const Round& round) const;
-  bool helps_what_is_off(const Contender& best, const Round& round) const;
-  const Contender* first_accepted(const Round& round, const std::vector<Round>& so_far) const;
-  bool accepted(const Contender* best, const Round& round, const std::vector<Round>& so_far) const;
-  bool pair_accepted(const Round& round, std::size_t rounds_so_far) const;
-  std::vector<const Contender*> first_effects(const Round& first) const;
-  bool was_here_before(const GapFit& present) const;
+  SelectionStep first_round(const TrialModel& start);
+  std::vector<TrialModel> higher_order_parts(const TrialModel& present) const;
+  std::optional<Fit> better_linear_part(const SelectionStep& selection_step) const;
+  bool helps_what_is_off(const Candidate& best, const SelectionStep& selection_step) const;
+  const Candidate* first_accepted(const SelectionStep& selection_step,
+                                  const std::vector<SelectionStep>& so_far) const;
+  bool accepted(const Candidate* best, const SelectionStep& selection_step,
+                const std::vector<SelectionStep>& so_far) const;
+  bool pair_accepted(const SelectionStep& selection_step, std::size_t rounds_so_far) const;
+  std::vector<const Candidate*> first_effects(const SelectionStep& first) const;
+  bool was_here_before(const Fit& present) const;
   Path grown(Path path);
-  Path best_path(const Round& first);
+  Path best_path(const SelectionStep& first);
   bool preferred(const Path& one, const Path& other, double clear) const;
   void grow_on(GapSearch& result);
   void let_turns_have_a_gain(GapSearch& result);
-  GapFit best_linear_model(const GapSearch& result);
+  Fit best_linear_model(const GapSearch& result);
   void size_up(GapSearch& result);
 
-  GapProblem& train_;
-  GapProblem& heldout_;
+  Problem& train_;
+  Problem& heldout_;
   SearchLimits limits_;
   const FreeRuns& free_runs_;
-  const ForEach& for_each_;
+  const ParallelFor& parallel_for_;
   const Progress& progress_;
-  Contest contest_;
-  GapLook look_;
-  GapChecks checks_;
+  ModelComparison comparison_;
+  CandidateEvaluation evaluation_;
+  RivalChecks checks_;
   std::vector<TrialModel> been_at_;  // by all paths
 };
 
 // No slope leads from a quick pole to a slow one, nor always from a slow one to one less slow.
-std::vector<TrialModel> Search::richer_cores(const TrialModel& present) const {
+std::vector<TrialModel> Search::higher_order_parts(const TrialModel& present) const {
   std::vector<TrialModel> richer;
-  if (present.shape.poles < limits_.most_poles) {
-    richer.push_back(present.with_larger_core());
+  if (present.shape.poles < limits_.max_poles) {
+    richer.push_back(present.with_higher_order());
     for (const double lag_s : {0.4, 1.5})
-      richer.push_back(present.with_larger_core(std::exp(-present.period_s / lag_s)));
+      richer.push_back(present.with_higher_order(std::exp(-present.period_s / lag_s)));
   }
   if (present.shape.shared) {
-    if (!present.shape.skewed) richer.push_back(present.with_skewed_core());
-    richer.push_back(present.with_parted_core());
+    if (!present.shape.unequal_lags) richer.push_back(present.with_unequal_lags());
+    richer.push_back(present.with_parted_linear_part());
   }
   // A body is not turned as it is pushed. That it also turns with another gain than it drives is for counts
   // to tell, or for let_turns_have_a_gain.
-  const auto crossings =
-      train_.has_counts() ? std::vector{Crossing::share, Crossing::free} : std::vector{Crossing::balanced};
-  for (const Crossing crossing : crossings) {
-    if (crossing > present.shape.crossing) richer.push_back(present.with_crossed_core(crossing));
+  const auto cross_couplings = train_.has_counts() ? std::vector{CrossCoupling::share, CrossCoupling::free}
+                                                   : std::vector{CrossCoupling::balanced};
+  for (const CrossCoupling cross_coupling : cross_couplings) {
+    if (cross_coupling > present.shape.cross_coupling)
+      richer.push_back(present.with_cross_coupling(cross_coupling));
   }
   return richer;
 }
 
-// A richer linear core is a rival too: it wins where what is missing is linear. Only those that promise
-// something after a few steps are fitted to the end.
-std::optional<GapFit> Search::better_core(const Round& round) const {
+// A richer linear part is a rival too: it wins where what is missing is linear. Only those that
+// promise something after a few steps are fitted to the end.
+std::optional<Fit> Search::better_linear_part(const SelectionStep& selection_step) const {
   constexpr double promising = 0.3;  // of what the best effect explains
   constexpr int steps_to_the_end = 60;
   const Part part = train_.part_of(EffectStage::command);
-  std::optional<GapFit> best;
-  double best_score = round.contenders.empty() ? 0.0 : std::max(0.0, round.contenders.front().score);
-  const double least_nats = promising * best_score;
-  for (const TrialModel& start : richer_cores(round.without.model)) {
-    const GapFit first = train_.fit(start, steps_of_a_refit, part);
-    if (0.5 * (round.without.squares - first.squares) <= least_nats) continue;
-    GapFit fit = train_.fit(first.model, steps_to_the_end, part);
-    const double score = contest_.core_score(round, fit);
+  std::optional<Fit> best;
+  double best_score =
+      selection_step.candidates.empty() ? 0.0 : std::max(0.0, selection_step.candidates.front().score);
+  const double min_nats = promising * best_score;
+  for (const TrialModel& start : higher_order_parts(selection_step.without.model)) {
+    const Fit first = train_.fit(start, steps_of_a_refit, part);
+    if (0.5 * (selection_step.without.sum_squares - first.sum_squares) <= min_nats) continue;
+    Fit fit = train_.fit(first.model, steps_to_the_end, part);
+    const double score = comparison_.core_score(selection_step, fit);
     if (score <= best_score) continue;
     best_score = score;
     best = std::move(fit);
@@ -118,42 +122,45 @@ std::optional<GapFit> Search::better_core(const Round& round) const {
   return best;
 }
 
-Round Search::first_round(const TrialModel& start) {
-  Round round = look_.look(look_.settle(start, 3));
-  while (const auto larger = better_core(round)) round = look_.look(look_.settle(larger->model, 1));
-  return round;
+SelectionStep Search::first_round(const TrialModel& start) {
+  SelectionStep selection_step = evaluation_.evaluate(evaluation_.settle(start, 3));
+  while (const auto larger = better_linear_part(selection_step))
+    selection_step = evaluation_.evaluate(evaluation_.settle(larger->model, 1));
+  return selection_step;
 }
 
 // Where free runs are off by more than noise, something is missing: a further effect may be small beside the
 // first one, and need not be clear where free runs come closer by it.
-bool Search::helps_what_is_off(const Contender& best, const Round& round) const {
-  if (!contest_.good_enough(best) || !free_runs_.still_off(round.without.model)) return false;
-  return contest_.clear(best) || free_runs_.closer(round.without.model, best.fit.model);
+bool Search::helps_what_is_off(const Candidate& best, const SelectionStep& selection_step) const {
+  if (!comparison_.good_enough(best) || !free_runs_.still_off(selection_step.without.model)) return false;
+  return comparison_.clear(best) || free_runs_.closer(selection_step.without.model, best.fit.model);
 }
 
-bool Search::accepted(const Contender* best, const Round& round, const std::vector<Round>& so_far) const {
-  if (best == nullptr || so_far.size() >= limits_.most_effects) return false;
-  if (!contest_.worth_adding(*best, so_far) && !helps_what_is_off(*best, round)) return false;
-  if (best == round.contenders.data()) return true;
-  TrialModel with_both = round.contenders.front().fit.model;
+bool Search::accepted(const Candidate* best, const SelectionStep& selection_step,
+                      const std::vector<SelectionStep>& so_far) const {
+  if (best == nullptr || so_far.size() >= limits_.max_effects) return false;
+  if (!comparison_.worth_adding(*best, so_far) && !helps_what_is_off(*best, selection_step)) return false;
+  if (best == selection_step.candidates.data()) return true;
+  TrialModel with_both = selection_step.candidates.front().fit.model;
   with_both.effects.push_back(best->effect);
-  return contest_.stands_beside(train_.fit(with_both, steps_of_a_fit), round.contenders.front());
+  return comparison_.stands_beside(train_.fit(with_both, steps_of_a_fit), selection_step.candidates.front());
 }
 
 // Mostly the best one; where correlation leaves that in doubt, the next may be clear.
-const Contender* Search::first_accepted(const Round& round, const std::vector<Round>& so_far) const {
+const Candidate* Search::first_accepted(const SelectionStep& selection_step,
+                                        const std::vector<SelectionStep>& so_far) const {
   constexpr int few = 3;
   int looked_at = 0;
-  for (const Contender& contender : round.contenders) {
-    if (is_decoy(*contender.effect.info)) continue;
-    if (contender.score <= 0.0 || ++looked_at > few) return nullptr;
-    if (accepted(&contender, round, so_far)) return &contender;
+  for (const Candidate& candidate : selection_step.candidates) {
+    if (is_decoy(*candidate.effect.info)) continue;
+    if (candidate.score <= 0.0 || ++looked_at > few) return nullptr;
+    if (accepted(&candidate, selection_step, so_far)) return &candidate;
   }
   return nullptr;
 }
 
 // Paths that took up the same effects one after the other in another order meet, and go on alike.
-bool Search::was_here_before(const GapFit& present) const {
+bool Search::was_here_before(const Fit& present) const {
   constexpr double same = 5e-4;  // of the squares
   const auto sorted_infos_of = [](const TrialModel& model) {
     auto infos = infos_of(model);
@@ -163,7 +170,7 @@ bool Search::was_here_before(const GapFit& present) const {
   const auto infos = sorted_infos_of(present.model);
   return std::ranges::any_of(been_at_, [&](const TrialModel& before) {
     return sorted_infos_of(before) == infos &&
-           squares_of(train_.residuals(before)) < (1.0 + same) * present.squares;
+           sum_squares_of(train_.residuals(before)) < (1.0 + same) * present.sum_squares;
   });
 }
 
@@ -173,46 +180,49 @@ Path Search::grown(Path path) {
     path.met_another = was_here_before(path.model);
     if (path.met_another) return path;
     been_at_.push_back(path.model.model);
-    progress_("effect " + std::to_string(path.rounds.size() + 1),
-              0.1 + 0.15 * static_cast<double>(path.rounds.size()));
-    Round round = look_.look(path.model);
-    while (const auto larger = better_core(round)) round = look_.look(look_.settle(larger->model, 1));
-    const Contender* next = first_accepted(round, path.rounds);
-    const bool pair = next == nullptr && pair_accepted(round, path.rounds.size());
-    path.model = next != nullptr ? look_.with_core_afresh(next->fit)
-                 : pair          ? look_.with_core_afresh(*round.pair)
-                                 : round.without;
+    progress_("effect " + std::to_string(path.selection_steps.size() + 1),
+              0.1 + 0.15 * static_cast<double>(path.selection_steps.size()));
+    SelectionStep selection_step = evaluation_.evaluate(path.model);
+    while (const auto larger = better_linear_part(selection_step))
+      selection_step = evaluation_.evaluate(evaluation_.settle(larger->model, 1));
+    const Candidate* next = first_accepted(selection_step, path.selection_steps);
+    const bool pair = next == nullptr && pair_accepted(selection_step, path.selection_steps.size());
+    path.model = next != nullptr ? evaluation_.with_refitted_linear_part(next->fit)
+                 : pair          ? evaluation_.with_refitted_linear_part(*selection_step.pair)
+                                 : selection_step.without;
     const bool ends = next == nullptr && !pair;
-    path.rounds.push_back(std::move(round));
+    path.selection_steps.push_back(std::move(selection_step));
     if (ends) return path;
   }
 }
 
-bool Search::pair_accepted(const Round& round, std::size_t rounds_so_far) const {
-  return round.pair && rounds_so_far < limits_.most_effects && contest_.pair_worth_adding(*round.pair, round);
+bool Search::pair_accepted(const SelectionStep& selection_step, std::size_t rounds_so_far) const {
+  return selection_step.pair && rounds_so_far < limits_.max_effects &&
+         comparison_.pair_worth_adding(*selection_step.pair, selection_step);
 }
 
 // The best one of each name that could be the first.
-std::vector<const Contender*> Search::first_effects(const Round& first) const {
-  std::vector<const Contender*> all;
-  const Contender* best = best_named(first);
+std::vector<const Candidate*> Search::first_effects(const SelectionStep& first) const {
+  std::vector<const Candidate*> all;
+  const Candidate* best = best_named(first);
   if (!accepted(best, first, {})) return all;
-  for (const auto& contender : first.contenders) {
+  for (const auto& candidate : first.candidates) {
     const bool known = std::ranges::any_of(
-        all, [&](const Contender* other) { return other->effect.info == contender.effect.info; });
-    if (known || is_decoy(*contender.effect.info) || !contest_.good_enough(contender)) continue;
-    if (contender.score < limits_.least_path_score * best->score) break;
-    all.push_back(&contender);
-    if (all.size() == limits_.most_paths) break;
+        all, [&](const Candidate* other) { return other->effect.info == candidate.effect.info; });
+    if (known || is_decoy(*candidate.effect.info) || !comparison_.good_enough(candidate)) continue;
+    if (candidate.score < limits_.min_path_score * best->score) break;
+    all.push_back(&candidate);
+    if (all.size() == limits_.max_paths) break;
   }
   return all;
 }
 
 // What comes first decides what comes next: each path is gone to its end, and whole models are compared.
-Path Search::best_path(const Round& first) {
+Path Search::best_path(const SelectionStep& first) {
   std::vector<Path> paths;
-  for (const Contender* contender : first_effects(first)) {
-    Path path = grown({{first}, look_.with_core_afresh(look_.settle(contender->fit.model, 1))});
+  for (const Candidate* candidate : first_effects(first)) {
+    Path path =
+        grown({{first}, evaluation_.with_refitted_linear_part(evaluation_.settle(candidate->fit.model, 1))});
     if (path.met_another) continue;
     paths.push_back(std::move(path));
     // One effect and nothing left: whoever else could be it is asked in the checks.
@@ -220,19 +230,20 @@ Path Search::best_path(const Round& first) {
     if (found.effects.size() == 1 && !free_runs_.still_off(found)) return std::move(paths.front());
   }
   if (pair_accepted(first, 0)) {
-    Path path = grown({{first}, look_.with_core_afresh(look_.settle(first.pair->model, 1))});
+    Path path =
+        grown({{first}, evaluation_.with_refitted_linear_part(evaluation_.settle(first.pair->model, 1))});
     if (!path.met_another) paths.push_back(std::move(path));
   }
   if (paths.empty()) return {{first}, first.without};
   if (paths.size() == 1) return std::move(paths.front());
   const auto closest =
-      std::ranges::min_element(paths, {}, [](const Path& path) { return path.model.squares; });
-  look_.set_noise_left_by(closest->model.model);
-  for_each_(paths.size(),
-            [&](std::size_t i) { paths[i].model = train_.fit(paths[i].model.model, steps_of_a_refit); });
-  const GapFit nothing = train_.fit(first.without.model, steps_of_a_refit);
-  const double all = contest_.advantage(paths.front().model, nothing);
-  const double clear = std::max(limits_.least_further_nats, limits_.least_share * all);
+      std::ranges::min_element(paths, {}, [](const Path& path) { return path.model.sum_squares; });
+  evaluation_.set_noise_left_by(closest->model.model);
+  parallel_for_(paths.size(),
+                [&](std::size_t i) { paths[i].model = train_.fit(paths[i].model.model, steps_of_a_refit); });
+  const Fit nothing = train_.fit(first.without.model, steps_of_a_refit);
+  const double all = comparison_.advantage(paths.front().model, nothing);
+  const double clear = std::max(limits_.min_further_nats, limits_.min_share * all);
   std::size_t best = 0;
   for (std::size_t i = 1; i < paths.size(); ++i) {
     if (preferred(paths[i], paths[best], clear)) best = i;
@@ -245,62 +256,63 @@ bool Search::preferred(const Path& one, const Path& other, double clear) const {
   const std::size_t effects = one.model.model.effects.size();
   const std::size_t others = other.model.model.effects.size();
   const double margin = effects < others ? -clear : effects > others ? clear : 0.0;
-  return contest_.advantage(one.model, other.model) > margin;
+  return comparison_.advantage(one.model, other.model) > margin;
 }
 
 // What did not help beside an effect that has gone since, or found no place for what it masked, may help now.
 void Search::grow_on(GapSearch& result) {
   been_at_.clear();
   Path path = grown({result.checks, result.final});
-  const auto looks = path.rounds.begin() + static_cast<std::ptrdiff_t>(result.checks.size());
-  std::move(looks, path.rounds.end(), std::back_inserter(result.rounds));
+  const auto looks = path.selection_steps.begin() + static_cast<std::ptrdiff_t>(result.checks.size());
+  std::move(looks, path.selection_steps.end(), std::back_inserter(result.selection_steps));
   if (path.model.model.effects.size() == result.final.model.effects.size()) return;
   result.final = std::move(path.model);
   checks_.check(result);
 }
 
 // Without counts, wheels that do not feel each other have one gain for driving and for turning. That turning
-// has another may have several causes; where none of them was found, the core takes it, so that no turn is
-// foretold by the gain of driving.
+// has another may have several causes; where none of them was found, the linear part takes it, so that no
+// turn is predicted by the gain of driving.
 void Search::let_turns_have_a_gain(GapSearch& result) {
   const TrialModel& found = result.final.model;
   if (train_.has_counts() || found.effects.empty()) return;
-  const Crossing with_gain = found.shape.crosses_by_weights() ? Crossing::free : Crossing::share;
-  GapFit crossed = train_.fit(found.with_crossed_core(with_gain), steps_of_a_refit);
-  if (contest_.advantage(crossed, result.final) < limits_.least_core_nats) return;
+  const CrossCoupling with_gain =
+      found.shape.crosses_by_weights() ? CrossCoupling::free : CrossCoupling::share;
+  Fit crossed = train_.fit(found.with_cross_coupling(with_gain), steps_of_a_refit);
+  if (comparison_.advantage(crossed, result.final) < limits_.min_linear_part_nats) return;
   if (free_runs_.closer(found, crossed.model)) result.final = std::move(crossed);
 }
 
-// The core of the model found, alone, or the one with which the search began: fits of what lacks an effect
-// end in many places.
-GapFit Search::best_linear_model(const GapSearch& result) {
+// The linear part of the model found, alone, or the one with which the search began: fits of what lacks an
+// effect end in many places.
+Fit Search::best_linear_model(const GapSearch& result) {
   TrialModel linear = result.final.model;
   linear.effects.clear();
-  GapFit of_found = look_.with_core_afresh(train_.fit(linear, steps_of_a_fit));
-  const TrialModel& first = result.rounds.front().without.model;
+  Fit of_found = evaluation_.with_refitted_linear_part(train_.fit(linear, steps_of_a_fit));
+  const TrialModel& first = result.selection_steps.front().without.model;
   if (!first.effects.empty()) return of_found;
-  GapFit of_first = train_.fit(first, steps_of_a_fit);
-  return of_first.squares < of_found.squares ? of_first : of_found;
+  Fit of_first = train_.fit(first, steps_of_a_fit);
+  return of_first.sum_squares < of_found.sum_squares ? of_first : of_found;
 }
 
 void Search::size_up(GapSearch& result) {
-  result.final = look_.settle(result.final.model, 1);
-  result.final = train_.fit(with_steps_centred(train_, result.final.model, for_each_), steps_of_a_refit);
+  result.final = evaluation_.settle(result.final.model, 1);
+  result.final = train_.fit(with_steps_centred(train_, result.final.model, parallel_for_), steps_of_a_refit);
   result.final = away_from_flat_places(train_, result.final, steps_of_a_refit);
   FitWithIntervals known =
-      with_effect_intervals(train_, std::move(result.final), steps_of_a_refit, for_each_);
+      with_effect_intervals(train_, std::move(result.final), steps_of_a_refit, parallel_for_);
   result.final = std::move(known.fit);
   result.intervals = std::move(known.intervals);
   result.baseline = best_linear_model(result);
   std::vector<const EffectInfo*> named;
-  for (const EffectInfo* info : look_.absent_from(result.final.model)) {
+  for (const EffectInfo* info : evaluation_.absent_from(result.final.model)) {
     if (!is_decoy(*info)) named.push_back(info);
   }
-  result.last_look = screen(train_, result.final, named, for_each_);
-  for (const auto& run : train_.runs()) result.train_rolled_m.push_back(run.rolled_before_m);
-  for (const auto& run : heldout_.runs()) result.heldout_rolled_m.push_back(run.rolled_before_m);
-  result.heldout_squares_before = squares_of(heldout_.residuals(result.baseline.model));
-  result.heldout_squares_after = squares_of(heldout_.residuals(result.final.model));
+  result.last_look = screen(train_, result.final, named, parallel_for_);
+  for (const auto& run : train_.runs()) result.train_rolled_m.push_back(run.initial_travel_m);
+  for (const auto& run : heldout_.runs()) result.heldout_rolled_m.push_back(run.initial_travel_m);
+  result.heldout_sum_squares_before = sum_squares_of(heldout_.residuals(result.baseline.model));
+  result.heldout_sum_squares_after = sum_squares_of(heldout_.residuals(result.final.model));
 }
 
 GapSearch Search::run(const TrialModel& start) {
@@ -308,7 +320,7 @@ GapSearch Search::run(const TrialModel& start) {
   progress_("linear model", 0.0);
   Path path = best_path(first_round(start));
   result.final = std::move(path.model);
-  result.rounds = std::move(path.rounds);
+  result.selection_steps = std::move(path.selection_steps);
   progress_("rivals", 0.75);
   const std::vector<const EffectInfo*> before = infos_of(result.final.model);
   checks_.swap_while_better(result);
@@ -322,10 +334,10 @@ GapSearch Search::run(const TrialModel& start) {
 
 }  // namespace
 
-GapSearch search_gap(GapProblem& train, GapProblem& heldout, const TrialModel& start,
-                     std::span<const EffectInfo* const> candidates, const SearchLimits& limits,
-                     const FreeRuns& free_runs, const ForEach& for_each, const Progress& progress) {
-  return Search(train, heldout, candidates, limits, free_runs, for_each, progress).run(start);
+GapSearch search_gap(Problem& train, Problem& heldout, const TrialModel& start,
+                     std::span<const EffectInfo* const> candidate_effects, const SearchLimits& limits,
+                     const FreeRuns& free_runs, const ParallelFor& parallel_for, const Progress& progress) {
+  return Search(train, heldout, candidate_effects, limits, free_runs, parallel_for, progress).run(start);
 }
 
 }  // namespace wheelwright::gap

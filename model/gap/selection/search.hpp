@@ -1,6 +1,6 @@
 // Finds the effects that a linear model of these runs lacks: candidates are screened, fitted together with
-// the core, judged on runs that were held out, and put in one after the other, with swaps, since effects mask
-// each other. Where several could be the first, the search goes on from each of them.
+// the linear part, judged on runs that were held out, and put in one after the other, with swaps, since
+// effects mask each other. Where several could be the first, the search goes on from each of them.
 #pragma once
 
 #include <functional>
@@ -15,16 +15,17 @@
 namespace wheelwright::gap {
 
 struct GapSearch {
-  GapFit baseline;                           // the linear model alone, under the final noise
-  GapFit final;                              // with all that was accepted, in the order in which it was found
+  Fit baseline;                              // the linear model alone, under the final noise
+  Fit final;                                 // with all that was accepted, in the order in which it was found
   std::vector<ParameterInterval> intervals;  // of the parameters of its effects, 95 %
-  std::vector<Round> rounds;                 // in the order of the search; the last one ended it
-  std::vector<Round> checks;  // for each accepted effect: the model without it, and who would take its place
+  std::vector<SelectionStep> selection_steps;  // in the order of the search; the last one ended it
+  std::vector<SelectionStep>
+      checks;  // for each accepted effect: the model without it, and who would take its place
   std::vector<WheelPair> train_rolled_m;  // what was found of where each run's wheels stood at its start
   std::vector<WheelPair> heldout_rolled_m;
   Screening last_look;  // from `final`: what is absent, and how clearly it would have shown
-  double heldout_squares_before = 0.0;
-  double heldout_squares_after = 0.0;
+  double heldout_sum_squares_before = 0.0;
+  double heldout_sum_squares_after = 0.0;
 };
 
 // Called before each longer piece of work with a word for it and the share done.
@@ -40,8 +41,8 @@ struct FreeRuns {
 };
 
 // `candidates` are the effects that the data can show at all, decoys among them.
-GapSearch search_gap(GapProblem& train, GapProblem& heldout, const TrialModel& start,
-                     std::span<const EffectInfo* const> candidates, const SearchLimits& limits,
-                     const FreeRuns& free_runs, const ForEach& for_each, const Progress& progress);
+GapSearch search_gap(Problem& train, Problem& heldout, const TrialModel& start,
+                     std::span<const EffectInfo* const> candidate_effects, const SearchLimits& limits,
+                     const FreeRuns& free_runs, const ParallelFor& parallel_for, const Progress& progress);
 
 }  // namespace wheelwright::gap

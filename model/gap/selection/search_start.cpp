@@ -8,8 +8,8 @@
 namespace wheelwright::gap {
 namespace {
 
-CoreShape shape_for(const GapProblem& train) {
-  CoreShape shape;
+LinearPartShape shape_for(const Problem& train) {
+  LinearPartShape shape;
   shape.shared = !train.has_counts();
   // First and last references alone, at rest, tell of any moment.
   constexpr std::size_t while_it_drives = 10;
@@ -17,8 +17,8 @@ CoreShape shape_for(const GapProblem& train) {
     return run.has_counts && (run.by_gyro || run.references.size() > while_it_drives);
   });
   shape.gyro_scaled = std::ranges::any_of(train.runs(), &GapRun::by_gyro);
-  // A core that reaches back 90 ms holds what delay is usual of a serial line and a motor; more of it is an
-  // effect.
+  // A linear part that reaches back 90 ms holds what delay is usual of a serial line and a motor; more of it
+  // is an effect.
   const double period_s = train.runs().front().period_s;
   shape.weights = static_cast<std::size_t>(std::clamp(std::lround(0.09 / period_s) + 1, 3L, 10L));
   return shape;
@@ -36,7 +36,7 @@ std::vector<TrialEffect> known_effects(const RobotModel* given) {
 
 }  // namespace
 
-TrialModel search_start(GapProblem& train, const RobotModel* given) {
+TrialModel search_start(Problem& train, const RobotModel* given) {
   const GapRun& run = train.runs().front();
   TrialModel best;
   double least = 0.0;
@@ -44,10 +44,10 @@ TrialModel search_start(GapProblem& train, const RobotModel* given) {
     TrialModel guess = first_guess(shape_for(train), run.period_s, run.wheel_base_m, lag_s, 0.036);
     guess.effects = known_effects(given);
     train.set_noise({});
-    const GapFit fit = train.fit(guess, 8);
-    if (best.core.empty() || fit.squares < least) {
+    const Fit fit = train.fit(guess, 8);
+    if (best.linear_part.empty() || fit.sum_squares < least) {
       best = fit.model;
-      least = fit.squares;
+      least = fit.sum_squares;
     }
   }
   return best;

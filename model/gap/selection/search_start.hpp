@@ -1,4 +1,4 @@
-// Where a search begins: a short linear core, and the effects that the robot's model is known to have.
+// Where a search begins: a short linear part, and the effects that the robot's model is known to have.
 #pragma once
 
 #include "model/gap/fit/problem.hpp"
@@ -8,6 +8,6 @@
 namespace wheelwright::gap {
 
 // Roughly fitted; `given` may be null. The noise of the problem is forgotten.
-TrialModel search_start(GapProblem& train, const RobotModel* given);
+TrialModel search_start(Problem& train, const RobotModel* given);
 
 }  // namespace wheelwright::gap

@@ -36,10 +36,10 @@ std::vector<Moment> moments_of(const DriveLog& log) {
 }
 
 Moment between(const Moment& before, const Moment& after, double share) {
-  const Pose step = relative_to(before.pose, after.pose);
+  const Pose step = between(before.pose, after.pose);
   return {{std::lerp(before.distance_m.left, after.distance_m.left, share),
            std::lerp(before.distance_m.right, after.distance_m.right, share)},
-          placed_at(before.pose, {share * step.x_m, share * step.y_m, share * step.theta_rad})};
+          compose(before.pose, {share * step.x_m, share * step.y_m, share * step.theta_rad})};
 }
 
 // What both can show.

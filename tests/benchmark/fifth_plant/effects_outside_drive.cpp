@@ -50,7 +50,7 @@ std::string hide_loose_hub(const Setting& setting) {
          fixed(wheel.hub_limit_n_m, 2) + " Nm";
 }
 
-// The scale of one wheel wanders off within each run; motors and counters know nothing of it.
+// The scale of one wheel drifts off within each run; motors and counters know nothing of it.
 std::string hide_leak(const Setting& setting) {
   WheelSpec& wheel = setting.robot().sides[right_side].wheel;
   wheel.leak = setting.drawn(0.045, 0.06, 0.1, 0.16);

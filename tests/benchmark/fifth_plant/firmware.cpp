@@ -43,11 +43,11 @@ PerWheel<double> Firmware::step(const PerWheel<double>& command_m_s) {
   PerWheel<double> target_m_s = through_radio(command_m_s);
   driving_ = std::abs(target_m_s[left_side]) + std::abs(target_m_s[right_side]) > standing_m_s;
   const double steering = steering_m_s();
-  const double most_m_s = spec_.ramp_m_s2 * fine_step_s;
+  const double max_m_s = spec_.ramp_m_s2 * fine_step_s;
   for (const std::size_t wheel : {left_side, right_side}) {
     double target = understood_m_s(target_m_s[wheel]) + (wheel == right_side ? steering : -steering);
     target = std::clamp(target, -spec_.fastest_m_s, spec_.fastest_m_s);
-    ramped_m_s_[wheel] += std::clamp(target - ramped_m_s_[wheel], -most_m_s, most_m_s);
+    ramped_m_s_[wheel] += std::clamp(target - ramped_m_s_[wheel], -max_m_s, max_m_s);
     approach(smooth_m_s_[wheel], ramped_m_s_[wheel]);
   }
   time_s_ += fine_step_s;

@@ -17,13 +17,13 @@ class Docking : public Intent {
     if (until_s_ == 0.0) until_s_ = time_s + 4.0;
     const double to_dock_m = std::hypot(seen.x_m, seen.y_m);
     const bool arrived = phase_ == Phase::approach && to_dock_m < 0.08;
-    const bool there = phase_ == Phase::wander && std::hypot(seen.x_m - x_m_, seen.y_m - y_m_) < 0.2;
+    const bool there = phase_ == Phase::drift && std::hypot(seen.x_m - x_m_, seen.y_m - y_m_) < 0.2;
     if (arrived || there || time_s > until_s_) advance(time_s);
     return act(seen, to_dock_m);
   }
 
  private:
-  enum class Phase { wander, approach, docked, back_out, spin };
+  enum class Phase { drift, approach, docked, back_out, spin };
 
   void set_out() {
     x_m_ = random_.uniform(0.9, 2.2);
@@ -34,7 +34,7 @@ class Docking : public Intent {
 
   void advance(double time_s) {
     phase_ = static_cast<Phase>((static_cast<int>(phase_) + 1) % 5);
-    if (phase_ == Phase::wander) set_out();
+    if (phase_ == Phase::drift) set_out();
     const double lasts_s = phase_ == Phase::docked     ? random_.uniform(0.5, 1.2)
                            : phase_ == Phase::back_out ? random_.uniform(1.2, 2.6)
                            : phase_ == Phase::spin     ? random_.uniform(0.8, 2.2)
@@ -55,7 +55,7 @@ class Docking : public Intent {
 
   Style style_;
   Random random_;
-  Phase phase_ = Phase::wander;
+  Phase phase_ = Phase::drift;
   double until_s_ = 0.0;
   double x_m_ = 0.0;
   double y_m_ = 0.0;

@@ -34,10 +34,10 @@ PerWheel<double> Person::command(double time_s, const Pose& seen) {
   constexpr double turning_per_forward = 3.5;  // rad/s^2 for a m/s^2: the stick turns quicker than it pushes
   const bool resting = time_s < rest_s || time_s > duration_s_ - rest_s;
   const Twist wanted = resting ? Twist{} : intent_->want(time_s, seen);
-  const double most_m_s = style_.hurry_m_s2 * period_s_;
-  const double most_rad_s = turning_per_forward * most_m_s;
-  stick_.forward_m_s += std::clamp(wanted.forward_m_s - stick_.forward_m_s, -most_m_s, most_m_s);
-  stick_.turn_rad_s += std::clamp(wanted.turn_rad_s - stick_.turn_rad_s, -most_rad_s, most_rad_s);
+  const double max_m_s = style_.hurry_m_s2 * period_s_;
+  const double max_rad_s = turning_per_forward * max_m_s;
+  stick_.forward_m_s += std::clamp(wanted.forward_m_s - stick_.forward_m_s, -max_m_s, max_m_s);
+  stick_.turn_rad_s += std::clamp(wanted.turn_rad_s - stick_.turn_rad_s, -max_rad_s, max_rad_s);
   const double half_turn_m_s = 0.5 * style_.wheel_base_m * stick_.turn_rad_s;
   PerWheel<double> command_m_s{stick_.forward_m_s - half_turn_m_s, stick_.forward_m_s + half_turn_m_s};
   const double fastest = std::max(std::abs(command_m_s[left_side]), std::abs(command_m_s[right_side]));

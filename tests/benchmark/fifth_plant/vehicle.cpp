@@ -31,7 +31,7 @@ Vehicle::Vehicle(const Robot& robot, const Pose& start, double battery_v, const 
   motion_.pose = start;
 }
 
-Wrench Vehicle::around(const Wrench& tyres) {
+Wrench Vehicle::context(const Wrench& tyres) {
   return tyres + floor_wrench(robot_, motion_) +
          drag_wrench(robot_.body, motion_, firmware_.driving(), start_) + castor_.step(motion_) +
          load_.step(motion_.forward_m_s) + turret_.step();
@@ -68,7 +68,7 @@ void Vehicle::step(const PerWheel<double>& command_m_s) {
   const double right_n =
       wheels_[right_side].step(wanted_m_s[right_side], motion_.forward_m_s + turning_m_s, supply);
   const double sideways_n = sideways_.step(-motion_.left_m_s, motion_.forward_m_s);
-  move(around({left_n + right_n, sideways_n, half_base_m * (right_n - left_n)}));
+  move(context({left_n + right_n, sideways_n, half_base_m * (right_n - left_n)}));
   encoders_.step(wheel_rad_s());
   discharge();
 }

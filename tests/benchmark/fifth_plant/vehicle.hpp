@@ -22,7 +22,7 @@ class Vehicle {
   [[nodiscard]] double kinetic_energy_j() const;
 
  private:
-  Wrench around(const Wrench& tyres);
+  Wrench context(const Wrench& tyres);
   void move(const Wrench& sum);
   void discharge();
 

@@ -9,8 +9,8 @@ namespace plants::fifth {
 double Contact::step(double slip_m_s, double rolled_m_s) {
   const double stiffness_n_m = floor_.slip_stiffness_n / floor_.relaxation_m;
   const double bending_m_s = slip_m_s - std::abs(rolled_m_s) / floor_.relaxation_m * bent_m_;
-  const double most_m = floor_.grip_n / stiffness_n_m;
-  bent_m_ = std::clamp(bent_m_ + fine_step_s * bending_m_s, -most_m, most_m);
+  const double max_m = floor_.grip_n / stiffness_n_m;
+  bent_m_ = std::clamp(bent_m_ + fine_step_s * bending_m_s, -max_m, max_m);
   constexpr double damping_s = 0.0006;  // of the rubber
   return std::clamp(stiffness_n_m * (bent_m_ + damping_s * bending_m_s), -floor_.grip_n, floor_.grip_n);
 }

@@ -89,9 +89,9 @@ struct CastorSwing {
   double direction = 0.0;
   double rolled_m = 1.0e3;
   Twist operator()(Twist twist, const Moment& moment) {
-    constexpr double least_m_s = 0.01;
+    constexpr double min_m_s = 0.01;
     const double travel = std::copysign(1.0, twist.forward_m_s);
-    if (std::abs(twist.forward_m_s) > least_m_s && travel != direction) {
+    if (std::abs(twist.forward_m_s) > min_m_s && travel != direction) {
       if (direction != 0.0) rolled_m = 0.0;
       direction = travel;
     }

@@ -10,7 +10,7 @@
 
 namespace plants::fourth {
 
-// Happens at random moments and lasts; `size` is drawn anew each time.
+// Happens at random moments and lasts; `size` is drawn again each time.
 struct Episode {
   double per_s;
   double shortest_s;
@@ -29,9 +29,9 @@ struct Episode {
 
 struct SpinningWheel {
   Episode episode;
-  double least_grip;
+  double min_grip;
   double operator()(double input, const Moment& moment) {
-    return episode.goes_on(least_grip, 0.6, moment) ? episode.size * input : input;
+    return episode.goes_on(min_grip, 0.6, moment) ? episode.size * input : input;
   }
 };
 

@@ -25,8 +25,8 @@ class SumOfSines {
   [[nodiscard]] double at(double time_s) const {
     double sum = 0.0;
     for (const Sine& sine : sines_) sum += std::sin(sine.rate_rad_s * time_s + sine.start_rad);
-    constexpr double usual_peak = 2.6;
-    return std::clamp(sum / usual_peak, -1.0, 1.0);
+    constexpr double default_peak = 2.6;
+    return std::clamp(sum / default_peak, -1.0, 1.0);
   }
 
  private:

@@ -1,4 +1,4 @@
-// Programmes that are made of stretches.
+// Programmes that are made of segments.
 #include <algorithm>
 #include <array>
 #include <numbers>

@@ -25,7 +25,7 @@ std::vector<std::string> effects_in(const json& object, const char* key) {
 }
 
 // Everything that an "ambiguous" answer leaves in the running.
-std::set<std::string> candidates(const json& gap) {
+std::set<std::string> candidate_effects(const json& gap) {
   std::set<std::string> all;
   const auto take = [&all](const std::vector<std::string>& effects) {
     all.insert(effects.begin(), effects.end());
@@ -79,7 +79,7 @@ Judgement judge(const CaseOutcome& outcome, const Hidden& hidden, const json& ga
     const bool said_fault = gap.contains("data_faults") && !gap.at("data_faults").empty();
     if (said_fault && hidden.shown == std::set<std::string>{"encoder_dropout"}) return Judgement::fault_said;
     if (outcome.verdict == "ambiguous") {
-      const auto left = candidates(gap);
+      const auto left = candidate_effects(gap);
       const bool truth = std::includes(left.begin(), left.end(), hidden.shown.begin(), hidden.shown.end());
       return truth ? Judgement::ambiguous_truth : Judgement::unnamed;
     }

@@ -48,18 +48,18 @@ std::string hidden_in(const ExamCase& item) {
 
 // As gap_score reads it.
 nlohmann::json answer_of(const ExamCase& item) {
-  const bool can_be_told = item.kind != CaseKind::cannot_tell;
+  const bool can_be_distinguished = item.kind != CaseKind::cannot_tell;
   nlohmann::json hidden = nlohmann::json::array();
   for (const HiddenEffect& effect : item.hidden) {
     hidden.push_back({{"effect", effect.name},
-                      {"can_be_told", can_be_told},
+                      {"can_be_told", can_be_distinguished},
                       {"confusable", effect.confusable},
                       {"how", effect.how}});
   }
   return {{"case", hidden_in(item)},
           {"severity", item.size.empty() ? "none" : item.size},
           {"channels", label(item.sensing)},
-          {"program", can_be_told ? item.programme : "cannot_tell"},
+          {"program", can_be_distinguished ? item.programme : "cannot_tell"},
           {"seed", item.seed},
           {"expected", expected(item.kind)},
           {"hidden", hidden}};

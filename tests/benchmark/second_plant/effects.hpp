@@ -29,7 +29,7 @@ inline constexpr double small_level = 0.0;
 // Geometric interpolation between the small and the large size of an effect.
 double sized(double small_value, double large_value, double level);
 
-// The effects of the table in DESIGN.md, in three groups and all together.
+// The named effects, in three groups and all together.
 std::vector<Effect> command_effects();
 std::vector<Effect> drive_effects();
 std::vector<Effect> floor_effects();

@@ -17,8 +17,8 @@ namespace wheelwright::benchmarks {
 namespace {
 
 constexpr std::size_t order = 9;
-constexpr double least_speed_up = 10.0;         // over cv::solve, at 1000 rows
-constexpr double most_residual_change = 1e-9;   // relative
+constexpr double min_speed_up = 10.0;           // over cv::solve, at 1000 rows
+constexpr double max_residual_change = 1e-9;    // relative
 constexpr double longest_final_solve_s = 1e-4;  // in live use
 
 // A run of the published plant with a Create 2's ticks, cut into periods.
@@ -93,10 +93,9 @@ bool compare(std::size_t rows) {
     const double seconds = seconds_of([&] { theirs.solve(); });
     const double residual = (system.a * theirs.solution() - system.b).norm();
     print(rows, "cv::solve, DECOMP_SVD", residual, seconds);
-    met &= check(std::abs(residual - ours.residual) <= most_residual_change * residual,
+    met &= check(std::abs(residual - ours.residual) <= max_residual_change * residual,
                  "the same residual to 1e-9 relative");
-    if (rows == 1000)
-      met &= check(least_speed_up * ours.seconds <= seconds, "10 times faster than cv::solve");
+    if (rows == 1000) met &= check(min_speed_up * ours.seconds <= seconds, "10 times faster than cv::solve");
     std::printf("        %.1f times faster\n", seconds / ours.seconds);
   }
   if (const auto octave = solve_by_octave(system)) {

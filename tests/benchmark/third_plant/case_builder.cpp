@@ -56,10 +56,10 @@ void CaseBuilder::hide(const Effect& effect, bool large, bool alone) {
   item_.innocent.controller = item_.robot.controller;
 }
 
-Case CaseBuilder::finish(double least_reference_hz) {
+Case CaseBuilder::finish(double min_reference_hz) {
   SensorSet& sensors = item_.sensors;
   if (sensors.poses && !sensors.only_end_poses)
-    sensors.pose_every_s = 1.0 / std::max(random_reference_hz(sensors.ticks, random_), least_reference_hz);
+    sensors.pose_every_s = 1.0 / std::max(random_reference_hz(sensors.ticks, random_), min_reference_hz);
   return std::exchange(item_, {});
 }
 
@@ -73,24 +73,24 @@ Case CaseBuilder::single(const Effect& effect, bool large) {
     double& metres_per_tick = item_.robot.encoder.metres_per_tick;
     if (item_.sensors.ticks) metres_per_tick = std::min(metres_per_tick, coarsest_m);
   }
-  return finish(effect.least_reference_hz);
+  return finish(effect.min_reference_hz);
 }
 
 Case CaseBuilder::several(const std::vector<Effect>& effects, const std::vector<std::string>& names,
                           Sensing sensing, Style style) {
   const std::vector<const Effect*> chosen = find_effects(effects, names);
   Response response = Response::any;
-  double least_reference_hz = 0.0;
+  double min_reference_hz = 0.0;
   for (const Effect* effect : chosen) {
     if (effect->response != Response::any) response = effect->response;
-    least_reference_hz = std::max(least_reference_hz, effect->least_reference_hz);
+    min_reference_hz = std::max(min_reference_hz, effect->min_reference_hz);
   }
   begin(CaseKind::effects, "several", {sensing, style, Loop::open}, response);
   for (const Effect* effect : chosen) {
     item_.subject += "." + effect->name;
     hide(*effect, true, false);
   }
-  return finish(least_reference_hz);
+  return finish(min_reference_hz);
 }
 
 Case CaseBuilder::clean(Sensing sensing, Style style) {
@@ -105,14 +105,14 @@ Case CaseBuilder::cannot_tell(const Effect& effect, Sensing sensing, Style style
   begin(CaseKind::cannot_tell, "cannot_tell." + effect.name, {sensing, style, loop}, effect.response);
   hide(effect, true, true);
   item_.hidden.front().confusable = "";
-  return finish(effect.least_reference_hz);
+  return finish(effect.min_reference_hz);
 }
 
 Case CaseBuilder::outside(const Effect& effect) {
   begin(CaseKind::outside, "outside." + effect.name, effect.large, effect.response);
   hide(effect, true, true);
   item_.hidden.front().name = "outside_" + effect.name;
-  return finish(effect.least_reference_hz);
+  return finish(effect.min_reference_hz);
 }
 
 }  // namespace plants::third

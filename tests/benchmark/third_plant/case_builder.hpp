@@ -23,7 +23,7 @@ class CaseBuilder {
  private:
   void begin(CaseKind kind, const std::string& subject, const Showing& showing, Response response);
   void hide(const Effect& effect, bool large, bool alone);
-  Case finish(double least_reference_hz);
+  Case finish(double min_reference_hz);
 
   std::uint64_t seed_;
   std::uint64_t begun_ = 0;

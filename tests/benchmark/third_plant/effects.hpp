@@ -42,7 +42,7 @@ struct Effect {
   std::string (*apply)(Setting& setting) = nullptr;  // says what it did
   Showing small;
   Showing large;
-  double least_reference_hz = 0.0;  // poses that come more seldom would not show it
+  double min_reference_hz = 0.0;  // poses that come more seldom would not show it
   Response response = Response::any;
 };
 

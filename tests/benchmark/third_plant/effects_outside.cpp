@@ -60,9 +60,9 @@ std::string fluid_memory(Setting& setting) {
 
 std::vector<Effect> outside_effects() {
   const auto outside = [](const char* name, std::string (*apply)(Setting&), Sensing sensing, Style style,
-                          double least_reference_hz = 0.0) {
+                          double min_reference_hz = 0.0) {
     const Showing showing{sensing, style, Loop::open};
-    return Effect{name, apply, showing, showing, least_reference_hz};
+    return Effect{name, apply, showing, showing, min_reference_hz};
   };
   return {
       outside("shared_supply", shared_supply, Sensing::ticks, Style::random_steps),

@@ -34,8 +34,8 @@ double Firmware::above_dead_band_m_s(double command_m_s) const {
 
 double Firmware::ramped_m_s(std::size_t wheel, double command_m_s, double step_s) {
   if (spec_.ramp_m_s2 == 0.0) return command_m_s;
-  const double most_m_s = spec_.ramp_m_s2 * step_s;
-  ramp_m_s_[wheel] += std::clamp(command_m_s - ramp_m_s_[wheel], -most_m_s, most_m_s);
+  const double max_m_s = spec_.ramp_m_s2 * step_s;
+  ramp_m_s_[wheel] += std::clamp(command_m_s - ramp_m_s_[wheel], -max_m_s, max_m_s);
   return ramp_m_s_[wheel];
 }
 

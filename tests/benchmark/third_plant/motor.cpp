@@ -42,9 +42,9 @@ double Motor::bridge_v(double wanted_v) {
 
 void Motor::limit_current(double constant_n_a, double speed_m_s) {
   if (spec_.force_limit_n == 0.0) return;
-  const double most_a = (spec_.force_limit_n + std::abs(spec_.drag_n_s_m * speed_m_s)) / constant_n_a;
-  if (std::abs(current_a_) <= most_a) return;
-  current_a_ = std::copysign(most_a, current_a_);
+  const double max_a = (spec_.force_limit_n + std::abs(spec_.drag_n_s_m * speed_m_s)) / constant_n_a;
+  if (std::abs(current_a_) <= max_a) return;
+  current_a_ = std::copysign(max_a, current_a_);
   held_back_ = true;
 }
 

@@ -31,8 +31,8 @@ std::vector<Segment> Planner::next(double now_s, const Pose& seen) {
 
 void Planner::change_pace(double now_s) {
   slow_pace_ = pace_until_s_ > 0.0 ? !slow_pace_ : random_.chance(0.5);
-  const double stretch = slow_pace_ ? 0.4 + 1.2 * habits_.slow_share : 1.0;
-  pace_until_s_ = now_s + random_.uniform(6.0, 11.0) * stretch;
+  const double segment = slow_pace_ ? 0.4 + 1.2 * habits_.slow_share : 1.0;
+  pace_until_s_ = now_s + random_.uniform(6.0, 11.0) * segment;
 }
 
 std::vector<Segment> Planner::next_step(const Pose& seen) {
@@ -136,8 +136,8 @@ Segment Planner::staying_in_room(const Pose& seen, const std::function<Segment()
   constexpr int draws = 40;
   constexpr double facing_m = 0.15;
   Segment best;
-  double least_m = 1.0e9;
-  for (int attempt = 0; attempt < draws && least_m >= habits_.room_radius_m; ++attempt) {
+  double min_m = 1.0e9;
+  for (int attempt = 0; attempt < draws && min_m >= habits_.room_radius_m; ++attempt) {
     const Segment segment = draw();
     const Pose end = pose_after(segment, seen, limits_.wheel_base_m);
     double distance_m = std::hypot(end.x_m - habits_.room_x_m, end.y_m - habits_.room_y_m);
@@ -145,8 +145,8 @@ Segment Planner::staying_in_room(const Pose& seen, const std::function<Segment()
       const double home_rad = std::atan2(habits_.room_y_m - end.y_m, habits_.room_x_m - end.x_m);
       distance_m += facing_m * (1.0 - std::abs(std::cos(home_rad - end.heading_rad)));
     }
-    if (distance_m >= least_m) continue;
-    least_m = distance_m;
+    if (distance_m >= min_m) continue;
+    min_m = distance_m;
     best = segment;
   }
   return best;

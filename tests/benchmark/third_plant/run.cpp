@@ -15,12 +15,12 @@ constexpr LogDigits logger_digits{.time = 4, .command = 4, .pose = 4, .battery =
 
 // When the rows of a run are taken.
 std::vector<double> row_times_s(const RobotSpec& robot, double duration_s, Random random) {
-  constexpr double least_share = 0.3;
+  constexpr double min_share = 0.3;
   std::vector<double> times_s(static_cast<std::size_t>(duration_s / robot.period_s), 0.0);
   for (std::size_t row = 1; row < times_s.size(); ++row) {
     const double due_s = static_cast<double>(row) * robot.period_s;
     times_s[row] =
-        std::max(times_s[row - 1] + least_share * robot.period_s, due_s + random.normal(robot.jitter_s));
+        std::max(times_s[row - 1] + min_share * robot.period_s, due_s + random.normal(robot.jitter_s));
   }
   return times_s;
 }

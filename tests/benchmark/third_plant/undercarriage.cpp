@@ -22,10 +22,10 @@ double Undercarriage::scrubbed_rad_s(double turn_rad_s) const {
 }
 
 double Undercarriage::creep_m_s(double forward_m_s, double turn_rad_s) const {
-  constexpr double most_of_speed = 0.6;
+  constexpr double max_of_speed = 0.6;
   constexpr double turning_over_m_s = 0.05;
   const double loss_m_s =
-      std::min(spec_.turn_loss_m * std::abs(turn_rad_s), most_of_speed * std::abs(forward_m_s));
+      std::min(spec_.turn_loss_m * std::abs(turn_rad_s), max_of_speed * std::abs(forward_m_s));
   return std::tanh(forward_m_s / turning_over_m_s) * loss_m_s;
 }
 

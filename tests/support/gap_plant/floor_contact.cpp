@@ -95,7 +95,7 @@ double FloorContact::caster_turn_rad_s() {
 }
 
 bool FloorContact::on_patch() const {
-  const Pose inside = relative_to(robot_.patch, pose_);
+  const Pose inside = between(robot_.patch, pose_);
   return std::abs(inside.x_m) < 0.5 * robot_.patch_length_m &&
          std::abs(inside.y_m) < 0.5 * robot_.patch_width_m;
 }

@@ -152,7 +152,7 @@ class CaseMaker {
     for (int attempt = 0; attempt < 20; ++attempt) {
       const Pose& middle = passed[std::uniform_int_distribution<std::size_t>(0, passed.size() - 1)(random_)];
       const auto inside = std::count_if(passed.begin(), passed.end(), [&](const Pose& pose) {
-        const Pose seen = relative_to(middle, pose);
+        const Pose seen = wheelwright::between(middle, pose);
         return std::abs(seen.x_m) < 0.5 * robot_.patch_length_m &&
                std::abs(seen.y_m) < 0.5 * robot_.patch_width_m;
       });

@@ -35,7 +35,7 @@ struct HiddenEffect {
   std::string_view unit;        // of the sizes
   std::string_view size_means;
   Needs needs;
-  // Names that ordinary logs cannot tell from it (the table of GAP.md), blank separated.
+  // Names that ordinary logs cannot tell from it, blank separated.
   std::string_view confusable;
 
   double size(Severity severity) const { return sizes.at(static_cast<std::size_t>(severity)); }

@@ -15,13 +15,13 @@ class RestWatch {
 
   void sound_reading(double now_s) {
     last_sound_s_ = now_s;
-    in_stretch_ = false;
+    in_segment_ = false;
   }
 
   void look(double now_s, bool at_rest, bool armed, bool hears) {
-    if (!in_stretch_ && seen_moving_ && now_s - last_sound_s_ > limit_s_) {
-      in_stretch_ = true;
-      ++stretches_;
+    if (!in_segment_ && seen_moving_ && now_s - last_sound_s_ > limit_s_) {
+      in_segment_ = true;
+      ++segments_;
       judged_since_s_ = at_rest ? std::nullopt : std::optional(now_s);
     }
     seen_moving_ = armed || (seen_moving_ && !at_rest);
@@ -44,7 +44,7 @@ class RestWatch {
   }
 
   void report(SoakFigures& figures) const {
-    figures.blind_stretches = stretches_;
+    figures.blind_segments = segments_;
     figures.not_at_rest_when_blind = not_at_rest_;
     figures.longest_to_rest_s = longest_to_rest_s_;
     figures.runaways = runaways_;
@@ -57,10 +57,10 @@ class RestWatch {
   double limit_s_;
   double last_sound_s_ = 0.0;
   bool seen_moving_ = false;
-  bool in_stretch_ = false;
+  bool in_segment_ = false;
   std::optional<double> judged_since_s_;
   std::optional<double> returned_at_s_;
-  std::int64_t stretches_ = 0;
+  std::int64_t segments_ = 0;
   std::int64_t not_at_rest_ = 0;
   std::int64_t runaways_ = 0;
   double longest_to_rest_s_ = 0.0;

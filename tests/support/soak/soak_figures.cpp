@@ -98,9 +98,9 @@ std::string to_text(const SoakFigures& figures) {
     text += line(" %lld %s;", number(count), std::string(name_of(reason)).c_str());
   }
   text += line("\n  orders to move while not armed: %lld\n", number(figures.moving_orders_disarmed));
-  text += line("  blind beyond the limit: %lld; wheels not at rest: %lld; longest way to rest %.2f s\n",
-               number(figures.blind_stretches), number(figures.not_at_rest_when_blind),
-               figures.longest_to_rest_s);
+  text +=
+      line("  blind beyond the limit: %lld; wheels not at rest: %lld; longest way to rest %.2f s\n",
+           number(figures.blind_segments), number(figures.not_at_rest_when_blind), figures.longest_to_rest_s);
   text += line("  could not hear and rolled on: %lld; longest way to rest after the return %.2f s\n",
                number(figures.runaways), figures.longest_rest_after_return_s);
   text += recovery_line("link back after a fault:", figures.recovery);

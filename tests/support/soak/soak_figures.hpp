@@ -48,7 +48,7 @@ struct SoakFigures {
 
   std::map<StopReason, std::int64_t> stops;
   std::int64_t moving_orders_disarmed = 0;  // must be none
-  std::int64_t blind_stretches = 0;         // longer than the limit while armed
+  std::int64_t blind_segments = 0;          // longer than the limit while armed
   std::int64_t not_at_rest_when_blind = 0;  // of these, though the robot could hear: must be none
   double longest_to_rest_s = 0.0;           // from the limit on
   std::int64_t runaways = 0;                // the robot could not hear and rolled on

@@ -36,12 +36,12 @@ double seconds(Nanoseconds time) {
 // A robot whose wheels follow within 0.13 s.
 RobotModel model_of(const simulation::GroundTruth& truth, double period_s) {
   RobotModel model;
-  model.core.period_s = period_s;
-  model.core.wheel_base_m = truth.wheel_base_m;
-  model.core.left.from_left = {0.0, 0.1, 0.2, 0.3, 0.2, 0.1, 0.1};
-  model.core.left.from_right.assign(7, 0.0);
-  model.core.right.from_left.assign(7, 0.0);
-  model.core.right.from_right = model.core.left.from_left;
+  model.linear_part.period_s = period_s;
+  model.linear_part.wheel_base_m = truth.wheel_base_m;
+  model.linear_part.left.from_left = {0.0, 0.1, 0.2, 0.3, 0.2, 0.1, 0.1};
+  model.linear_part.left.from_right.assign(7, 0.0);
+  model.linear_part.right.from_left.assign(7, 0.0);
+  model.linear_part.right.from_right = model.linear_part.left.from_left;
   model.encoder_scale =
       EncoderScale{{truth.metres_per_tick_left, truth.metres_per_tick_right}, 1660.0, 0.002};
   return model;

@@ -63,7 +63,7 @@ TEST_CASE("A silence with sound replies is blamed on the counts in them") {
 TEST_CASE("A silence counts from the last sound reading on") {
   SilenceWatch watch;
   watch.woke_up(40ms);
-  watch.heard(2, {.asked = 100, .sound = 97, .missing = 1, .incomplete = 1, .garbled = 1});
+  watch.received(2, {.asked = 100, .sound = 97, .missing = 1, .incomplete = 1, .garbled = 1});
   watch.woke_up(3ms);
   watch.woke_up(1ms);
   const Silence silence =

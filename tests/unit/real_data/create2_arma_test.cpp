@@ -18,7 +18,7 @@ TEST_CASE("Order 9 of one run of a Create 2, run free over the repeat, stays wit
   CHECK(repeat.samples.back().t_s > 32.0);
   CHECK(*score_run(free_run(fit->model, repeat), repeat).distance_rms_m <= 0.001);
   CHECK(fit->left.largest_pole < 0.9);
-  CHECK(fit->left.condition > 144.0);  // GAP.md: 144 to 2630 on real order-9 regressors
+  CHECK(fit->left.condition > 144.0);  // 144 to 2630 on real order-9 regressors
   CHECK(fit->left.condition < 2630.0);
 }
 

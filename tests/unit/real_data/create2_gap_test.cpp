@@ -22,7 +22,7 @@ GapAnalysis gap_between(const std::filesystem::path& folder, const std::vector<s
     return logs;
   };
   const auto quietly = [](const std::string&, double) {};
-  auto analysis = analyse_gap(loaded(train), loaded(test), {}, for_each_in_turn, quietly);
+  auto analysis = analyse_gap(loaded(train), loaded(test), {}, serial_for, quietly);
   REQUIRE(analysis);
   return *std::move(analysis);
 }

@@ -31,7 +31,7 @@ TEST_CASE("A real Create is found to lose speed in turns, and predicted a third 
       config::load_mrclam_run(*folder / "Robot4_Odometry.dat", *folder / "Robot4_Groundtruth.dat").log;
   const auto analysis =
       analyse_gap({{part_of(log, "first", 0.0, 180.0)}}, {{part_of(log, "then", 180.0, 288.0)}}, {},
-                  for_each_in_turn, [](const std::string&, double) {});
+                  serial_for, [](const std::string&, double) {});
   REQUIRE(analysis);
   CHECK(analysis->verdict == Verdict::named);
   REQUIRE_FALSE(analysis->found.empty());

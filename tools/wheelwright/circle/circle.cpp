@@ -43,7 +43,7 @@ struct CircleOptions {
 // luck.
 enum class Purpose : std::uint64_t { calibrate = 1, learn, drive, experiment };
 
-constexpr std::size_t most_experiments = 2;
+constexpr std::size_t max_experiments = 2;
 
 void write(const fs::path& path, const std::string& text) {
   if (const auto error = config::write_output({path, config::OutputKind::any}, text))
@@ -149,7 +149,7 @@ class Circle {
   void find_gap(const RobotModel& model) {
     auto json = analyse();
     RobotTrial robot = trial(Purpose::experiment);
-    for (std::size_t i = 1; i <= most_experiments; ++i) {
+    for (std::size_t i = 1; i <= max_experiments; ++i) {
       const auto& next = json["next_experiment"];
       if (json["verdict"] != "ambiguous" || next.is_null()) break;
       if (!drive_experiment(robot, model, next, i)) break;

@@ -11,7 +11,7 @@
 
 namespace wheelwright::tools {
 
-constexpr int most_json_levels = 64;
+constexpr int max_json_levels = 64;
 
 // Whatever bytes its strings hold; -1 indents nothing. Ends without a line break.
 template <typename Json>
@@ -23,7 +23,7 @@ std::string json_text(const Json& json, int indent = 2) {
 inline nlohmann::json parse_json(const std::string& text) {
   bool too_deep = false;
   const auto watch = [&too_deep](int depth, nlohmann::json::parse_event_t, const nlohmann::json&) {
-    too_deep = too_deep || depth > most_json_levels;
+    too_deep = too_deep || depth > max_json_levels;
     return !too_deep;
   };
   auto json = nlohmann::json::parse(text, watch, false);

@@ -14,8 +14,8 @@ namespace wheelwright::tools {
 namespace {
 
 constexpr std::size_t bar_width = 20;
-constexpr double least_share_to_judge = 0.05;
-constexpr double least_time_to_judge_s = 1.0;
+constexpr double min_share_to_judge = 0.05;
+constexpr double min_time_to_judge_s = 1.0;
 constexpr double long_s = 2.0;  // from then on it is said how long the work at hand has taken
 
 bool is_terminal(const std::ostream& stream) {
@@ -37,7 +37,7 @@ std::string progress_text(const std::string& what, double share, double passed_s
   const std::string percent = std::to_string(std::lround(100.0 * share));
   std::string text = "[" + std::string(done, '#') + std::string(bar_width - done, ' ') + "] " +
                      std::string(3 - percent.size(), ' ') + percent + " %  " + what;
-  if (share > least_share_to_judge && share < 1.0 && passed_s > least_time_to_judge_s) {
+  if (share > min_share_to_judge && share < 1.0 && passed_s > min_time_to_judge_s) {
     text += ", about " + time_text(passed_s * (1.0 - share) / share) + " left";
   }
   return text;

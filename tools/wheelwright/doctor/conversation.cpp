@@ -28,7 +28,7 @@ struct Reply {
   std::size_t bytes = 0;
 };
 
-Reply ask(RobotLine& line, open_interface::QueryReader& reader, HeardText& heard) {
+Reply ask(RobotLine& line, open_interface::QueryReader& reader, ReceivedText& received) {
   CommandBytes query;
   query.query_list(reader.begin());
   line.send(query.bytes());
@@ -41,7 +41,7 @@ Reply ask(RobotLine& line, open_interface::QueryReader& reader, HeardText& heard
     reply.bytes += bytes.size();
     for (const std::uint8_t byte : bytes) {
       if (auto reading = reader.take(byte)) reply.reading = reading;
-      collect_text(reader.stray_text(), heard);
+      collect_text(reader.stray_text(), received);
     }
   }
   return reply;
@@ -78,46 +78,46 @@ class FrameNumbering {
 
 }  // namespace
 
-std::size_t collect_text(open_interface::StrayText& text, HeardText& heard) {
+std::size_t collect_text(open_interface::StrayText& text, ReceivedText& received) {
   const std::string run(text.finished());
   if (run.empty()) return 0;
-  auto& lines = heard.lines;
+  auto& lines = received.lines;
   if (std::find(lines.begin(), lines.end(), run) == lines.end()) lines.push_back(run);
-  ++heard.count;
-  if (run.find(boot_line) != std::string::npos) ++heard.starts;
+  ++received.count;
+  if (run.find(boot_line) != std::string::npos) ++received.starts;
   text.discard();
   return run.size();
 }
 
-void listen(RobotLine& line, std::chrono::milliseconds duration, HeardText& heard) {
+void listen(RobotLine& line, std::chrono::milliseconds duration, ReceivedText& received) {
   open_interface::StrayText text;
   const auto deadline = Clock::now() + duration;
   while (Clock::now() < deadline) {
     for (const std::uint8_t byte : line.receive(deadline)) {
       text.take(byte);
-      collect_text(text, heard);
+      collect_text(text, received);
     }
   }
 }
 
-Greeting greet(RobotLine& line, std::chrono::milliseconds patience, HeardText& heard) {
+Greeting greet(RobotLine& line, std::chrono::milliseconds patience, ReceivedText& received) {
   Greeting greeting;
   open_interface::QueryReader reader;
   const auto deadline = Clock::now() + patience;
   while (!greeting.reading && Clock::now() < deadline) {
     send_start(line);
-    listen(line, mode_settles, heard);
+    listen(line, mode_settles, received);
     const auto next_start = std::min(deadline, Clock::now() + start_again_after);
     while (!greeting.reading && Clock::now() < next_start) {
-      const Reply reply = ask(line, reader, heard);
+      const Reply reply = ask(line, reader, received);
       greeting.reading = reply.reading;
-      greeting.bytes_heard += reply.bytes;
+      greeting.bytes_received += reply.bytes;
     }
   }
   return greeting;
 }
 
-QueryFigures ask_repeatedly(RobotLine& line, double period_s, int times, HeardText& heard) {
+QueryFigures ask_repeatedly(RobotLine& line, double period_s, int times, ReceivedText& received) {
   QueryFigures figures;
   open_interface::QueryReader reader;
   std::vector<double> round_trips_s;
@@ -125,21 +125,21 @@ QueryFigures ask_repeatedly(RobotLine& line, double period_s, int times, HeardTe
   auto due = Clock::now();
   for (int i = 0; i < times; ++i) {
     const auto asked = Clock::now();
-    const Reply reply = ask(line, reader, heard);
+    const Reply reply = ask(line, reader, received);
     if (reply.reading) {
       round_trips_s.push_back(seconds(reply.at - asked));
       figures.last = reply.reading;
     }
     do due += period;
     while (due < Clock::now());
-    listen(line, std::chrono::ceil<std::chrono::milliseconds>(due - Clock::now()), heard);
+    listen(line, std::chrono::ceil<std::chrono::milliseconds>(due - Clock::now()), received);
   }
   figures.counts = reader.counts();
   if (!round_trips_s.empty()) figures.round_trip = spread_of(std::move(round_trips_s));
   return figures;
 }
 
-StreamFigures listen_to_stream(RobotLine& line, std::chrono::milliseconds duration, HeardText& heard) {
+StreamFigures listen_to_stream(RobotLine& line, std::chrono::milliseconds duration, ReceivedText& received) {
   open_interface::StreamReader reader;
   FrameNumbering numbering(stream_frame_bytes());
   std::vector<FrameArrival> arrivals;
@@ -153,7 +153,7 @@ StreamFigures listen_to_stream(RobotLine& line, std::chrono::milliseconds durati
     for (const std::uint8_t byte : bytes) {
       numbering.take_byte();
       const bool complete = reader.take(byte).has_value();
-      if (const std::size_t length = collect_text(reader.stray_text(), heard)) numbering.take_text(length);
+      if (const std::size_t length = collect_text(reader.stray_text(), received)) numbering.take_text(length);
       if (complete) arrivals.push_back({numbering.close_frame(), now_s});
     }
   }

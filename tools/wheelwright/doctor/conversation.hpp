@@ -14,27 +14,27 @@
 namespace wheelwright::tools::doctor {
 
 // Readable text that came by itself.
-struct HeardText {
+struct ReceivedText {
   std::vector<std::string> lines;  // each once, in order of appearance
   int count = 0;                   // of all lines, with those that came again
   int starts = 0;                  // how often the robot said that it boots
 };
 
-// Moves a finished run of text to `heard`; returns its length, 0 where there is none.
-std::size_t collect_text(open_interface::StrayText& text, HeardText& heard);
+// Moves a finished run of text to `received`; returns its length, 0 where there is none.
+std::size_t collect_text(open_interface::StrayText& text, ReceivedText& received);
 
-// What was heard of a robot that was told to start.
+// What was received of a robot that was told to start.
 struct Greeting {
   std::optional<open_interface::Reading> reading;  // nothing where no sound reply came
-  std::size_t bytes_heard = 0;
+  std::size_t bytes_received = 0;
 };
 
 // Says nothing and listens.
-void listen(RobotLine& line, std::chrono::milliseconds duration, HeardText& heard);
+void listen(RobotLine& line, std::chrono::milliseconds duration, ReceivedText& received);
 
 // Ends a half-sent command, stops the wheels, starts the Open Interface (Passive), and asks for a reply until
 // one comes, for at most `patience`.
-Greeting greet(RobotLine& line, std::chrono::milliseconds patience, HeardText& heard);
+Greeting greet(RobotLine& line, std::chrono::milliseconds patience, ReceivedText& received);
 
 struct QueryFigures {
   open_interface::ReplyCounts counts;
@@ -43,7 +43,7 @@ struct QueryFigures {
 };
 
 // Asks once per period, and gives each reply as long as it takes: up to 0.1 s.
-QueryFigures ask_repeatedly(RobotLine& line, double period_s, int times, HeardText& heard);
+QueryFigures ask_repeatedly(RobotLine& line, double period_s, int times, ReceivedText& received);
 
 struct StreamFigures {
   open_interface::ChecksumRule rule = open_interface::ChecksumRule::unknown;
@@ -53,7 +53,7 @@ struct StreamFigures {
 };
 
 // Lets the robot stream, and pauses the stream again.
-StreamFigures listen_to_stream(RobotLine& line, std::chrono::milliseconds duration, HeardText& heard);
+StreamFigures listen_to_stream(RobotLine& line, std::chrono::milliseconds duration, ReceivedText& received);
 
 // Bytes of a stream frame with all packets that the project uses, which must fit into the robot's 15 ms.
 std::size_t stream_frame_bytes();

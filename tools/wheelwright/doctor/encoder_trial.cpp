@@ -14,7 +14,7 @@ constexpr double leg_s = 0.5;
 constexpr double rest_s = 0.3;  // the wheel coasts to its end before it is sent back
 constexpr double shortest_tick_s = 0.04;
 constexpr double arming_patience_s = 1.5;
-constexpr double least_share_of_expected = 0.3;  // dead zones and carpets take their part
+constexpr double min_share_of_expected = 0.3;  // dead zones and carpets take their part
 constexpr double clear_ratio = 3.0;
 
 // The daemon's own link, and with it the daemon's own safety, at the pace of this test.
@@ -153,7 +153,7 @@ Finding judge_encoders(const EncoderTrial& trial, const config::DaemonConfig& co
                             config::fixed_number(trial.ticks_44, 0) + " of 44";
   const std::vector<std::pair<std::string, double>> values{
       {"ticks_43", trial.ticks_43}, {"ticks_44", trial.ticks_44}, {"expected_ticks", trial.expected_ticks}};
-  if (larger < least_share_of_expected * trial.expected_ticks) {
+  if (larger < min_share_of_expected * trial.expected_ticks) {
     auto finding = stopped("hardly moved: " + ticks,
                            "about " + config::fixed_number(trial.expected_ticks, 0) +
                                " were expected: is the left wheel blocked or its motor cut off?");

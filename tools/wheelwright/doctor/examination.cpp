@@ -48,54 +48,54 @@ class Examination {
     findings_.push_back(judge_port(port));
     findings_.push_back(judge_latency_timer(port));
     progress_("listening");
-    HeardText heard;
-    listen(line, listening, heard);
-    const bool answers = find_baud(line, heard);
-    const QueryFigures queries = answers ? ask(line, heard) : QueryFigures{};
-    const StreamFigures stream = answers ? let_it_stream(line, heard) : StreamFigures{};
-    judge(answers, heard, line.bits(), queries, stream);
+    ReceivedText received;
+    listen(line, listening, received);
+    const bool answers = find_baud(line, received);
+    const QueryFigures queries = answers ? ask(line, received) : QueryFigures{};
+    const StreamFigures stream = answers ? let_it_stream(line, received) : StreamFigures{};
+    judge(answers, received, line.bits(), queries, stream);
     findings_.push_back(encoders(line, answers, queries));
   }
 
   // Knocks at both speeds, the configured one first, and only then with more noise. Leaves the line at the
   // speed that the robot answers at.
-  bool find_baud(RobotLine& line, HeardText& heard) {
-    std::size_t bytes_heard = 0;
+  bool find_baud(RobotLine& line, ReceivedText& received) {
+    std::size_t bytes_received = 0;
     for (const bool padded : {false, true}) {
       for (const int baud : {config_.baud, config_.baud == 115200 ? 19200 : 115200}) {
         progress_("knocking at " + std::to_string(baud) + " baud");
         if (baud != line.baud()) line.change_baud(baud);
-        if (!robot_answers(line, padded, heard, bytes_heard)) continue;
+        if (!robot_answers(line, padded, received, bytes_received)) continue;
         line.note_robot();
-        findings_.push_back(judge_baud(config_.device.string(), config_.baud, baud, bytes_heard));
+        findings_.push_back(judge_baud(config_.device.string(), config_.baud, baud, bytes_received));
         return true;
       }
     }
     findings_.push_back(
-        judge_baud(config_.device.string(), config_.baud, std::nullopt, bytes_heard, other_programs_));
+        judge_baud(config_.device.string(), config_.baud, std::nullopt, bytes_received, other_programs_));
     return false;
   }
 
-  bool robot_answers(RobotLine& line, bool padded, HeardText& heard, std::size_t& bytes_heard) {
+  bool robot_answers(RobotLine& line, bool padded, ReceivedText& received, std::size_t& bytes_received) {
     for (int i = 0; i < knocks; ++i) {
-      const KnockAnswer answer = knock(line, padded, heard);
-      bytes_heard += answer.bytes_heard;
+      const KnockAnswer answer = knock(line, padded, received);
+      bytes_received += answer.bytes_received;
       if (!answer.robot_is_there) continue;
-      const Greeting greeting = greet(line, greeting_patience, heard);
+      const Greeting greeting = greet(line, greeting_patience, received);
       if (greeting.reading) after_start_ = *greeting.reading;
       return greeting.reading.has_value();
     }
     return false;
   }
 
-  QueryFigures ask(RobotLine& line, HeardText& heard) {
+  QueryFigures ask(RobotLine& line, ReceivedText& received) {
     progress_("asking at the pace of the loop");
     const int times = static_cast<int>(std::ceil(asking_s / config_.link.period_s));
-    return ask_repeatedly(line, config_.link.period_s, times, heard);
+    return ask_repeatedly(line, config_.link.period_s, times, received);
   }
 
   // A stream that does not fit its period garbles itself.
-  StreamFigures let_it_stream(RobotLine& line, HeardText& heard) {
+  StreamFigures let_it_stream(RobotLine& line, ReceivedText& received) {
     const double frame_s = bits_per_byte * static_cast<double>(stream_frame_bytes()) / line.baud();
     if (frame_s > shortest_refresh_s) {
       why_no_stream_ = "a frame takes " + std::to_string(std::lround(1e3 * frame_s)) + " ms at " +
@@ -103,12 +103,12 @@ class Examination {
       return {};
     }
     progress_("listening to the stream");
-    return listen_to_stream(line, streaming, heard);
+    return listen_to_stream(line, streaming, received);
   }
 
-  void judge(bool answers, const HeardText& heard, const open_interface::LineBits& bits,
+  void judge(bool answers, const ReceivedText& received, const open_interface::LineBits& bits,
              const QueryFigures& queries, const StreamFigures& stream) {
-    findings_.push_back(judge_text(heard, after_start_.charging_state != 0));
+    findings_.push_back(judge_text(received, after_start_.charging_state != 0));
     if (!answers) {
       for (const char* const check : {"adapter", "mode", "battery", "replies", "query round trip",
                                       "checksum rule", "sensor period", "stream jitter"}) {

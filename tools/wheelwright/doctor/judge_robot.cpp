@@ -58,7 +58,7 @@ std::string bit_list(unsigned bits) {
   return list;
 }
 
-// The two periods that robots are known to have (OI.md 1.1 and 1.8).
+// The two periods that robots are known to have (15 ms by the manual, 1/64 s as measured).
 std::optional<double> known_period_s(double period_s) {
   for (const double known_s : {0.015, 0.015625}) {
     if (std::abs(period_s / known_s - 1.0) < 0.01) return known_s;
@@ -106,9 +106,9 @@ Finding judge_latency_timer(const PortFacts& port) {
 }
 
 Finding judge_baud(const std::string& device, int configured_baud, std::optional<int> answering_baud,
-                   std::size_t bytes_heard, const std::string& other_programs) {
+                   std::size_t bytes_received, const std::string& other_programs) {
   if (!answering_baud) {
-    const bool silent = bytes_heard == 0;
+    const bool silent = bytes_received == 0;
     if (!other_programs.empty()) {
       return {"baud", "no sound reply at 115200 or 19200 baud", State::failed,
               "end " + other_programs + ", which takes the robot's answers away, and try again"};
@@ -162,21 +162,21 @@ Finding judge_adapter(const open_interface::LineBits& bits) {
   return finding;
 }
 
-Finding judge_text(const HeardText& heard, bool charging) {
-  constexpr int most_lines = 5;
-  if (heard.count == 0) return {"stray text", "none", State::ok, ""};
-  std::string text = "\"" + heard.lines.front() + "\"";
-  if (heard.count > 1) text += " and " + std::to_string(heard.count - 1) + " more";
+Finding judge_text(const ReceivedText& received, bool charging) {
+  constexpr int max_lines = 5;
+  if (received.count == 0) return {"stray text", "none", State::ok, ""};
+  std::string text = "\"" + received.lines.front() + "\"";
+  if (received.count > 1) text += " and " + std::to_string(received.count - 1) + " more";
   Finding finding{"stray text", std::move(text), State::attention, "", {}};
-  finding.values = {{"lines", heard.count}, {"starts", heard.starts}};
-  if (heard.starts > 1) {
-    finding.text = "the robot booted " + std::to_string(heard.starts) + " times: " + finding.text;
+  finding.values = {{"lines", received.count}, {"starts", received.starts}};
+  if (received.starts > 1) {
+    finding.text = "the robot booted " + std::to_string(received.starts) + " times: " + finding.text;
     finding.state = State::failed;
     finding.remedy =
         "it boots again and again: its battery is empty, old or badly seated (charge or replace it, clean "
         "the "
         "contacts), or its board is damaged";
-  } else if (heard.count > most_lines && !charging) {
+  } else if (received.count > max_lines && !charging) {
     finding.state = State::failed;
     finding.remedy =
         "it prints without end: read the text; a battery that fails and a damaged board do this; take the "

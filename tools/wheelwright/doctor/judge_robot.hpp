@@ -26,11 +26,11 @@ Finding judge_latency_timer(const PortFacts& port);
 
 // `answering_baud` is absent where the robot answered at none of the speeds that were tried.
 Finding judge_baud(const std::string& device, int configured_baud, std::optional<int> answering_baud,
-                   std::size_t bytes_heard, const std::string& other_programs = "");
+                   std::size_t bytes_received, const std::string& other_programs = "");
 // Whether the line passes all eight bits. `bits` is of everything that an answering robot sent.
 Finding judge_adapter(const open_interface::LineBits& bits);
 // A charging robot prints a line a second, and is well.
-Finding judge_text(const HeardText& heard, bool charging);
+Finding judge_text(const ReceivedText& received, bool charging);
 Finding judge_mode(const open_interface::Reading& after_start);
 Finding judge_battery(const open_interface::Reading& reading, double lowest_v);
 Finding judge_replies(const open_interface::ReplyCounts& counts);

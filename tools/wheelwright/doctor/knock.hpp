@@ -16,10 +16,10 @@ bool is_knock_reply(const std::array<std::uint8_t, 6>& bytes);
 
 struct KnockAnswer {
   bool robot_is_there = false;
-  std::size_t bytes_heard = 0;
+  std::size_t bytes_received = 0;
 };
 
 // Sends Start and a query of four packets. `padded`: first ends a half-sent command, which costs 40 bytes.
-KnockAnswer knock(RobotLine& line, bool padded, HeardText& heard);
+KnockAnswer knock(RobotLine& line, bool padded, ReceivedText& received);
 
 }  // namespace wheelwright::tools::doctor

@@ -40,10 +40,10 @@ AttemptOutcome run_attempt(const EvaluationPlan& plan, std::uint64_t number) {
   const MaybeModel arma = fir ? calibration.calibrate_arma(*fir) : fir;
   RobotTrial trial = trial_of(plan, number, Purpose::drive);
   AttemptOutcome outcome;
-  for (std::size_t i = 0; i < contenders.size(); ++i) {
-    const Contender& contender = contenders.at(i);
-    if (is_by_gap_workflow(contender.model) && !plan.gap) continue;
-    outcome.at(i) = trial.drive(plan.route, contender.source, model_of(contender.model, fir, arma, plan));
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const Candidate& candidate = candidates.at(i);
+    if (is_by_gap_workflow(candidate.model) && !plan.gap) continue;
+    outcome.at(i) = trial.drive(plan.route, candidate.source, model_of(candidate.model, fir, arma, plan));
   }
   return outcome;
 }

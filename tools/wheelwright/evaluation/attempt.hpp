@@ -1,4 +1,4 @@
-// One attempt of Table II: a simulated robot calibrates itself and drives the route once with each contender.
+// One attempt of Table II: a simulated robot calibrates itself and drives the route once with each candidate.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 #include "drivers/simulation/simulation_config.hpp"
 #include "model/brain/mission.hpp"
 #include "model/route/route.hpp"
-#include "tools/wheelwright/evaluation/contender.hpp"
+#include "tools/wheelwright/evaluation/candidate.hpp"
 #include "tools/wheelwright/evaluation/robot_trial.hpp"
 
 namespace wheelwright::tools {
@@ -33,7 +33,7 @@ struct EvaluationPlan {
   roomba::LinkConfig link;
   std::uint64_t seed = 1;
   Calibrate calibrate = Calibrate::each;
-  std::optional<GapModels> gap;  // without it, the contenders that need it are left out
+  std::optional<GapModels> gap;  // without it, the candidates that need it are left out
 };
 
 // The robot of an attempt: the battery's charge belongs to the attempt, everything else to each run.
@@ -41,8 +41,8 @@ struct EvaluationPlan {
 enum class Purpose : std::uint8_t { calibrate, drive };
 RobotTrial trial_of(const EvaluationPlan& plan, std::uint64_t number, Purpose purpose);
 
-// In the order of `contenders`; nothing for one that was left out.
-using AttemptOutcome = std::array<std::optional<DriveOutcome>, contenders.size()>;
+// In the order of `candidates`; nothing for one that was left out.
+using AttemptOutcome = std::array<std::optional<DriveOutcome>, candidates.size()>;
 
 // Depends on nothing but its arguments. From the plan's seed and the attempt's number come the battery's
 // charge, where the robot is put down, how its wheels stand, the phase of its clocks, its counters, and all

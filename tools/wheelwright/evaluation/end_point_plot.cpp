@@ -14,8 +14,8 @@ using config::plain_number;
 // Half the width of a panel: all end points and published circles fit, in steps of 0.1 m.
 double half_width_m(const std::vector<AttemptOutcome>& outcomes) {
   double farthest_m = 0.0;
-  for (const Contender& contender : contenders) {
-    if (contender.published) farthest_m = std::max(farthest_m, contender.published->mean_m);
+  for (const Candidate& candidate : candidates) {
+    if (candidate.published) farthest_m = std::max(farthest_m, candidate.published->mean_m);
   }
   for (const AttemptOutcome& outcome : outcomes) {
     for (const auto& drive : outcome) {
@@ -26,11 +26,11 @@ double half_width_m(const std::vector<AttemptOutcome>& outcomes) {
   return 0.1 * std::ceil(10.5 * farthest_m);
 }
 
-std::string panel(const Contender& contender, const std::string& csv_name) {
-  const std::string key(contender.key);
-  std::string text = "set title \"" + std::string(contender.title) + "\"\nunset object 1\n";
-  if (contender.published) {
-    text += "set object 1 circle at 0,0 size " + plain_number(contender.published->mean_m) +
+std::string panel(const Candidate& candidate, const std::string& csv_name) {
+  const std::string key(candidate.key);
+  std::string text = "set title \"" + std::string(candidate.title) + "\"\nunset object 1\n";
+  if (candidate.published) {
+    text += "set object 1 circle at 0,0 size " + plain_number(candidate.published->mean_m) +
             " fillstyle empty border lc rgb '#d1495b' dt 2\n";
   }
   return text + "plot '" + csv_name + "' using (strcol(1) eq '" + key +
@@ -42,12 +42,12 @@ std::string panel(const Contender& contender, const std::string& csv_name) {
 
 std::string end_points_csv(const std::vector<AttemptOutcome>& outcomes) {
   std::string text = "model,attempt,x,y,theta\n";
-  for (std::size_t i = 0; i < contenders.size(); ++i) {
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
     for (std::size_t attempt = 0; attempt < outcomes.size(); ++attempt) {
       const auto& drive = outcomes[attempt].at(i);
       if (!drive || !drive->end) continue;
       const Pose& end = *drive->end;
-      text += std::string(contenders.at(i).key) + "," + std::to_string(attempt) + "," +
+      text += std::string(candidates.at(i).key) + "," + std::to_string(attempt) + "," +
               fixed_number(end.x_m, 6) + "," + fixed_number(end.y_m, 6) + "," +
               fixed_number(end.theta_rad, 6) + "\n";
     }
@@ -58,9 +58,9 @@ std::string end_points_csv(const std::vector<AttemptOutcome>& outcomes) {
 std::string end_points_script(const std::vector<AttemptOutcome>& outcomes, const std::string& csv_name,
                               const std::string& svg_name) {
   const std::string half = plain_number(half_width_m(outcomes));
-  std::vector<Contender> drawn;
-  for (std::size_t i = 0; i < contenders.size(); ++i) {
-    if (outcomes.front().at(i)) drawn.push_back(contenders.at(i));
+  std::vector<Candidate> drawn;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (outcomes.front().at(i)) drawn.push_back(candidates.at(i));
   }
   const std::string panels = std::to_string(drawn.size());
   std::string text = "set terminal svg size " + std::to_string(360 * drawn.size()) +
@@ -77,7 +77,7 @@ std::string end_points_script(const std::vector<AttemptOutcome>& outcomes, const
                      "set multiplot layout 1," +
                      panels +
                      " title 'End points of each attempt; cross: start; dashed: published mean offset'\n";
-  for (const Contender& contender : drawn) text += panel(contender, csv_name);
+  for (const Candidate& candidate : drawn) text += panel(candidate, csv_name);
   return text + "unset multiplot\n";
 }
 

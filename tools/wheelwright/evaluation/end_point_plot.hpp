@@ -12,7 +12,7 @@ namespace wheelwright::tools {
 // that did not come to their end are left out.
 std::string end_points_csv(const std::vector<AttemptOutcome>& outcomes);
 
-// A gnuplot script that draws such a CSV, one panel per contender, all to one scale. Names in it are relative
+// A gnuplot script that draws such a CSV, one panel per candidate, all to one scale. Names in it are relative
 // to the folder that it is run in.
 std::string end_points_script(const std::vector<AttemptOutcome>& outcomes, const std::string& csv_name,
                               const std::string& svg_name);

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "model/gap/analysis.hpp"
-#include "tools/wheelwright/common/side_by_side.hpp"
+#include "tools/wheelwright/common/parallel_for.hpp"
 #include "tools/wheelwright/evaluation/learning_drives.hpp"
 
 namespace wheelwright::tools {
@@ -25,11 +25,12 @@ tl::expected<LearnedGap, std::string> learn_gap_models(const EvaluationPlan& pla
   const auto logs = learning_drives(drives, trial, *model, chance);
   if (!logs) return tl::make_unexpected(logs.error());
 
-  const auto analysis = gap::analyse_gap(*logs, {}, {}, side_by_side(), [](const std::string&, double) {});
+  const auto analysis = gap::analyse_gap(*logs, {}, {}, parallel_for(), [](const std::string&, double) {});
   if (!analysis) return tl::make_unexpected(analysis.error().reason);
   LearnedGap learned;
   learned.models = {analysis->before, analysis->after};
-  if (learned.models.extended.core.left.from_left.empty()) return tl::make_unexpected(analysis->summary);
+  if (learned.models.extended.linear_part.left.from_left.empty())
+    return tl::make_unexpected(analysis->summary);
   learned.found = std::string(gap::verdict_name(analysis->verdict));
   for (const auto& found : analysis->found) learned.found += " " + found.setting.name;
   return learned;

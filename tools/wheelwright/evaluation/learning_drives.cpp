@@ -7,12 +7,12 @@ namespace wheelwright::tools {
 namespace {
 
 constexpr double drive_s = 62.0;
-constexpr int most_repeats = 2;  // of a drive that the robot stopped, each by other commands
+constexpr int max_repeats = 2;  // of a drive that the robot stopped, each by other commands
 constexpr double square_m = 2.0;
 constexpr double shortest_leg_m = 0.4;
 constexpr double slowest_m_s = 0.1;
 constexpr double fastest_m_s = 0.25;
-constexpr double usual_turn_s = 2.5;  // a turn in place between two legs, with stopping and starting
+constexpr double default_turn_s = 2.5;  // a turn in place between two legs, with stopping and starting
 
 Mission random_mission(simulation::Noise& chance) {
   Mission mission;
@@ -46,7 +46,7 @@ Route random_tour(double duration_s, simulation::Noise& chance) {
     const double leg_m = std::hypot(next.x_m - at.x_m, next.y_m - at.y_m);
     if (leg_m < shortest_leg_m) continue;
     route.checkpoints.push_back(next);
-    used_s += leg_m / route.speed_m_s + usual_turn_s;
+    used_s += leg_m / route.speed_m_s + default_turn_s;
     at = next;
   }
   return route;
@@ -59,7 +59,7 @@ tl::expected<std::vector<DriveLog>, std::string> learning_drives(std::size_t cou
   for (std::size_t i = 0; i < count; ++i) {
     const bool tour = i % 2 == 1;
     auto log = trial.record(mission_of(tour, chance), model, {});
-    for (int again = 0; !log && again < most_repeats; ++again) {
+    for (int again = 0; !log && again < max_repeats; ++again) {
       log = trial.record(mission_of(tour, chance), model, {});
     }
     if (!log) return tl::make_unexpected(log.error());

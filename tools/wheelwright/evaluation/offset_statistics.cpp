@@ -24,7 +24,7 @@ double standard_deviation(std::span<const double> values) {
   return std::sqrt(square_sum / static_cast<double>(values.size() - 1));
 }
 
-using Figure = double (*)(std::span<const double>);
+using Statistic = double (*)(std::span<const double>);
 
 double normal_probability(double z) {
   return 0.5 * std::erfc(-z / std::numbers::sqrt2);
@@ -41,7 +41,7 @@ double normal_quantile(double probability) {
 }
 
 // How fast the figure's standard error changes with the figure: a sixth of the jackknife's skewness.
-double acceleration(std::span<const double> values, Figure figure) {
+double acceleration(std::span<const double> values, Statistic figure) {
   std::vector<double> without_one;
   for (std::size_t i = 0; i < values.size(); ++i) {
     std::vector<double> rest(values.begin(), values.end());
@@ -49,16 +49,16 @@ double acceleration(std::span<const double> values, Figure figure) {
     without_one.push_back(figure(rest));
   }
   const double centre = mean(without_one);
-  double squares = 0.0;
+  double sum_squares = 0.0;
   double cubes = 0.0;
   for (const double value : without_one) {
-    squares += std::pow(centre - value, 2);
+    sum_squares += std::pow(centre - value, 2);
     cubes += std::pow(centre - value, 3);
   }
-  return squares > 0.0 ? cubes / (6.0 * std::pow(squares, 1.5)) : 0.0;
+  return sum_squares > 0.0 ? cubes / (6.0 * std::pow(sum_squares, 1.5)) : 0.0;
 }
 
-std::optional<Interval> bootstrap_interval(std::span<const double> values, Figure figure,
+std::optional<Interval> bootstrap_interval(std::span<const double> values, Statistic figure,
                                            std::uint64_t seed) {
   if (values.size() < 3) return std::nullopt;
   const double estimate = figure(values);

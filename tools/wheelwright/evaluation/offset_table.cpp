@@ -16,7 +16,7 @@ using nlohmann::ordered_json;
 
 bool is_met(const OffsetRow& row) {
   if (row.finished < row.attempts || !row.offset) return false;
-  const double published_m = row.contender.published->mean_m;
+  const double published_m = row.candidate.published->mean_m;
   return std::abs(row.offset->mean_m - published_m) <= mean_tolerance * published_m;
 }
 
@@ -37,18 +37,18 @@ ordered_json to_json(double value, const std::optional<Interval>& interval) {
 }
 
 std::string published_text(const OffsetRow& row) {
-  if (!row.contender.published) return "-";
-  return metres(row.contender.published->mean_m) + " +- " +
-         metres(row.contender.published->standard_deviation_m);
+  if (!row.candidate.published) return "-";
+  return metres(row.candidate.published->mean_m) + " +- " +
+         metres(row.candidate.published->standard_deviation_m);
 }
 
 }  // namespace
 
 std::vector<OffsetRow> offset_rows(const std::vector<AttemptOutcome>& outcomes, std::uint64_t seed) {
   std::vector<OffsetRow> rows;
-  for (std::size_t i = 0; i < contenders.size(); ++i) {
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (!outcomes.front().at(i)) continue;
-    OffsetRow row{contenders.at(i), outcomes.size(), 0, std::nullopt, {}, std::nullopt};
+    OffsetRow row{candidates.at(i), outcomes.size(), 0, std::nullopt, {}, std::nullopt};
     std::vector<double> offsets_m;
     for (const AttemptOutcome& outcome : outcomes) {
       const DriveOutcome& drive = *outcome.at(i);
@@ -60,7 +60,7 @@ std::vector<OffsetRow> offset_rows(const std::vector<AttemptOutcome>& outcomes, 
     }
     row.finished = offsets_m.size();
     if (!offsets_m.empty()) row.offset = offset_statistics(offsets_m, seed);
-    if (row.contender.published) row.met = is_met(row);
+    if (row.candidate.published) row.met = is_met(row);
     rows.push_back(row);
   }
   return rows;
@@ -82,12 +82,12 @@ void print_offset_table(std::ostream& out, const std::vector<OffsetRow>& rows) {
     const std::string deviation =
         row.offset ? with_interval(row.offset->standard_deviation_m, row.offset->standard_deviation_ci95_m)
                    : "-";
-    line(std::string(row.contender.title), mean, deviation, published_text(row),
+    line(std::string(row.candidate.title), mean, deviation, published_text(row),
          !row.met ? "-" : (*row.met ? "yes" : "no"));
   }
   for (const OffsetRow& row : rows) {
     if (row.finished == row.attempts) continue;
-    out << row.contender.title << ": only " << row.finished << " of " << row.attempts
+    out << row.candidate.title << ": only " << row.finished << " of " << row.attempts
         << " attempts came to their end; the first that did not: " << row.first_failure << "\n";
   }
 }
@@ -104,12 +104,12 @@ ordered_json offset_json(const std::vector<OffsetRow>& rows) {
       }
     }
     if (!row.first_failure.empty()) model["first_failure"] = row.first_failure;
-    if (row.contender.published) {
-      model["published"] = {{"mean_offset_m", row.contender.published->mean_m},
-                            {"standard_deviation_m", row.contender.published->standard_deviation_m}};
+    if (row.candidate.published) {
+      model["published"] = {{"mean_offset_m", row.candidate.published->mean_m},
+                            {"standard_deviation_m", row.candidate.published->standard_deviation_m}};
       model["met"] = *row.met;
     }
-    models[std::string(row.contender.key)] = std::move(model);
+    models[std::string(row.candidate.key)] = std::move(model);
   }
   return models;
 }

@@ -10,7 +10,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "tools/wheelwright/evaluation/attempt.hpp"
-#include "tools/wheelwright/evaluation/contender.hpp"
+#include "tools/wheelwright/evaluation/candidate.hpp"
 #include "tools/wheelwright/evaluation/offset_statistics.hpp"
 
 namespace wheelwright::tools {
@@ -20,7 +20,7 @@ namespace wheelwright::tools {
 inline constexpr double mean_tolerance = 0.3;
 
 struct OffsetRow {
-  Contender contender;
+  Candidate candidate;
   std::size_t attempts = 0;
   std::size_t finished = 0;
   std::optional<OffsetStatistics> offset;  // over those that finished, if any did
@@ -28,7 +28,7 @@ struct OffsetRow {
   std::optional<bool> met;                 // absent where nothing was published
 };
 
-// One row per contender that was not left out. `outcomes` holds at least one attempt.
+// One row per candidate that was not left out. `outcomes` holds at least one attempt.
 std::vector<OffsetRow> offset_rows(const std::vector<AttemptOutcome>& outcomes, std::uint64_t seed);
 
 bool all_met(const std::vector<OffsetRow>& rows);

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <numbers>
 
-#include "model/log/settled_travel.hpp"
+#include "model/log/sign_corrected_travel.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -12,9 +12,9 @@ using simulation::SimulatedRobot;
 using simulation::SimulationConfig;
 
 // A random drive whose fit is refused is driven again, with other commands, up to this number of drives.
-constexpr int most_random_drives = 3;
+constexpr int max_random_drives = 3;
 
-// PAPER.md, calibration B, twice: one pass has too few samples for the responses of both wheels.
+// Calibration B of the source paper, twice: one pass has too few samples for the responses of both wheels.
 ResponsePlan four_actions() {
   ResponsePlan plan;
   plan.repetitions = 2;
@@ -87,7 +87,7 @@ MaybeModel RobotTrial::calibrate_arma(const RobotModel& response) {
   // Out in the open, where there is room for a random drive.
   const simulation::RoomConfig open = without_walls();
   std::string refusal;
-  for (int drives = 0; drives < most_random_drives; ++drives) {
+  for (int drives = 0; drives < max_random_drives; ++drives) {
     Mission mission;
     mission.random_drive = RandomDrivePlan{};
     mission.random_drive->seed = chance_.bits();
@@ -115,7 +115,7 @@ DriveOutcome RobotTrial::drive(const Route& route, PoseSource source, const Mayb
   SimulatedRobot robot = put_down(robot_.room);
   const auto result = daemon::run_virtually(run, robot);
   if (!result.finished || !result.true_pose_at_route_start) return {std::nullopt, reason_of(result)};
-  return {relative_to(*result.true_pose_at_route_start, result.true_poses.back()), {}};
+  return {between(*result.true_pose_at_route_start, result.true_poses.back()), {}};
 }
 
 tl::expected<DriveLog, std::string> RobotTrial::record(const Mission& mission, const RobotModel& model,
@@ -145,7 +145,7 @@ tl::expected<DriveLog, std::string> RobotTrial::record(const Mission& mission, c
     sample.t_s = static_cast<double>(frame.tick - first_tick) * limits_.period_s;
     sample.command_m_s = frame.command.speed_m_s;
     if (frame.valid) {
-      const Pose pose = relative_to(*origin, result.true_poses[i]);
+      const Pose pose = between(*origin, result.true_poses[i]);
       sample.ticks = frame.ticks;
       sample.battery_v = frame.battery_v;
       sample.reference_x_m = pose.x_m + noise.position_m * chance_.normal();

@@ -43,10 +43,11 @@ class RobotTrial {
   RobotTrial(const simulation::SimulationConfig& robot, const RobotLimits& limits,
              const roomba::LinkConfig& link, simulation::Noise chance);
 
-  // Encoder scale, and the moving-average model of the response actions (PAPER.md, calibrations A and B).
+  // Encoder scale, and the moving-average model of the response actions (calibrations A and B of the source
+  // paper).
   MaybeModel calibrate_response();
   // By the response model and its encoder scale the robot knows where it is, and so stays on its spot
-  // (PAPER.md, calibration C).
+  // (calibration C of the source paper).
   MaybeModel calibrate_arma(const RobotModel& response);
 
   DriveOutcome drive(const Route& route, PoseSource source, const MaybeModel& model);

@@ -44,20 +44,20 @@ Figure product(const Figure& one, const Figure& other) {
 }
 
 // The time by which the step response is late on average.
-double lag_s(const LinearModel& core, bool left) {
+double lag_s(const LinearModel& linear_part, bool left) {
   constexpr std::size_t longest = 2000;
-  const TwistResponse response = twist_response(core, longest);
+  const TwistResponse response = twist_response(linear_part, longest);
   const auto& v = left ? response.v_from_left : response.v_from_right;
   const auto& w = left ? response.w_from_left : response.w_from_right;
   double sum = 0.0;
   double moment = 0.0;
   for (std::size_t k = 0; k < longest; ++k) {
-    const WheelPair speed = wheels_of_twist({v[k], w[k]}, core.wheel_base_m);
+    const WheelPair speed = wheels_of_twist({v[k], w[k]}, linear_part.wheel_base_m);
     const double own = left ? speed.left : speed.right;
     sum += own;
     moment += own * static_cast<double>(k);
   }
-  return sum == 0.0 ? 0.0 : core.period_s * moment / sum;
+  return sum == 0.0 ? 0.0 : linear_part.period_s * moment / sum;
 }
 
 // Of two that limit, the tighter one.
@@ -111,12 +111,12 @@ void add_limit(const RobotModel& model, const AddedEffect& effect, DriveFigures&
 
 DriveFigures drive_figures(const RobotModel& model) {
   DriveFigures figures;
-  figures.wheel_separation_m = model.core.wheel_base_m;
+  figures.wheel_separation_m = model.linear_part.wheel_base_m;
   figures.separation_multiplier.value = 1.0;
   figures.left_radius_multiplier.value = 1.0;
   figures.right_radius_multiplier.value = 1.0;
-  figures.gain = {dc_gain(model.core.left).from_left, dc_gain(model.core.right).from_right};
-  figures.lag_s = {lag_s(model.core, true), lag_s(model.core, false)};
+  figures.gain = {dc_gain(model.linear_part.left).from_left, dc_gain(model.linear_part.right).from_right};
+  figures.lag_s = {lag_s(model.linear_part, true), lag_s(model.linear_part, false)};
   for (const AddedEffect& effect : model.effects) {
     add_scale(model, effect, figures);
     add_limit(model, effect, figures);

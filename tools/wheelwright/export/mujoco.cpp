@@ -64,11 +64,10 @@ std::string actuator(const DrivenWheel& side, const DriveFigures& figures, const
   std::string text;
   std::string range = attribute("ctrllimited", "false");
   if (figures.largest_speed_m_s) {
-    const Figure most_rad_s = scaled(*figures.largest_speed_m_s, 1.0 / (radius_m * side.gain));
-    text =
-        xml_remark("  ", "ctrlrange, of a largest speed of " + value_of(*figures.largest_speed_m_s) + " m/s",
-                   most_rad_s);
-    const std::string most = value_of(most_rad_s);
+    const Figure max_rad_s = scaled(*figures.largest_speed_m_s, 1.0 / (radius_m * side.gain));
+    text = xml_remark(
+        "  ", "ctrlrange, of a largest speed of " + value_of(*figures.largest_speed_m_s) + " m/s", max_rad_s);
+    const std::string most = value_of(max_rad_s);
     range = attribute("ctrllimited", "true") + attribute("ctrlrange", "-" + most + " " + most);
   }
   return text + "  <!-- control in rad/s: the command in m/s divided by " + short_number(radius_m) +

@@ -77,7 +77,7 @@ std::string covariance(const RobotModel& model) {
   const double left = std::pow(model.left_fit->drift_m_per_sqrt_s, 2);
   const double right = std::pow(model.right_fit->drift_m_per_sqrt_s, 2);
   const std::string along = real((left + right) / 4.0);
-  const std::string turn = real((left + right) / std::pow(model.core.wheel_base_m, 2));
+  const std::string turn = real((left + right) / std::pow(model.linear_part.wheel_base_m, 2));
   return "    # What odometry gains in one second, as the wheels' drift was measured; across, as along.\n" +
          line("    ", "pose_covariance_diagonal",
               "[" + along + ", " + along + ", 0.0, 0.0, 0.0, " + turn + "]", "");

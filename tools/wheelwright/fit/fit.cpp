@@ -120,7 +120,7 @@ RobotModel to_robot_model(const FitReport& report, const std::vector<std::string
   model.robot = robot_name(report.runs.front());
   model.created = now_as_text();
   model.source = sources;
-  model.core = report.model();
+  model.linear_part = report.model();
   model.left_fit = report.left();
   model.right_fit = report.right();
   return model;
@@ -192,7 +192,7 @@ void fit_and_save_by_poses(const FitOptions& options, const std::vector<DriveLog
   model.robot = robot_name(runs.front());
   model.created = now_as_text();
   model.source = options.logs;
-  model.core = fit.core;
+  model.linear_part = fit.linear_part;
   model.left_fit = fit.wheel_fit(fit.left_gain, true);
   model.right_fit = fit.wheel_fit(fit.right_gain, false);
   config::save_model(model, options.output);

@@ -5,7 +5,7 @@
 
 #include "config/load/text_format.hpp"
 #include "model/prediction/free_run.hpp"
-#include "model/prediction/known_stretches.hpp"
+#include "model/prediction/segments.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -25,7 +25,7 @@ void print_wheel(std::ostream& out, const std::string& name, double own, double 
 Score score_of_fir_fit(const FirFit& fit, const std::vector<DriveLog>& runs) {
   ScoreSums sums;
   for (const auto& run : runs) {
-    add_known_stretches(free_run(fit.model, run), run, fit.model.period_s, sums);
+    add_segments(free_run(fit.model, run), run, fit.model.period_s, sums);
   }
   return sums.score();
 }

@@ -11,7 +11,7 @@
 
 namespace wheelwright::tools {
 
-// How far the fit's free run over the known stretches of its own runs is from them.
+// How far the fit's free run over the known segments of its own runs is from them.
 Score score_of_fir_fit(const FirFit& fit, const std::vector<DriveLog>& runs);
 
 // What the fit says of itself, and that score.

@@ -1,6 +1,6 @@
 #include "tools/wheelwright/fit/fit_json.hpp"
 
-#include "model/prediction/known_stretches.hpp"
+#include "model/prediction/segments.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -79,7 +79,7 @@ ordered_json holes_json(const std::vector<DriveLog>& runs) {
   return holes;
 }
 
-ordered_json speeds_json(const std::vector<HeldSpeed>& speeds) {
+ordered_json speeds_json(const std::vector<SteadyStateSpeed>& speeds) {
   ordered_json json = ordered_json::array();
   for (const auto& speed : speeds) {
     json.push_back({{"command_m_s", speed.command_m_s},
@@ -125,7 +125,7 @@ ordered_json fit_json(const FitReport& report, const std::string& model_file) {
     add_arma(json, std::get<ArxFit>(report.fit));
   }
   json["holes"] = holes_json(report.runs);
-  json["settled_speeds"] = settled_json(report);
+  json["steady_state_map"] = settled_json(report);
   return json;
 }
 

@@ -5,8 +5,8 @@
 
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/common/commands.hpp"
+#include "tools/wheelwright/common/parallel_for.hpp"
 #include "tools/wheelwright/common/progress_line.hpp"
-#include "tools/wheelwright/common/side_by_side.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -28,7 +28,7 @@ ordered_json estimate_json(const gap::Estimate& estimate) {
 
 gap::PoseFit fit_poses(const std::vector<DriveLog>& runs, std::ostream& err) {
   ProgressLine progress(err);
-  auto fit = gap::fit_from_poses(runs, side_by_side(), progress.callback());
+  auto fit = gap::fit_from_poses(runs, parallel_for(), progress.callback());
   progress.clear();
   if (!fit) throw DataRefusal(fit.error().reason);
   return std::move(*fit);

@@ -19,7 +19,7 @@ using config::fixed_number;
 constexpr std::size_t longest_table = 16;  // commands
 
 void add_speeds(FitReport& report, const FirFit& fit) {
-  report.speeds = held_speeds(report.runs, fit.model, fit.left, fit.right);
+  report.speeds = steady_state_speeds(report.runs, fit.model, fit.left, fit.right);
   report.hole = find_command_hole(report.speeds);
   report.curve = find_speed_curve(report.hole ? without_hole(report.speeds, *report.hole) : report.speeds);
 }
@@ -37,7 +37,7 @@ void print_holes(std::ostream& out, const std::vector<DriveLog>& runs) {
          "  until the wheels had forgotten it\n";
 }
 
-void print_speed(std::ostream& out, const HeldSpeed* speed) {
+void print_speed(std::ostream& out, const SteadyStateSpeed* speed) {
   if (speed == nullptr) {
     out << std::setw(18) << "-" << std::setw(7) << "-";
     return;
@@ -47,13 +47,14 @@ void print_speed(std::ostream& out, const HeldSpeed* speed) {
       << fixed_number(speed->speed_m_s / speed->command_m_s, 2);
 }
 
-const HeldSpeed* find_speed(const std::vector<HeldSpeed>& speeds, double command_m_s) {
-  const auto found = std::ranges::find_if(
-      speeds, [&](const HeldSpeed& speed) { return std::abs(speed.command_m_s - command_m_s) < 1e-4; });
+const SteadyStateSpeed* find_speed(const std::vector<SteadyStateSpeed>& speeds, double command_m_s) {
+  const auto found = std::ranges::find_if(speeds, [&](const SteadyStateSpeed& speed) {
+    return std::abs(speed.command_m_s - command_m_s) < 1e-4;
+  });
   return found == speeds.end() ? nullptr : &*found;
 }
 
-void print_speeds(std::ostream& out, const HeldSpeeds& speeds) {
+void print_speeds(std::ostream& out, const SteadyStateSpeeds& speeds) {
   std::vector<double> commands;
   for (const auto* wheel : {&speeds.left, &speeds.right}) {
     for (const auto& speed : *wheel) {
@@ -87,7 +88,7 @@ void print_hole(std::ostream& out, const CommandHole& hole) {
       << " m/s\n  no linear model has such a hole, and no effect of the library: keep commands out of it\n";
 }
 
-void print_curve(std::ostream& out, const HeldSpeeds& speeds, const SpeedCurve& curve) {
+void print_curve(std::ostream& out, const SteadyStateSpeeds& speeds, const SpeedCurve& curve) {
   if (!curve.bend && !curve.steps) return;
   print_speeds(out, speeds);
   out << "\n";

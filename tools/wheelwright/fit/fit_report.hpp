@@ -10,8 +10,8 @@
 #include "model/identification/arx_fit.hpp"
 #include "model/identification/command_hole.hpp"
 #include "model/identification/fir_fit.hpp"
-#include "model/identification/held_speeds.hpp"
 #include "model/identification/speed_curve.hpp"
+#include "model/identification/steady_state_speeds.hpp"
 #include "model/log/drive_log.hpp"
 #include "model/prediction/score.hpp"
 
@@ -25,7 +25,7 @@ struct FirReport {
 struct FitReport {
   std::variant<FirReport, ArxFit> fit;
   std::vector<DriveLog> runs;
-  HeldSpeeds speeds;
+  SteadyStateSpeeds speeds;
   SpeedCurve curve;
   std::optional<CommandHole> hole;
 

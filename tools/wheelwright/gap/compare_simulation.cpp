@@ -8,7 +8,7 @@
 #include "model/gap/data_checks/informative_segments.hpp"
 #include "model/gap/simulation/simulated_motion.hpp"
 #include "tools/wheelwright/common/commands.hpp"
-#include "tools/wheelwright/common/side_by_side.hpp"
+#include "tools/wheelwright/common/parallel_for.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -23,12 +23,12 @@ bool tells_motion(const DriveSample& sample) {
 
 // A simulation that diverges leaves rows without numbers, or places where no robot comes.
 void check_simulated(const DriveLog& simulated, const DriveLog& real) {
-  constexpr double least_share = 0.9;
+  constexpr double min_share = 0.9;
   constexpr double farthest_m = 1e4;
   const std::string beside =
       ", but the commands of " + real.name + " last " + config::fixed_number(duration_s(real), 1) + " s";
-  const double least_s = least_share * duration_s(real);
-  if (duration_s(simulated) < least_s) {
+  const double min_s = min_share * duration_s(real);
+  if (duration_s(simulated) < min_s) {
     throw UsageError(simulated.name + ": ends after " + config::fixed_number(duration_s(simulated), 1) +
                      " s" + beside);
   }
@@ -41,7 +41,7 @@ void check_simulated(const DriveLog& simulated, const DriveLog& real) {
     throw UsageError(simulated.name + ": after " + config::fixed_number(time_s, 1) + " s the robot is " +
                      config::plain_number(far_m) + " m away; the simulation diverges");
   }
-  if (told_s < least_s) {
+  if (told_s < min_s) {
     throw UsageError(simulated.name + ": neither poses nor counts after " + config::fixed_number(told_s, 1) +
                      " s" + beside);
   }
@@ -86,7 +86,7 @@ ComparedSimulation compare_simulation(const SimulationInput& input, const std::v
   const std::vector<DriveLog> simulated =
       made ? runs_of_simulator(input, real, folder, err, progress)
            : gap::informative_segments(load_all_runs({input.logs, input.import}, err, progress), {}).runs;
-  auto gap = gap::analyse_simulation_gap(simulated, train, test, side_by_side(), progress.callback());
+  auto gap = gap::analyse_simulation_gap(simulated, train, test, parallel_for(), progress.callback());
   if (!gap) throw UsageError(gap.error().reason);
   ComparedSimulation result{*std::move(gap), std::nullopt, std::nullopt};
   if (!made) return result;

@@ -15,8 +15,8 @@
 #include "tools/option_checks.hpp"
 #include "tools/wheelwright/common/commands.hpp"
 #include "tools/wheelwright/common/now.hpp"
+#include "tools/wheelwright/common/parallel_for.hpp"
 #include "tools/wheelwright/common/progress_line.hpp"
-#include "tools/wheelwright/common/side_by_side.hpp"
 #include "tools/wheelwright/gap/compare_simulation.hpp"
 #include "tools/wheelwright/gap/gap_json.hpp"
 #include "tools/wheelwright/gap/gap_text.hpp"
@@ -41,7 +41,7 @@ struct GapCommand {
 };
 
 // Of training runs; a third of it for test runs.
-constexpr std::size_t most_rows = 60'000;
+constexpr std::size_t max_rows = 60'000;
 
 // As in "Used 18 min of 5.0 h: 18 segments that show the most."
 std::string used_text(const gap::Segments& segments) {
@@ -109,7 +109,7 @@ std::string write_files(const GapCommand& command, const gap::GapAnalysis& analy
   std::string written = "gap.json, ";
   write({folder / "gap.json", config::OutputKind::gap},
         gap_to_json(analysis, next, next_file.string(), simulation));
-  if (!analysis.after.core.left.from_left.empty()) {
+  if (!analysis.after.linear_part.left.from_left.empty()) {
     config::save_model(analysis.after, model_file);
     written += "model.yaml, ";
   } else {
@@ -134,7 +134,7 @@ void stamp(RobotModel& model, const std::string& robot) {
 gap::Segments load_segments(const LogInput& input, std::size_t rows, std::ostream& err,
                             ProgressLine& progress) {
   if (input.paths.empty()) return {};
-  return gap::informative_segments(load_all_runs(input, err, progress), {.most_rows = rows});
+  return gap::informative_segments(load_all_runs(input, err, progress), {.max_rows = rows});
 }
 
 ExitStatus run_gap(const GapCommand& command, Streams streams) {
@@ -145,9 +145,9 @@ ExitStatus run_gap(const GapCommand& command, Streams streams) {
   ProgressLine progress(streams.err);
   const auto say = progress.callback();
   const gap::Segments train_segments =
-      load_segments({command.train, command.import, command.test}, most_rows, streams.err, progress);
+      load_segments({command.train, command.import, command.test}, max_rows, streams.err, progress);
   const gap::Segments test_segments =
-      load_segments({command.test, command.import, command.train}, most_rows / 3, streams.err, progress);
+      load_segments({command.test, command.import, command.train}, max_rows / 3, streams.err, progress);
   const std::vector<DriveLog>& train = train_segments.runs;
   const std::vector<DriveLog>& test = test_segments.runs;
   make_folder(command.output);
@@ -157,13 +157,13 @@ ExitStatus run_gap(const GapCommand& command, Streams streams) {
     simulation = compare_simulation(command.simulation, train, test, folder, streams.err, progress);
   }
   tl::expected<gap::GapAnalysis, gap::GapRefusal> analysis =
-      simulation ? simulation->gap.robot : gap::analyse_gap(train, test, options, side_by_side(), say);
+      simulation ? simulation->gap.robot : gap::analyse_gap(train, test, options, parallel_for(), say);
   if (!analysis) throw UsageError(analysis.error().reason);
   for (const gap::Segments* segments : {&train_segments, &test_segments}) {
     if (!segments->all_used()) analysis->summary += " " + used_text(*segments);
   }
   say("next experiment", 0.95);
-  const auto next = gap::next_experiment(*analysis, train, limits_of(command, train), side_by_side());
+  const auto next = gap::next_experiment(*analysis, train, limits_of(command, train), parallel_for());
   stamp(analysis->after, robot_name(train.front()));
 
   const std::filesystem::path folder = command.output;

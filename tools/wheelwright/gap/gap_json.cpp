@@ -83,18 +83,18 @@ ordered_json gap_sizes(const gap::GapAnalysis& analysis) {
 }
 
 // The path of the search: who was tried in each round, best first.
-ordered_json rounds_to_json(const std::vector<gap::Round>& rounds) {
+ordered_json rounds_to_json(const std::vector<gap::SelectionStep>& selection_steps) {
   ordered_json list = ordered_json::array();
-  for (const auto& round : rounds) {
+  for (const auto& selection_step : selection_steps) {
     ordered_json tried = ordered_json::array();
-    for (const auto& contender : round.contenders) {
-      tried.push_back({{"effect", contender.effect.info->name},
-                       {"variant", contender.effect.info->variants[contender.effect.variant].name},
-                       {"parameters", contender.effect.parameters},
-                       {"train_nats", contender.train_nats},
-                       {"heldout_nats", contender.heldout_nats},
-                       {"inflation", contender.inflation},
-                       {"score", contender.score}});
+    for (const auto& candidate : selection_step.candidates) {
+      tried.push_back({{"effect", candidate.effect.info->name},
+                       {"variant", candidate.effect.info->variants[candidate.effect.variant].name},
+                       {"parameters", candidate.effect.parameters},
+                       {"train_nats", candidate.train_nats},
+                       {"heldout_nats", candidate.heldout_nats},
+                       {"inflation", candidate.autocorrelation_factor},
+                       {"score", candidate.score}});
     }
     list.push_back(tried);
   }
@@ -182,7 +182,7 @@ std::string gap_to_json(const gap::GapAnalysis& analysis, const std::optional<ga
   if (!analysis.check.statistics.empty()) json["check"] = check_to_json(analysis);
   json["next_experiment"] = nullptr;
   if (next) json["next_experiment"] = experiment_to_json(*next, next_file);
-  json["search"] = {{"rounds", rounds_to_json(analysis.search.rounds)},
+  json["search"] = {{"rounds", rounds_to_json(analysis.search.selection_steps)},
                     {"checks", rounds_to_json(analysis.search.checks)},
                     {"references_late_s", analysis.search.final.model.reference_lag_s()}};
   if (analysis.search.final.model.shape.gyro_scaled)

@@ -101,9 +101,9 @@ void print_gap(std::ostream& out, const gap::GapAnalysis& analysis) {
 }
 
 std::string late_references_text(const gap::GapAnalysis& analysis) {
-  constexpr double least_s = 0.002;
+  constexpr double min_s = 0.002;
   const double late_s = analysis.search.final.model.reference_lag_s();
-  if (std::abs(late_s) < least_s) return "";
+  if (std::abs(late_s) < min_s) return "";
   const bool by_gyro = analysis.search.final.model.shape.gyro_scaled;
   return std::string(by_gyro ? "The gyro tells" : "Reference poses tell") + " of the robot " +
          fixed_number(1000.0 * std::abs(late_s), 0) + " ms " + (late_s > 0.0 ? "later" : "earlier") +

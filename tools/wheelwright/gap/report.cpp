@@ -18,7 +18,7 @@
 namespace wheelwright::tools {
 namespace {
 
-constexpr std::size_t most_drawn_runs = 3;
+constexpr std::size_t max_drawn_runs = 3;
 
 // All logs without their faults, with what the analysis found of their references.
 std::vector<gap::GatedLog> gated(std::span<const DriveLog> train, std::span<const DriveLog> test,
@@ -38,7 +38,7 @@ std::vector<DriveLog> heldout_runs(const gap::GapAnalysis& analysis, std::span<c
   std::vector<DriveLog> runs;
   for (const auto& one : all) {
     const bool held_out = std::ranges::find(analysis.tested, one.log.name) != analysis.tested.end();
-    if (held_out && runs.size() < most_drawn_runs) runs.push_back(one.log);
+    if (held_out && runs.size() < max_drawn_runs) runs.push_back(one.log);
   }
   return runs;
 }
@@ -49,7 +49,7 @@ std::string figures_section(const gap::GapAnalysis& analysis, const std::vector<
       draw(run_plots(analysis.before, changed ? std::optional(analysis.after) : std::nullopt, runs));
   if (drawn.problem.empty() && drawn.figures.empty()) return "";
   const bool told = changed && std::ranges::any_of(runs, [&](const DriveLog& run) {
-                      return is_told_on_the_way(analysis.after, run);
+                      return is_reset_to_measured_pose(analysis.after, run);
                     });
   return html::element("h2", analysis.tail_held_out ? "The run, simulated"
                              : analysis.untouched   ? "Untouched runs, simulated"
@@ -82,7 +82,7 @@ std::string head(const gap::GapAnalysis& analysis) {
 std::string gap_report(const gap::GapAnalysis& analysis, std::span<const DriveLog> train,
                        std::span<const DriveLog> test, const std::optional<gap::NextExperiment>& next,
                        const ComparedSimulation* simulation) {
-  const bool fitted = !analysis.after.core.left.from_left.empty();
+  const bool fitted = !analysis.after.linear_part.left.from_left.empty();
   const std::vector<gap::GatedLog> all = gated(train, test, analysis);
   std::string body = head(analysis);
   if (simulation != nullptr) body += simulation_section(*simulation);

@@ -110,16 +110,16 @@ std::string present_effects(const gap::TrialModel& model) {
   return text.empty() ? "the linear model alone" : "the linear model with " + text;
 }
 
-std::string rounds(const std::vector<gap::Round>& list, const std::string& title) {
+std::string selection_steps(const std::vector<gap::SelectionStep>& list, const std::string& title) {
   std::string text;
   for (std::size_t i = 0; i < list.size(); ++i) {
     Rows rows;
-    for (const auto& contender : list[i].contenders) {
-      const gap::TrialEffect& effect = contender.effect;
+    for (const auto& candidate : list[i].candidates) {
+      const gap::TrialEffect& effect = candidate.effect;
       rows.push_back({with_variant(effect.info->name, effect.info->variants[effect.variant].name),
                       gap::is_decoy(*effect.info) ? "decoy" : "", parameters_text(effect),
-                      fixed_number(contender.train_nats, 1), fixed_number(contender.heldout_nats, 1),
-                      fixed_number(contender.inflation, 1), fixed_number(contender.score, 1)});
+                      fixed_number(candidate.train_nats, 1), fixed_number(candidate.heldout_nats, 1),
+                      fixed_number(candidate.autocorrelation_factor, 1), fixed_number(candidate.score, 1)});
     }
     const std::string summary = title + " " + std::to_string(i + 1) + ": who could be added to " +
                                 present_effects(list[i].without.model);
@@ -197,7 +197,8 @@ std::string residual_section(const std::optional<gap::ResidualTable>& table) {
 }
 
 std::string search_section(const gap::GapAnalysis& analysis) {
-  std::string text = rounds(analysis.search.rounds, "Round") + rounds(analysis.search.checks, "Check");
+  std::string text = selection_steps(analysis.search.selection_steps, "Round") +
+                     selection_steps(analysis.search.checks, "Check");
   if (text.empty()) return "";
   return section(
       "The search",

@@ -106,7 +106,7 @@ ordered_json simulation_to_json(const ComparedSimulation& compared) {
   ordered_json json = {{"verdict", gap::verdict_name(gap.simulation.verdict)},
                        {"summary", gap.simulation.summary},
                        {"runs", gap.simulation.trained},
-                       {"wheel_base_m", gap.simulation.after.core.wheel_base_m},
+                       {"wheel_base_m", gap.simulation.after.linear_part.wheel_base_m},
                        {"check_passed", gap.simulation.check.passed},
                        {"effects", effects},
                        {"remarks", gap.remarks}};

@@ -80,7 +80,7 @@ ReadResult open_checked(const path& file) {
   std::string head = is_regular ? read_head(file) : std::string();
   const Format* format = find_format(head);
   if (format != nullptr && format->read_file != nullptr) return format->read_file(file);
-  const bool is_short = is_regular && std::filesystem::file_size(file) <= config::log_file.most_bytes;
+  const bool is_short = is_regular && std::filesystem::file_size(file) <= config::log_file.max_bytes;
   if (is_short && format == nullptr && !head.empty()) return Failure(file.string() + ": " + why_unread(head));
   auto bytes = config::read_text(file, config::log_file);
   if (!bytes) return Failure(bytes.error());

@@ -11,7 +11,7 @@
 #include "config/load/text_format.hpp"
 #include "model/log/near_periods.hpp"
 #include "model/log/run_periods.hpp"
-#include "model/prediction/known_stretches.hpp"
+#include "model/prediction/segments.hpp"
 #include "tools/wheelwright/common/commands.hpp"
 
 namespace wheelwright::tools {
@@ -32,8 +32,8 @@ bool is_roomba(std::string name) {
 }
 
 // Calibrations of one robot scatter by less, other robots differ by more.
-constexpr double most_apart_scales = 0.05;
-constexpr double most_apart_bases = 0.02;
+constexpr double max_apart_scales = 0.05;
+constexpr double max_apart_bases = 0.02;
 
 std::string line_of(const DriveLog& log, std::size_t row) {
   return log.name + ":" + std::to_string(log.first_line + row);
@@ -87,10 +87,10 @@ std::optional<std::string> find_difference(const DriveLog& run, const DriveLog& 
   if (!run.metres_per_tick || !first.metres_per_tick) return std::nullopt;
   const WheelPair& scale = *run.metres_per_tick;
   const WheelPair& first_scale = *first.metres_per_tick;
-  if (differ(scale.left, first_scale.left, most_apart_scales)) {
+  if (differ(scale.left, first_scale.left, max_apart_scales)) {
     return "metres_per_tick_left is " + numbers(scale.left, first_scale.left, "m");
   }
-  if (differ(scale.right, first_scale.right, most_apart_scales)) {
+  if (differ(scale.right, first_scale.right, max_apart_scales)) {
     return "metres_per_tick_right is " + numbers(scale.right, first_scale.right, "m");
   }
   return std::nullopt;
@@ -185,7 +185,7 @@ void check_log_for_model(const DriveLog& log, const LinearModel& model, std::ost
     err << "wheelwright: warning: " << *impossible << "\n";
   }
   // One that was fitted to poses has a wheel base of its own.
-  if (differ(log.wheel_base_m, model.wheel_base_m, most_apart_bases)) {
+  if (differ(log.wheel_base_m, model.wheel_base_m, max_apart_bases)) {
     err << "wheelwright: warning: " << log.name << ": its wheel base is " << plain_number(log.wheel_base_m)
         << " m, but that of the model is " << plain_number(model.wheel_base_m)
         << " m; is it the same robot?\n";
@@ -196,13 +196,13 @@ void check_log_for_model(const DriveLog& log, const LinearModel& model, std::ost
 }
 
 std::vector<std::string> describe_holes(const DriveLog& log) {
-  constexpr std::size_t most_told = 5;
+  constexpr std::size_t max_told = 5;
   const auto holes = find_holes(log);
   std::vector<std::string> lines;
   for (const auto& hole : holes) {
     const std::string where = line_of(log, hole.row);
-    if (lines.size() == most_told) {
-      lines.push_back(where + ": and " + std::to_string(holes.size() - most_told) +
+    if (lines.size() == max_told) {
+      lines.push_back(where + ": and " + std::to_string(holes.size() - max_told) +
                       " more holes from here on");
       break;
     }

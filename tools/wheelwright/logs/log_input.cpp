@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "config/load/drive_log_file.hpp"
-#include "model/log/settled_travel.hpp"
+#include "model/log/sign_corrected_travel.hpp"
 #include "tools/wheelwright/import/conversion/repair_checks.hpp"
 #include "tools/wheelwright/import/import_files.hpp"
 #include "tools/wheelwright/import/open_recording.hpp"
@@ -119,7 +119,7 @@ std::vector<DriveLog> load_all_runs(const LogInput& input, std::ostream& err, Pr
     if (!remarks.view().empty()) progress.clear();
     err << remarks.view();
     for (auto& run : of_file) {
-      take_settled_travel(run);
+      take_sign_corrected_travel(run);
       runs.push_back(std::move(run));
     }
   }

@@ -201,12 +201,12 @@ std::string figures_html(const Figures& figures) {
 }
 
 PlotPoints thinned(const PlotPoints& points) {
-  constexpr std::size_t stretches = 700;
-  if (points.size() <= 2 * stretches) return points;
+  constexpr std::size_t segments = 700;
+  if (points.size() <= 2 * segments) return points;
   PlotPoints result;
-  for (std::size_t i = 0; i < stretches; ++i) {
-    const auto first = points.begin() + static_cast<std::ptrdiff_t>(points.size() * i / stretches);
-    const auto last = points.begin() + static_cast<std::ptrdiff_t>(points.size() * (i + 1) / stretches);
+  for (std::size_t i = 0; i < segments; ++i) {
+    const auto first = points.begin() + static_cast<std::ptrdiff_t>(points.size() * i / segments);
+    const auto last = points.begin() + static_cast<std::ptrdiff_t>(points.size() * (i + 1) / segments);
     const auto [low, high] = std::minmax_element(
         first, last, [](const PlotPoint& one, const PlotPoint& two) { return one.y < two.y; });
     result.push_back(*std::min(low, high));

@@ -99,7 +99,7 @@ Figures draw(std::span<const Plot> plots);
 // Figures as elements of a page, or the one line that says why there are none.
 std::string figures_html(const Figures& figures);
 
-// At most about 1500 points that look the same: of each stretch the lowest and the highest.
+// At most about 1500 points that look the same: of each segment the lowest and the highest.
 PlotPoints thinned(const PlotPoints& points);
 
 }  // namespace wheelwright::tools

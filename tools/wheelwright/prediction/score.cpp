@@ -8,8 +8,8 @@
 
 #include "config/load/model_file.hpp"
 #include "config/load/text_format.hpp"
-#include "model/prediction/known_stretches.hpp"
 #include "model/prediction/open_loop_runs.hpp"
+#include "model/prediction/segments.hpp"
 #include "tools/wheelwright/common/commands.hpp"
 #include "tools/wheelwright/common/json_text.hpp"
 #include "tools/wheelwright/logs/log_checks.hpp"
@@ -79,8 +79,8 @@ ScoredRun scored_run(const RobotModel& model, const DriveLog& log, bool only_run
   const auto motions = open_loop_runs(model, log);
   const std::vector<Prediction> predictions(motions.begin(), motions.end());
   ScoreSums sums;
-  add_known_stretches(predictions, log, model.core.period_s, sums);
-  add_known_stretches(predictions, log, model.core.period_s, all);
+  add_segments(predictions, log, model.linear_part.period_s, sums);
+  add_segments(predictions, log, model.linear_part.period_s, all);
   ScoredRun run{run_name(log, only_run_of_file), log.samples.size(), sums.score(), std::nullopt};
   // Through a hole no model can say how far the wheels went.
   if (find_holes(log).empty()) run.end_error_m = end_distance_error_m(motions.front(), log);
@@ -98,7 +98,7 @@ ExitStatus run_score(const ScoreOptions& options, Streams streams) {
     const auto logs = load_all_runs({{path}, options.import}, streams.err, progress);
     for (const auto& log : logs) {
       progress.clear();
-      check_log_for_model(log, model.core, streams.err);
+      check_log_for_model(log, model.linear_part, streams.err);
       say("scoring " + path, (static_cast<double>(i) + 0.3) / static_cast<double>(options.logs.size()));
       runs.push_back(scored_run(model, log, logs.size() == 1, sums));
     }

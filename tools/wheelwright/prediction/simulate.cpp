@@ -61,7 +61,7 @@ ExitStatus run_simulate(const SimulateOptions& options, Streams streams) {
   check_output({options.output, config::OutputKind::motion}, {options.model, options.log});
   const RobotModel model = config::load_model(options.model);
   const DriveLog log = load_one_run({{options.log}, options.import}, streams.err);
-  check_log_for_model(log, model.core, streams.err);
+  check_log_for_model(log, model.linear_part, streams.err);
   ProgressLine progress(streams.err);
   const auto say = progress.callback();
   say("simulating", 0.3);

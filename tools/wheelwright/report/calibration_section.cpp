@@ -118,7 +118,7 @@ std::string response_section(const CalibrationMaterial& material) {
 }
 
 std::string model_section(const RobotModel& model) {
-  return html::element("h2", "The model") + figures_html(draw(response_plots(model.core, {})));
+  return html::element("h2", "The model") + figures_html(draw(response_plots(model.linear_part, {})));
 }
 
 }  // namespace wheelwright::tools

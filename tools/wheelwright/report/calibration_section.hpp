@@ -8,7 +8,7 @@
 
 namespace wheelwright::tools {
 
-// Calibration A: the light bumper over ticks, and the period found (PAPER.md eq. 13).
+// Calibration A: the light bumper over ticks, and the period found (eq. 13 of the source paper).
 std::string encoder_scale_section(const CalibrationMaterial& material);
 // Calibration B: step responses and the four transfer functions (eq. 2-10).
 std::string response_section(const CalibrationMaterial& material);

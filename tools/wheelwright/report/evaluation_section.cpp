@@ -8,7 +8,7 @@
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/common/commands.hpp"
 #include "tools/wheelwright/common/json_text.hpp"
-#include "tools/wheelwright/evaluation/contender.hpp"
+#include "tools/wheelwright/evaluation/candidate.hpp"
 #include "tools/wheelwright/page/html.hpp"
 #include "tools/wheelwright/page/plot.hpp"
 
@@ -40,15 +40,15 @@ std::string with_interval(const json& figure) {
 
 std::string table(const json& models) {
   Rows rows;
-  for (const Contender& contender : contenders) {
-    const std::string key(contender.key);
+  for (const Candidate& candidate : candidates) {
+    const std::string key(candidate.key);
     if (!models.contains(key)) continue;
     const json& model = models[key];
-    const bool published = contender.published.has_value();
-    rows.push_back({std::string(contender.title), with_interval(model.value("mean_offset", json())),
+    const bool published = candidate.published.has_value();
+    rows.push_back({std::string(candidate.title), with_interval(model.value("mean_offset", json())),
                     with_interval(model.value("standard_deviation", json())),
-                    published ? fixed_number(contender.published->mean_m, 3) : "-",
-                    published ? fixed_number(contender.published->standard_deviation_m, 3) : "-",
+                    published ? fixed_number(candidate.published->mean_m, 3) : "-",
+                    published ? fixed_number(candidate.published->standard_deviation_m, 3) : "-",
                     model.contains("met") ? (model["met"].get<bool>() ? "yes" : "no") : "-",
                     std::to_string(model["finished"].get<int>()) + " of " +
                         std::to_string(model["attempts"].get<int>())});
@@ -78,8 +78,8 @@ double half_width_m(const config::CsvTable& csv) {
   for (const char* column : {"x", "y"}) {
     for (const double value : csv.numbers(column)) farthest_m = std::max(farthest_m, std::abs(value));
   }
-  for (const Contender& contender : contenders) {
-    if (contender.published) farthest_m = std::max(farthest_m, contender.published->mean_m);
+  for (const Candidate& candidate : candidates) {
+    if (candidate.published) farthest_m = std::max(farthest_m, candidate.published->mean_m);
   }
   return 1.05 * farthest_m;
 }
@@ -96,13 +96,13 @@ std::string evaluation_section(const fs::path& folder) {
   const auto csv = config::CsvTable::load(folder / "end_points.csv");
   const double half_m = half_width_m(csv);
   std::vector<Plot> plots;
-  for (const Contender& contender : contenders) {
-    PlotPoints points = end_points(csv, contender.key);
+  for (const Candidate& candidate : candidates) {
+    PlotPoints points = end_points(csv, candidate.key);
     if (points.empty()) continue;
-    Plot& plot = plots.emplace_back(std::string(contender.title) +
-                                    (contender.published ? "; dashed: the published mean offset" : ""));
+    Plot& plot = plots.emplace_back(std::string(candidate.title) +
+                                    (candidate.published ? "; dashed: the published mean offset" : ""));
     plot.axes("x [m]", "y [m]").half().height(420).range(half_m).equal_scales();
-    if (contender.published) plot.circle(0.0, 0.0, contender.published->mean_m, 2);
+    if (candidate.published) plot.circle(0.0, 0.0, candidate.published->mean_m, 2);
     plot.line("", Ink::quiet, {{-half_m, 0.0}, {half_m, 0.0}});
     plot.line("", Ink::quiet, {{0.0, -half_m}, {0.0, half_m}});
     plot.points("", Ink::accent, std::move(points), 0.5);

@@ -49,13 +49,13 @@ Plot histogram_of(const daemon::LatenessRecord& record) {
 }  // namespace
 
 std::vector<LatenessBox> lateness_boxes(const daemon::LatenessRecord& record) {
-  constexpr double least_us = 0.1;  // where the finest bin ends
+  constexpr double min_us = 0.1;  // where the finest bin ends
   std::vector<LatenessBox> boxes;
   for (const daemon::LatenessBin& bin : record.bins) {
-    const double edge_us = std::max(bin.upper_edge_us, least_us);
+    const double edge_us = std::max(bin.upper_edge_us, min_us);
     // An edge between two boxes belongs to the lower one, also where it was rounded to the nanosecond.
-    const double step = std::ceil(boxes_per_octave * std::log2(edge_us / least_us) - 0.01);
-    const double upper_us = least_us * std::exp2(step / boxes_per_octave);
+    const double step = std::ceil(boxes_per_octave * std::log2(edge_us / min_us) - 0.01);
+    const double upper_us = min_us * std::exp2(step / boxes_per_octave);
     if (boxes.empty() || boxes.back().upper_edge_us < upper_us)
       boxes.push_back({upper_us * std::exp2(-1.0 / boxes_per_octave), upper_us, 0});
     boxes.back().wake_ups += bin.wake_ups;

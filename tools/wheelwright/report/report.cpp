@@ -111,7 +111,7 @@ std::string run_page(const ReportOptions& options, ProgressLine& progress, std::
   return html::page("Run " + run.name, body);
 }
 
-std::string usual_output(const std::string& log) {
+std::string default_output(const std::string& log) {
   std::error_code ignored;
   const fs::path path = log;
   if (fs::is_directory(path, ignored)) return (path / "report.html").string();
@@ -127,7 +127,7 @@ void refuse_gap_folder(const fs::path& folder) {
 
 ExitStatus run_report(const ReportOptions& options, Streams streams) {
   refuse_gap_folder(options.log);
-  const std::string output = options.output.empty() ? usual_output(options.log) : options.output;
+  const std::string output = options.output.empty() ? default_output(options.log) : options.output;
   check_output({output, config::OutputKind::page},
                {options.log, options.model, options.truth, options.import.mapping});
   ProgressLine progress(streams.err);

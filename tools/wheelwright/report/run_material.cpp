@@ -43,7 +43,7 @@ CalibrationMaterial calibrate_again(const DriveLog& log, const config::DaemonCon
 }
 
 // Where the run's own configuration is not there: what the log says of its robot, the rest as usual.
-config::DaemonConfig usual_config(const DriveLog& log) {
+config::DaemonConfig default_config(const DriveLog& log) {
   config::DaemonConfig config;
   config.limits.wheel_base_m = log.wheel_base_m;
   config.limits.period_s = log.period_s;
@@ -82,8 +82,8 @@ RunMaterial load_run_material(const fs::path& path, const std::optional<RobotMod
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) read_neighbours(path, material);
   if (material.drive && of_the_daemon) {
-    material.calibration =
-        calibrate_again(*material.drive, material.config ? *material.config : usual_config(*material.drive));
+    material.calibration = calibrate_again(
+        *material.drive, material.config ? *material.config : default_config(*material.drive));
   }
   if (material.calibration.model) material.model = material.calibration.model;
   if (model) material.model = model;

@@ -16,7 +16,7 @@ using config::fixed_number;
 using Rows = std::vector<std::vector<std::string>>;
 using Ticks = std::vector<mcap::TickValues>;
 
-constexpr std::size_t most_events = 40;
+constexpr std::size_t max_events = 40;
 
 Ticks route_of(const Ticks& ticks) {
   Ticks route;
@@ -212,10 +212,10 @@ std::string events(const Ticks& ticks) {
   std::string text = html::element("h3", "Events and faults");
   if (rows.empty()) return text + html::element("p", "None.");
   const std::size_t all = rows.size();
-  rows.resize(std::min(all, most_events));
+  rows.resize(std::min(all, max_events));
   text += html::table({"time [s]", "what"}, rows);
-  if (all > most_events)
-    text += html::element("p", "and " + std::to_string(all - most_events) + " more in the pose log");
+  if (all > max_events)
+    text += html::element("p", "and " + std::to_string(all - max_events) + " more in the pose log");
   return text;
 }
 

@@ -32,7 +32,7 @@ TruePath true_path(const config::CsvTable& truth) {
   const Pose origin{x[start], y[start], theta[start]};
   const std::size_t stride = std::max<std::size_t>(1, (t.size() - start) / 1500);
   for (std::size_t i = start; i < t.size(); i += stride) {
-    const Pose pose = relative_to(origin, {x[i], y[i], theta[i]});
+    const Pose pose = between(origin, {x[i], y[i], theta[i]});
     path.points.push_back({pose.x_m, pose.y_m});
   }
   path.closure_m = std::hypot(x.back() - origin.x_m, y.back() - origin.y_m);

@@ -57,7 +57,7 @@ RobotModel linear_robot(const DriveProgram& program, double wheel_base_m, Random
   RobotModel model;
   const auto trial =
       gap::first_guess({}, program.period_s, wheel_base_m, lag_s(random), program.period_s * delay(random));
-  model.core = trial.linear();
+  model.linear_part = trial.linear();
   return model;
 }
 
@@ -100,8 +100,7 @@ void try_robot(const EffectInfo* info, std::uint64_t seed, Tally& tally) {
     const WheelPair before_m = drives.empty() ? WheelPair{} : rolled_m(drives.back());
     drives.push_back(measured_drive(robot, drive, {}, before_m, random));
   }
-  const auto analysis =
-      gap::analyse_gap(drives, {}, {}, gap::for_each_in_turn, [](const std::string&, double) {});
+  const auto analysis = gap::analyse_gap(drives, {}, {}, gap::serial_for, [](const std::string&, double) {});
   if (!analysis) throw std::runtime_error(analysis.error().reason);
   if (info == nullptr) {
     tally.false_names.add(!analysis->found.empty());

@@ -95,9 +95,9 @@ WheelPair rolled_m(const DriveLog& log) {
 }
 
 DriveLog measured_drive(const RobotModel& model, DriveLog log, const DriveNoise& noise,
-                        const WheelPair& rolled_before_m, Random& random) {
-  ModelSimulation simulation(model.core, effect_settings(model));
-  simulation.reset({}, rolled_before_m);
+                        const WheelPair& initial_travel_m, Random& random) {
+  ModelSimulation simulation(model.linear_part, effect_settings(model));
+  simulation.reset({}, initial_travel_m);
   const double deviation_m = noise.drift_m_per_sqrt_s * std::sqrt(log.period_s);
   for (DriveSample& sample : log.samples) {
     const WheelPair distance_m = simulation.distance_m();
@@ -108,8 +108,8 @@ DriveLog measured_drive(const RobotModel& model, DriveLog log, const DriveNoise&
     sample.reference_theta_rad = pose.theta_rad + normal(noise.reference_rad, random);
     simulation.step(sample.command_m_s, *sample.battery_v);
     const WheelPair drift_m{normal(deviation_m, random), normal(deviation_m, random)};
-    simulation.set_pose(placed_at(simulation.pose(), {0.5 * (drift_m.left + drift_m.right), 0.0,
-                                                      (drift_m.right - drift_m.left) / log.wheel_base_m}));
+    simulation.set_pose(compose(simulation.pose(), {0.5 * (drift_m.left + drift_m.right), 0.0,
+                                                    (drift_m.right - drift_m.left) / log.wheel_base_m}));
     const WheelPair& way_m = simulation.distance_m();
     simulation.set_distance_m({way_m.left + drift_m.left, way_m.right + drift_m.right});
   }

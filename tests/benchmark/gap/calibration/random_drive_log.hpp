@@ -32,7 +32,7 @@ DriveLog random_commands(const DriveProgram& program, const std::string& name, R
 // The same drive with what encoders and a reference measure while the model, with noise, follows the
 // commands. Counts go on from what the wheels had rolled before.
 DriveLog measured_drive(const RobotModel& model, DriveLog commands, const DriveNoise& noise,
-                        const WheelPair& rolled_before_m, Random& random);
+                        const WheelPair& initial_travel_m, Random& random);
 
 // By the counts at the end of a measured drive.
 WheelPair rolled_m(const DriveLog& log);

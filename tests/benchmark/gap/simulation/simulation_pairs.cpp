@@ -100,8 +100,8 @@ void try_pair(const Pair& pair, Tally& tally) {
   const auto size = pair.kind == DifferenceKind::wrong_size ? test::Severity::small : test::Severity::large;
   const auto simulated = runs_of(pair, in_simulation, size);
   const auto real = answering_later(runs_of(pair, in_robot, test::Severity::large), pair.later_periods);
-  const auto gap = gap::analyse_simulation_gap(simulated, real, {}, gap::for_each_in_turn,
-                                               [](const std::string&, double) {});
+  const auto gap =
+      gap::analyse_simulation_gap(simulated, real, {}, gap::serial_for, [](const std::string&, double) {});
   std::cerr << pair.effect->name << " " << gap::kind_name(pair.kind) << " later by " << pair.later_periods
             << " seed " << pair.seed << ": " << (gap ? gap->robot.summary : gap.error().reason) << "\n";
   tally.right[pair.kind].add(gap && says(*gap, pair));

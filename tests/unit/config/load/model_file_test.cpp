@@ -19,14 +19,14 @@ RobotModel example_model(ModelType type) {
   model.created = "2026-01-02T03:04:05Z";
   model.source = {"run 1.csv", "a: b # c"};
   model.encoder_scale = EncoderScale{{0.000444565, 0.1 + 0.2}, 1660.7, 0.0021};
-  model.core = {type,
-                0.018,
-                1.0 / 3.0,
-                {{1.0 / 7.0, -2e-17, 5e-324}, {0.0, -0.0, 1.0}, {}},
-                {{0.1, 0.2, 0.3}, {0.4, 0.5, 0.6}, {}}};
+  model.linear_part = {type,
+                       0.018,
+                       1.0 / 3.0,
+                       {{1.0 / 7.0, -2e-17, 5e-324}, {0.0, -0.0, 1.0}, {}},
+                       {{0.1, 0.2, 0.3}, {0.4, 0.5, 0.6}, {}}};
   if (type == ModelType::arma) {
-    model.core.left.from_own_past = {0.5, 0.1};
-    model.core.right.from_own_past = {-0.3, 0.2};
+    model.linear_part.left.from_own_past = {0.5, 0.1};
+    model.linear_part.right.from_own_past = {-0.3, 0.2};
   }
   model.left_fit = WheelFit{{1.1, 0.01}, {0.001, 0.002}, 1.0 / 6000.0, 0.0004};
   return model;
@@ -74,11 +74,11 @@ TEST_CASE("A model comes back from its file exactly as it was saved") {
     REQUIRE(back.encoder_scale);
     CHECK(back.encoder_scale->metres_per_tick.right == model.encoder_scale->metres_per_tick.right);
     CHECK(back.encoder_scale->relative_standard_error == model.encoder_scale->relative_standard_error);
-    CHECK(back.core.type == type);
-    CHECK(back.core.period_s == model.core.period_s);
-    CHECK(back.core.wheel_base_m == model.core.wheel_base_m);
-    CHECK(same(back.core.left, model.core.left));
-    CHECK(same(back.core.right, model.core.right));
+    CHECK(back.linear_part.type == type);
+    CHECK(back.linear_part.period_s == model.linear_part.period_s);
+    CHECK(back.linear_part.wheel_base_m == model.linear_part.wheel_base_m);
+    CHECK(same(back.linear_part.left, model.linear_part.left));
+    CHECK(same(back.linear_part.right, model.linear_part.right));
     REQUIRE(back.left_fit);
     CHECK(back.left_fit->gain_standard_error.from_right == model.left_fit->gain_standard_error.from_right);
     CHECK(back.left_fit->position_noise_m == model.left_fit->position_noise_m);
@@ -89,7 +89,7 @@ TEST_CASE("A model comes back from its file exactly as it was saved") {
 
 TEST_CASE("A small model is accepted without the parts that only a fit knows") {
   const RobotModel model = parse_model(small_model("fir", wheel, wheel), "robot.yaml");
-  CHECK(model.core.right.from_right == std::vector<double>{0.0, 1.0});
+  CHECK(model.linear_part.right.from_right == std::vector<double>{0.0, 1.0});
   CHECK_FALSE(model.encoder_scale);
 }
 
@@ -135,7 +135,7 @@ TEST_CASE("An unknown key of a model file is refused with the nearest right one"
 
 TEST_CASE("A model that could not be loaded again is not written") {
   RobotModel model = example_model(ModelType::fir);
-  model.core.left.from_left[0] = std::numeric_limits<double>::quiet_NaN();
+  model.linear_part.left.from_left[0] = std::numeric_limits<double>::quiet_NaN();
   const auto path = test::temporary_folder() / "wheelwright_bad_model.yaml";
   CHECK_THROWS_AS(config::save_model(model, path), ConfigError);
   CHECK_FALSE(std::filesystem::exists(path));

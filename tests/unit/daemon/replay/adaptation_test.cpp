@@ -33,7 +33,7 @@ daemon::VirtualRunResult drive(const RobotModel& model, std::uint64_t seed, int 
 // Of the free run over blocks of 2 s, on a drive of another robot of the same make.
 double free_run_error_m(const RobotModel& model) {
   static const auto frames = test::record_drive(test::robot_on_endless_floor("default", 72), 72, 40.0).frames;
-  ModelTrial trial(model.core, model.core, model.encoder_scale->metres_per_tick);
+  ModelTrial trial(model.linear_part, model.linear_part, model.encoder_scale->metres_per_tick);
   for (const SensorFrame& frame : frames) trial.take(frame, true);
   return *trial.present_error_m();
 }
@@ -110,6 +110,6 @@ TEST_CASE("The same run adapts to the same model at the same tick") {
   const auto one = drive(wrong, 63, 8);
   const auto other = drive(wrong, 63, 8);
   REQUIRE(one.adapted.size() == 1);
-  CHECK(one.adapted[0].core.left.from_left == other.adapted[0].core.left.from_left);
+  CHECK(one.adapted[0].linear_part.left.from_left == other.adapted[0].linear_part.left.from_left);
   CHECK(one.records.size() == other.records.size());
 }

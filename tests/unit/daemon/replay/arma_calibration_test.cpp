@@ -33,7 +33,7 @@ double largest_distance_m(const daemon::VirtualRunResult& result, const RandomDr
   const Pose& start = result.true_poses.front();
   for (std::size_t k = 0; k < result.records.size(); ++k) {
     if (result.records[k].command.activity != Activity::random_drive) continue;
-    const Pose seen = relative_to(start, result.true_poses[k]);
+    const Pose seen = between(start, result.true_poses[k]);
     const double distance_m = std::hypot(seen.x_m - plan.ahead_m, seen.y_m);
     was_inside = was_inside || distance_m < plan.radius_m;
     if (was_inside) largest = std::max(largest, distance_m);
@@ -72,7 +72,7 @@ TEST_CASE("A calibration of type arma gives a model that drives the paper's loop
     INFO(name_of(calibrated.stop) << (calibrated.refusal ? calibrated.refusal->reason : ""));
     REQUIRE(calibrated.finished);
     REQUIRE(calibrated.arma);
-    CHECK(calibrated.model->core.type == ModelType::arma);
+    CHECK(calibrated.model->linear_part.type == ModelType::arma);
     CHECK_THAT(calibrated.arma->left.quality.gain.from_left, WithinAbs(1.0, 0.02));
 
     const auto result = drive_paper_loop(*calibrated.model, robot_name, 2);

@@ -30,7 +30,7 @@ TEST_CASE(
   const auto figures = soak::run_virtual_soak(config);
   check(figures);
   CHECK(figures.injected() == 150);
-  CHECK(figures.blind_stretches > 10);
+  CHECK(figures.blind_segments > 10);
 }
 
 TEST_CASE("By the sensor stream the faults of the cable are survived as well") {

@@ -47,16 +47,16 @@ TEST_CASE("A route from the model alone closes on a robot without imperfections"
 RobotModel lagging(ModelType type) {
   const double keeps = std::exp(-0.018 / 0.06);
   RobotModel model;
-  model.core.type = type;
+  model.linear_part.type = type;
   const bool recursive = type == ModelType::arma;
   const std::size_t length = recursive ? 3 : 100;
-  model.core.left.from_left.assign(length, 0.0);
-  model.core.left.from_right.assign(length, 0.0);
+  model.linear_part.left.from_left.assign(length, 0.0);
+  model.linear_part.left.from_right.assign(length, 0.0);
   double weight = 1.0 - keeps;
-  for (std::size_t i = 2; i < length; ++i, weight *= keeps) model.core.left.from_left.at(i) = weight;
-  if (recursive) model.core.left.from_own_past = {keeps, 0.0};
-  model.core.right = model.core.left;
-  std::swap(model.core.right.from_left, model.core.right.from_right);
+  for (std::size_t i = 2; i < length; ++i, weight *= keeps) model.linear_part.left.from_left.at(i) = weight;
+  if (recursive) model.linear_part.left.from_own_past = {keeps, 0.0};
+  model.linear_part.right = model.linear_part.left;
+  std::swap(model.linear_part.right.from_left, model.linear_part.right.from_right);
   return model;
 }
 

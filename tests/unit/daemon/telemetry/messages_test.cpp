@@ -77,14 +77,14 @@ TEST_CASE("What no number can say is null, and every message stays JSON") {
             .at("position")
             .at("x")
             .is_null());
-  LogEntry unheard;
-  const Json wheels = Json::parse(wheels_message(noon_ns, unheard));
+  LogEntry not_received;
+  const Json wheels = Json::parse(wheels_message(noon_ns, not_received));
   CHECK(wheels.at("left").at("command_m_s") == 0.0);
   CHECK(wheels.at("left").at("predicted_m_s").is_null());
   CHECK(wheels.at("right").at("measured_m_s").is_null());
   config::DaemonConfig config;
   config.robot_name = "a \"robot\"\n\xff";
-  CHECK_FALSE(Json::parse(state_message(noon_ns, unheard, config, {})).contains("battery_v"));
+  CHECK_FALSE(Json::parse(state_message(noon_ns, not_received, config, {})).contains("battery_v"));
   CHECK(Json::parse(log_message(noon_ns, LogLevel::error, "the robot prints: \x01\x80\"")).at("level") == 4);
 }
 

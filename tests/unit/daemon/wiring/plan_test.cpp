@@ -11,7 +11,7 @@ namespace {
 
 RobotModel model_of(ModelType type) {
   RobotModel model;
-  model.core.type = type;
+  model.linear_part.type = type;
   model.encoder_scale = EncoderScale{{0.000444565, 0.000444565}, 1660.0, 0.001};
   return model;
 }

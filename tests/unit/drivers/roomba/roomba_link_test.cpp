@@ -278,7 +278,7 @@ TEST_CASE(
   while (bench.link.state() != LinkState::running) bench.tick(std::nullopt);
   bench.tick(std::nullopt);
   REQUIRE(contains(bench.written, {128}));
-  bench.says[PacketId::oi_mode] = 1;  // it has heard it
+  bench.says[PacketId::oi_mode] = 1;  // it has received it
   bench.tick(std::nullopt);
   bench.link.arm();
   bench.tick(std::nullopt);

@@ -97,7 +97,7 @@ TEST_CASE("Every kind of fault is known by its name") {
 }
 
 TEST_CASE("A receiver at the sender's speed reads what was sent, one at another speed seldom does") {
-  std::array<std::uint8_t, most_misread> read{};
+  std::array<std::uint8_t, max_misread> read{};
   int alike = 0;
   for (int byte = 0; byte < 256; ++byte) {
     const auto sent = static_cast<std::uint8_t>(byte);

@@ -1,4 +1,4 @@
-// The default robot against what a real Create 2 does (GAP.md): dead time 31 to 47 ms, rise about 110 ms, at
+// The default robot against what a real Create 2 does: dead time 31 to 47 ms, rise about 110 ms, at
 // most 20 % overshoot, stopped after 125 to 140 ms, everything over before 270 ms.
 #include <cmath>
 

@@ -90,11 +90,11 @@ TEST_CASE(
     if (auto found = calibration.take(frame); found && !better) better = found;
   }
   REQUIRE(better);
-  CHECK(better->core.type == wrong.core.type);
+  CHECK(better->linear_part.type == wrong.linear_part.type);
 
   // On another drive altogether.
   const auto other = test::record_drive(test::robot_on_endless_floor("default", 72), 72, 40.0).frames;
-  ModelTrial trial(wrong.core, better->core, wrong.encoder_scale->metres_per_tick);
+  ModelTrial trial(wrong.linear_part, better->linear_part, wrong.encoder_scale->metres_per_tick);
   for (const SensorFrame& frame : other) trial.take(frame, true);
   CHECK(trial.is_better());
   CHECK(*trial.candidate_error_m() < 0.5 * *trial.present_error_m());
@@ -107,7 +107,8 @@ TEST_CASE("A candidate that was made from corrupted data is not accepted") {
     frame.ticks.left = frame.ticks.left * 6 / 5;
     adaptation.take(frame, true);
   }
-  ModelTrial trial(calibrated().core, adaptation.adapted(), calibrated().encoder_scale->metres_per_tick);
+  ModelTrial trial(calibrated().linear_part, adaptation.adapted(),
+                   calibrated().encoder_scale->metres_per_tick);
   for (const SensorFrame& frame : drive()) trial.take(frame, true);
   CHECK(trial.blocks() > 10);
   CHECK_FALSE(trial.is_better());
@@ -136,9 +137,10 @@ TEST_CASE("A candidate that is worse on driving that it has not seen is never ha
 
 TEST_CASE("A correction of a correction for ever does not make the response longer for ever") {
   RobotModel model = calibrated();
-  for (int k = 0; k < 50; ++k) model.core = ModelAdaptation(model).adapted();
-  CHECK(model.core.left.from_left.size() <= 100);
-  CHECK_THAT(dc_gain(model.core.left).from_left, WithinAbs(dc_gain(calibrated().core.left).from_left, 1e-9));
+  for (int k = 0; k < 50; ++k) model.linear_part = ModelAdaptation(model).adapted();
+  CHECK(model.linear_part.left.from_left.size() <= 100);
+  CHECK_THAT(dc_gain(model.linear_part.left).from_left,
+             WithinAbs(dc_gain(calibrated().linear_part.left).from_left, 1e-9));
 }
 
 TEST_CASE("While a fault is there nothing is learnt") {

@@ -236,7 +236,7 @@ TEST_CASE("Logs without poses show what loads the wheels, and say that the body 
   spec.seconds = 30.0;
   const auto contents = gap::testability(test::make_gap_case(spec).runs);
   const auto candidate = [&](std::string_view name) {
-    return std::ranges::count(contents.candidates, name,
+    return std::ranges::count(contents.candidate_effects, name,
                               [](const EffectInfo* info) -> std::string_view { return info->name; }) > 0;
   };
   const auto listed = [&](std::string_view name) {

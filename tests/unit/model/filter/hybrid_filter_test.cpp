@@ -24,7 +24,7 @@ const test::RecordedDrive& drive() {
 
 TEST_CASE("While all is well the hybrid pose is that of odometry to a centimetre") {
   HybridFilter filter(model());
-  Odometry odometry(model().core.wheel_base_m, model().encoder_scale->metres_per_tick);
+  Odometry odometry(model().linear_part.wheel_base_m, model().encoder_scale->metres_per_tick);
   for (const SensorFrame& frame : drive().frames) {
     if (frame.valid) odometry.update(frame.ticks);
     filter.step(frame);
@@ -47,20 +47,20 @@ TEST_CASE("The same frames give the same output to the bit") {
 TEST_CASE("The covariance is symmetric, positive and grows with the way, faster while a wheel is not heard") {
   HybridFilter filter(model());
   HybridFilter deaf(model());
-  Eigen::Matrix3d heard = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d unheard = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d received = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d not_received = Eigen::Matrix3d::Zero();
   for (std::size_t k = 0; k < drive().frames.size(); ++k) {
     SensorFrame frame = drive().frames[k];
-    heard = filter.step(frame).covariance;
+    received = filter.step(frame).covariance;
     frame.valid = frame.valid && k < 2500;
-    unheard = deaf.step(frame).covariance;
-    REQUIRE((heard - heard.transpose()).norm() < 1e-12);
-    REQUIRE(heard.diagonal().minCoeff() >= 0.0);
-    REQUIRE(heard(0, 0) * heard(1, 1) >= heard(0, 1) * heard(0, 1) - 1e-15);
+    not_received = deaf.step(frame).covariance;
+    REQUIRE((received - received.transpose()).norm() < 1e-12);
+    REQUIRE(received.diagonal().minCoeff() >= 0.0);
+    REQUIRE(received(0, 0) * received(1, 1) >= received(0, 1) * received(0, 1) - 1e-15);
   }
-  CHECK(heard(0, 0) > 0.0);
-  CHECK(unheard(2, 2) > heard(2, 2));
-  CHECK(unheard(0, 0) + unheard(1, 1) > heard(0, 0) + heard(1, 1));
+  CHECK(received(0, 0) > 0.0);
+  CHECK(not_received(2, 2) > received(2, 2));
+  CHECK(not_received(0, 0) + not_received(1, 1) > received(0, 0) + received(1, 1));
 }
 
 TEST_CASE("Frames that never came are bridged by the model without an alarm") {
@@ -69,7 +69,7 @@ TEST_CASE("Frames that never came are bridged by the model without an alarm") {
   for (std::size_t k = 0; k < drive().frames.size(); ++k) {
     const SensorFrame& frame = drive().frames[k];
     filter.step(frame);
-    // Every tenth tick is left out, every seventh is not heard.
+    // Every tenth tick is left out, every seventh is not received.
     if (k % 10 == 9) continue;
     SensorFrame silent = frame;
     if (k % 7 == 6) silent.valid = false;

@@ -19,13 +19,13 @@ struct Drive {
   double estimate_m = 0.0;
   bool doubtful = false;
 
-  WheelEstimate tick(double offset_m, bool heard = true) {
+  WheelEstimate tick(double offset_m, bool received = true) {
     travel_m += step_m;
     WheelReading reading;
     reading.predicted_m = step_m;
     reading.gain_standard_error = 0.002;
     reading.doubtful = doubtful;
-    if (heard) reading.counted_m = travel_m + offset_m;
+    if (received) reading.counted_m = travel_m + offset_m;
     const WheelEstimate estimate = filter.step(reading);
     estimate_m += estimate.step_m;
     return estimate;

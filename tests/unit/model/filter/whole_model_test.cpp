@@ -14,10 +14,10 @@ constexpr double metres_per_tick = 0.000445;
 
 RobotModel model_with(std::vector<EffectSetting> effects) {
   RobotModel model;
-  model.core.period_s = period_s;
-  model.core.wheel_base_m = 0.235;
-  model.core.left.from_left = {0.0, 0.0, 0.3, 0.4, 0.3};
-  model.core.right.from_right = {0.0, 0.0, 0.3, 0.4, 0.3};
+  model.linear_part.period_s = period_s;
+  model.linear_part.wheel_base_m = 0.235;
+  model.linear_part.left.from_left = {0.0, 0.0, 0.3, 0.4, 0.3};
+  model.linear_part.right.from_right = {0.0, 0.0, 0.3, 0.4, 0.3};
   model.encoder_scale = EncoderScale{{metres_per_tick, metres_per_tick}, 1660.0, 0.001};
   for (auto& effect : effects) model.effects.push_back({std::move(effect), {}, {}, {}, {}, {}});
   return model;
@@ -41,7 +41,7 @@ struct Drive {
 
 // Frames of a robot that does as a model says; counts are whole ticks.
 Drive drive_of(const RobotModel& robot, int ticks) {
-  ModelSimulation simulation(robot.core, effect_settings(robot));
+  ModelSimulation simulation(robot.linear_part, effect_settings(robot));
   Drive drive;
   WheelPair command;
   for (int tick = 0; tick < ticks; ++tick) {

@@ -78,7 +78,7 @@ DriveLog driven(const Robot& robot, const Drive& drive, unsigned seed) {
 }
 
 tl::expected<PoseFit, Refusal> fitted(const std::vector<DriveLog>& logs) {
-  return fit_from_poses(logs, for_each_in_turn, [](const std::string&, double) {});
+  return fit_from_poses(logs, serial_for, [](const std::string&, double) {});
 }
 
 bool holds(const Estimate& estimate, double truth) {
@@ -103,7 +103,7 @@ TEST_CASE("Gains, lag and wheel base by poses alone are within their intervals, 
       CHECK(estimate.interval.upper - estimate.interval.lower < 0.1 * truth);
       held += holds(estimate, truth) ? 1 : 0;
     }
-    CHECK(fit->core.wheel_base_m == fit->wheel_base_m.value);
+    CHECK(fit->linear_part.wheel_base_m == fit->wheel_base_m.value);
   }
   CHECK(held >= 17);  // of 20
 }
@@ -126,7 +126,7 @@ TEST_CASE("Runs of periods that are near are fitted together, on the shorter one
   const auto fit =
       fitted({driven(robot, {.period_s = 0.025, .every = 4}, 51), driven(robot, {.period_s = 0.02}, 52)});
   REQUIRE(fit);
-  CHECK(fit->core.period_s == 0.02);
+  CHECK(fit->linear_part.period_s == 0.02);
   CHECK_THAT(fit->lag_s.value, WithinAbs(robot.whole_lag_s(), 0.01));
   CHECK_THAT(fit->wheel_base_m.value, WithinRel(robot.base_m, 0.02));
 }

@@ -25,7 +25,7 @@ std::vector<DriveLog> runs_with(const std::string& effects, std::uint64_t seed,
 }
 
 SimulationGap gap_between(const std::vector<DriveLog>& simulated, const std::vector<DriveLog>& real) {
-  auto gap = analyse_simulation_gap(simulated, real, {}, for_each_in_turn, [](const std::string&, double) {});
+  auto gap = analyse_simulation_gap(simulated, real, {}, serial_for, [](const std::string&, double) {});
   if (!gap) FAIL(gap.error().reason);
   return *std::move(gap);
 }
@@ -115,7 +115,7 @@ TEST_CASE("A simulation may have a period of its own") {
       gap_between(runs_with("clean", 11, test::Severity::large, 0.01), runs_with("dead_zone", 11));
   REQUIRE(difference_of(gap, "dead_zone") != nullptr);
   CHECK(difference_of(gap, "dead_zone")->kind == DifferenceKind::missing);
-  CHECK(gap.robot.before.core.period_s == 0.018);
+  CHECK(gap.robot.before.linear_part.period_s == 0.018);
 }
 
 TEST_CASE("Runs of a simulation that differ under the same commands are said to be random") {

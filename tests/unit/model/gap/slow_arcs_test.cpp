@@ -73,7 +73,7 @@ std::vector<DriveLog> arcs(const Floor& floor) {
 }
 
 GapAnalysis analysed(const std::vector<DriveLog>& logs) {
-  auto analysis = analyse_gap(logs, {}, {}, for_each_in_turn, [](const std::string&, double) {});
+  auto analysis = analyse_gap(logs, {}, {}, serial_for, [](const std::string&, double) {});
   REQUIRE(analysis);
   return std::move(*analysis);
 }

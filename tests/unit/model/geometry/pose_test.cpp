@@ -52,7 +52,7 @@ TEST_CASE("Angles wrap to the half-open interval from minus pi to pi") {
 TEST_CASE("A pose that is seen from another and placed there again is itself") {
   const Pose origin{0.3, -1.2, 2.1};
   const Pose pose{-0.7, 0.4, -0.9};
-  const Pose again = placed_at(origin, relative_to(origin, pose));
+  const Pose again = compose(origin, between(origin, pose));
   CHECK_THAT(again.x_m, WithinAbs(pose.x_m, 1e-12));
   CHECK_THAT(again.y_m, WithinAbs(pose.y_m, 1e-12));
   CHECK_THAT(again.theta_rad, WithinAbs(pose.theta_rad, 1e-12));

@@ -15,8 +15,8 @@ using namespace wheelwright;
 namespace {
 
 // What wheels settle at that follow their command but for a range of it.
-HeldSpeeds held(double from_m_s, double to_m_s, double standard_error_m_s = 0.004) {
-  HeldSpeeds speeds;
+SteadyStateSpeeds held(double from_m_s, double to_m_s, double standard_error_m_s = 0.004) {
+  SteadyStateSpeeds speeds;
   for (int k = -24; k <= 24; ++k) {
     if (k == 0) continue;
     const double command = 0.01 * k;
@@ -39,7 +39,7 @@ DriveLog scaled(DriveLog log, double factor) {
 }  // namespace
 
 TEST_CASE("A hole in the range of commands is found with its bounds, and is no steps of the speed") {
-  const HeldSpeeds speeds = held(0.095, 0.135);
+  const SteadyStateSpeeds speeds = held(0.095, 0.135);
   const auto hole = find_command_hole(speeds);
   REQUIRE(hole);
   CHECK_THAT(hole->from_m_s, WithinAbs(0.10, 1e-9));

@@ -13,10 +13,10 @@ using namespace wheelwright;
 
 namespace {
 
-HeldSpeeds speeds_of(std::span<const DriveLog> logs) {
+SteadyStateSpeeds speeds_of(std::span<const DriveLog> logs) {
   const auto fit = fit_fir(logs);
   REQUIRE(fit);
-  return held_speeds(logs, fit->model, fit->left, fit->right);
+  return steady_state_speeds(logs, fit->model, fit->left, fit->right);
 }
 
 SpeedCurve curve_of(const DriveLog& log) {
@@ -39,7 +39,7 @@ double concave(double command) {
 
 TEST_CASE("Held commands show the speeds at which the wheels settle") {
   const DriveLog log = test::plant_run(1, rows, nullptr, rows_per_command);
-  const HeldSpeeds speeds = speeds_of(std::span(&log, 1));
+  const SteadyStateSpeeds speeds = speeds_of(std::span(&log, 1));
   REQUIRE(speeds.left.size() + 2 >= rows / rows_per_command);  // two commands may be alike by chance
   std::size_t within = 0;
   for (const auto& speed : speeds.left) {

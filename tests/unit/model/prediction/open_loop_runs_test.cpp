@@ -37,7 +37,7 @@ DriveLog onto_the_rug() {
 // Knows the rug, and turns by 2 mrad/s as the robot does not: after half a minute it has left the rug.
 RobotModel drifting_model(std::vector<AddedEffect> effects) {
   RobotModel model;
-  model.core = {ModelType::arma, period_s, 0.25, {{1.0}, {0.0}, {}}, {{0.0}, {1.0025}, {}}};
+  model.linear_part = {ModelType::arma, period_s, 0.25, {{1.0}, {0.0}, {}}, {{0.0}, {1.0025}, {}}};
   model.effects = std::move(effects);
   return model;
 }
@@ -73,7 +73,7 @@ RobotModel hasty_model() {
   AddedEffect ripple;
   ripple.setting = {"wheel_eccentricity", "wheel", {0.3, 0.0, 0.3, 0.0, 0.22}};
   RobotModel model;
-  model.core = {ModelType::arma, period_s, 0.25, {{1.02}, {0.0}, {}}, {{0.0}, {1.02}, {}}};
+  model.linear_part = {ModelType::arma, period_s, 0.25, {{1.02}, {0.0}, {}}, {{0.0}, {1.02}, {}}};
   model.effects = {ripple};
   return model;
 }

@@ -70,7 +70,7 @@ TEST_CASE("Travel begins anew where counts were lost") {
   Example example = straight_run(201, {0.0, 0.0});
   for (std::size_t k = 100; k < 201; ++k) example.log.samples[k].ticks->left -= 500;
   CHECK(*score_of(example).distance_rms_m > 0.02);
-  example.log.samples[100].counts_anew = true;
+  example.log.samples[100].counter_reset = true;
   CHECK_THAT(*score_of(example).wheel_speed_rms_m_s, WithinAbs(0.0, 1e-12));
   CHECK_THAT(*score_of(example).distance_rms_m, WithinAbs(0.0, 1e-12));
 }

@@ -9,8 +9,8 @@ using nlohmann::json;
 
 namespace {
 
-json hidden(const std::string& effect, bool can_be_told = true, const std::string& confusable = "") {
-  return {{"effect", effect}, {"can_be_told", can_be_told}, {"confusable", confusable}};
+json hidden(const std::string& effect, bool can_be_distinguished = true, const std::string& confusable = "") {
+  return {{"effect", effect}, {"can_be_told", can_be_distinguished}, {"confusable", confusable}};
 }
 
 json answer(const std::string& expected, const std::vector<json>& effects) {

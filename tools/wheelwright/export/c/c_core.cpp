@@ -79,9 +79,9 @@ std::string c_array(const std::string& name, const std::vector<double>& values) 
 
 // In four sums, as model/simulation/linear_model.cpp adds: a wheel that stands at the very edge of sticking
 // then does the same in both.
-std::string c_core(const LinearModel& core) {
-  const Wheel left(core.left);
-  const Wheel right(core.right);
+std::string c_core(const LinearModel& linear_part) {
+  const Wheel left(linear_part.left);
+  const Wheel right(linear_part.right);
   const std::size_t history = std::max<std::size_t>({1, left.longest(), right.longest()});
   return "enum { ww_history = " + std::to_string(history) +
          " }; /* periods that the linear part remembers */\n" + arrays_of("left", left) +
@@ -121,10 +121,10 @@ static inline ww_pair ww_linear_step(ww_linear_state* s, ww_pair command) {
 )c";
 }
 
-std::optional<std::string> c_core_inverse(const LinearModel& core) {
+std::optional<std::string> c_core_inverse(const LinearModel& linear_part) {
   constexpr double least = 1e-9;
-  const DcGain left = dc_gain(core.left);
-  const DcGain right = dc_gain(core.right);
+  const DcGain left = dc_gain(linear_part.left);
+  const DcGain right = dc_gain(linear_part.right);
   const double determinant = left.from_left * right.from_right - left.from_right * right.from_left;
   if (!(std::abs(determinant) > least)) return std::nullopt;
   const auto term = [determinant](double gain) {

@@ -17,10 +17,10 @@ struct Placed {
   const AddedEffect* effect;
   const CFragment* fragment;
   EffectStage stage;
-  std::size_t variant;  // that of the fragment
-  bool at_the_wheels;   // it acts on the body, and the wheels feel it
-  std::string state;    // the member that holds it; empty without one
-  std::string numbers;  // the array of its parameters
+  std::size_t variant;       // that of the fragment
+  bool wheel_load_variants;  // it acts on the body, and the wheels feel it
+  std::string state;         // the member that holds it; empty without one
+  std::string numbers;       // the array of its parameters
 };
 
 struct Header {
@@ -66,7 +66,7 @@ std::string head(const RobotModel& model, const Header& header) {
       "/* wheelwright_c_header: 1\n   " + in_comment(origin_of(model)) +
       "\n\n   Units are metres, seconds and radians; commands are those of the model's logs. Periods of "
       "the model last " +
-      config::plain_number(model.core.period_s) +
+      config::plain_number(model.linear_part.period_s) +
       " s.\n"
       "   Use: wheelwright_init once; wheelwright_step once per period, with the commands of both "
       "wheels;\n"
@@ -102,15 +102,15 @@ std::string numbers_of(const Header& header) {
   return text;
 }
 
-std::string arguments_of(const Placed& placed, const std::string& around, const std::string& what) {
+std::string arguments_of(const Placed& placed, const std::string& context, const std::string& what) {
   return "(" + (placed.state.empty() ? "" : "&m->" + placed.state + ", ") + placed.numbers + ", " +
-         std::to_string(placed.variant) + ", " + around + ", " + what + ")";
+         std::to_string(placed.variant) + ", " + context + ", " + what + ")";
 }
 
 // One effect on `speed` or, of the body, on `twist`.
 std::string call(const Placed& placed, const std::string& what) {
   const std::string name(placed.fragment->name);
-  if (placed.at_the_wheels) {
+  if (placed.wheel_load_variants) {
     return "  at = *around;\n  at.next_speed = speed;\n"
            "  twist = ww_twist_of(speed, around->wheel_base_m);\n  " +
            name + "_body" + arguments_of(placed, "&at", "&twist") +
@@ -130,9 +130,9 @@ std::string calls(const Header& header, EffectStage stage, const std::string& wh
 
 std::string undo_call(const Placed& placed, const std::string& what) {
   const std::string name(placed.fragment->name);
-  const bool of_body = placed.at_the_wheels || what == "twist";
+  const bool of_body = placed.wheel_load_variants || what == "twist";
   if (!placed.fragment->has(of_body ? "undo_body" : "undo_wheels")) return "";
-  if (placed.at_the_wheels) {
+  if (placed.wheel_load_variants) {
     return "  twist = ww_twist_of(speed, around->wheel_base_m);\n  reached &= " + name + "_undo_body" +
            arguments_of(placed, "around", "&twist") +
            ";\n  speed = ww_wheels_of(twist, around->wheel_base_m);\n";
@@ -176,8 +176,8 @@ static inline void wheelwright_init(wheelwright_model* m) {
   m->twist.v = m->twist.w = 0.0;
   ww_linear_reset(&m->linear);
 )c";
-  text += "  m->around.period_s = " + config::plain_number(model.core.period_s) + ";\n";
-  text += "  m->around.wheel_base_m = " + config::plain_number(model.core.wheel_base_m) + ";\n";
+  text += "  m->around.period_s = " + config::plain_number(model.linear_part.period_s) + ";\n";
+  text += "  m->around.wheel_base_m = " + config::plain_number(model.linear_part.wheel_base_m) + ";\n";
   for (const Placed& placed : header.placed) {
     if (placed.state.empty()) continue;
     text += "  " + std::string(placed.fragment->name) + "_reset(&m->" + placed.state + ", " + placed.numbers +
@@ -187,7 +187,7 @@ static inline void wheelwright_init(wheelwright_model* m) {
 }
 
 std::string step_function(const Header& header) {
-  const bool loads_wheels = std::ranges::any_of(header.placed, &Placed::at_the_wheels);
+  const bool loads_wheels = std::ranges::any_of(header.placed, &Placed::wheel_load_variants);
   return R"c(
 /* One period with these commands in force. Speeds, twist and pose are in the model afterwards. */
 static inline void wheelwright_step(wheelwright_model* m, double left_command, double right_command) {
@@ -227,9 +227,9 @@ static inline ww_pose wheelwright_observed(const wheelwright_model* m) {
 }
 
 std::string inverse_function(const RobotModel& model, const Header& header) {
-  const auto core = c_core_inverse(model.core);
-  if (!core) return "\n/* No inverse: no commands of this model set both wheels' speeds. */\n";
-  return "\n" + *core + R"c(
+  const auto linear_part = c_core_inverse(model.linear_part);
+  if (!linear_part) return "\n/* No inverse: no commands of this model set both wheels' speeds. */\n";
+  return "\n" + *linear_part + R"c(
 /* What to send so that the robot settles at v (m/s) and w (rad/s), from where the model stands now: heading, time and
    battery count. 1 where it gets there; 0 where it does not, by what stands at the top of each effect. */
 static inline int wheelwright_commands_for(const wheelwright_model* m, double v, double w, double* left_command,
@@ -257,8 +257,8 @@ ModelText to_c(const RobotModel& model) {
   Header header = arrange(model);
   std::string text = head(model, header) +
                      "#ifndef WHEELWRIGHT_MODEL_H\n#define WHEELWRIGHT_MODEL_H\n\n#include <math.h>\n\n" +
-                     std::string(c_prelude()) + "\n" + c_core(model.core) + fragments_of(header) + "\n" +
-                     numbers_of(header) + model_type(header) + init_function(model, header) +
+                     std::string(c_prelude()) + "\n" + c_core(model.linear_part) + fragments_of(header) +
+                     "\n" + numbers_of(header) + model_type(header) + init_function(model, header) +
                      step_function(header) + observed_function(header) + inverse_function(model, header) +
                      "\n#endif\n";
   return {std::move(text), std::move(header.unsaid)};

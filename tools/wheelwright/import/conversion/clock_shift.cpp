@@ -15,8 +15,8 @@ namespace {
 constexpr double grid_s = 0.1;
 constexpr double fine_s = 0.01;
 constexpr double fewest_s = 5.0;
-constexpr double least_correlation = 0.5;
-constexpr std::size_t most_points = 40'000;  // more than an hour
+constexpr double min_correlation = 0.5;
+constexpr std::size_t max_points = 40'000;  // more than an hour
 
 // A speed on an even grid.
 struct Speeds {
@@ -31,7 +31,7 @@ Speeds on_grid(const std::vector<double>& t_s, const std::vector<double>& way, d
   speeds.step_s = step_s;
   if (t_s.size() < 2) return speeds;
   speeds.start_s = t_s.front();
-  const auto points = std::min(most_points, static_cast<std::size_t>((t_s.back() - t_s.front()) / step_s));
+  const auto points = std::min(max_points, static_cast<std::size_t>((t_s.back() - t_s.front()) / step_s));
   std::size_t at = 0;
   double last = way.front();
   for (std::size_t i = 1; i <= points; ++i) {
@@ -165,7 +165,7 @@ tl::expected<ClockShift, std::string> find_clock_shift(std::span<const Recording
   }
   const Best coarse = best_shift(robot, reference, -static_cast<long>(reference.values.size()),
                                  static_cast<long>(robot.values.size()));
-  if (coarse.correlation < least_correlation) {
+  if (coarse.correlation < min_correlation) {
     return tl::unexpected(
         "the speed of the reference fits that of the robot at no shift of its clock (correlation " +
         config::fixed_number(coarse.correlation, 2) + " at best); give it: --set reference.shift_s=0");

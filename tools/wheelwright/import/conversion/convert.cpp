@@ -23,11 +23,11 @@ double median_step(const std::vector<double>& times_s) {
 
 // Rows may be missing, or lie between the periods, but not by the hundred.
 std::string period_contradiction(const DriveLog& log) {
-  constexpr double most_off = 50.0;
+  constexpr double max_off = 50.0;
   std::vector<double> t_s;
   for (const auto& sample : log.samples) t_s.push_back(sample.t_s);
   const double step_s = median_step(t_s);
-  if (log.period_s <= most_off * step_s && step_s <= most_off * log.period_s) return {};
+  if (log.period_s <= max_off * step_s && step_s <= max_off * log.period_s) return {};
   return "rows are " + config::plain_number(step_s) + " s apart (median), but the period is said to be " +
          config::plain_number(log.period_s) +
          " s; correct it, or say the unit of the time: --set time.unit=ms";

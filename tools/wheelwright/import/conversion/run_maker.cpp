@@ -86,15 +86,15 @@ class RunMaker {
 
   void name_holes(const RunRows& rows, const std::vector<double>& t_s,
                   std::vector<std::string>& remarks) const {
-    constexpr std::size_t most_named = 5;
+    constexpr std::size_t max_named = 5;
     const double longest_s = std::max(0.3, 5.0 * median_step(t_s));
     std::size_t count = 0;
     for (std::size_t i = 1; i < t_s.size(); ++i) {
-      if (t_s[i] - t_s[i - 1] <= longest_s || ++count > most_named) continue;
+      if (t_s[i] - t_s[i - 1] <= longest_s || ++count > max_named) continue;
       remarks.push_back(columns_.place(rows[i]) + ": no rows for " + fixed_number(t_s[i] - t_s[i - 1], 3) +
                         " s");
     }
-    if (count > most_named) remarks.push_back("and " + std::to_string(count - most_named) + " more holes");
+    if (count > max_named) remarks.push_back("and " + std::to_string(count - max_named) + " more holes");
   }
 
   void make_even(const RunRows& rows, const WheelTravel& travel, std::vector<double>& t_s,

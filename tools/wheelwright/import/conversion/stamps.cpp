@@ -9,10 +9,10 @@ namespace wheelwright::import {
 namespace {
 
 constexpr std::size_t fewest_rows = 50;
-constexpr double hole_in_steps = 5.0;        // a longer step than so many is a hole
-constexpr double uneven_from = 2.0;          // ratio of the percentiles 95 and 5 of the steps
-constexpr double most_apart_in_steps = 3.0;  // stamps from even times
-constexpr std::size_t half_window = 4;       // rows on each side that tell the speed at a row
+constexpr double hole_in_steps = 5.0;       // a longer step than so many is a hole
+constexpr double uneven_from = 2.0;         // ratio of the percentiles 95 and 5 of the steps
+constexpr double max_apart_in_steps = 3.0;  // stamps from even times
+constexpr std::size_t half_window = 4;      // rows on each side that tell the speed at a row
 // By how much the travel has to go by rows rather than by stamps: ratio of the sums of squares.
 constexpr double smoother_by = 0.5;
 
@@ -31,9 +31,9 @@ struct Roughness {
 Roughness roughness(std::span<const double> travel, std::span<const double> t_s) {
   Roughness result;
   for (std::size_t i = half_window + 1; i + half_window < travel.size(); ++i) {
-    const double around = travel[i + half_window] - travel[i - half_window - 1];
+    const double context = travel[i + half_window] - travel[i - half_window - 1];
     const double duration_s = t_s[i + half_window] - t_s[i - half_window - 1];
-    const double rest = travel[i] - travel[i - 1] - around / duration_s * (t_s[i] - t_s[i - 1]);
+    const double rest = travel[i] - travel[i - 1] - context / duration_s * (t_s[i] - t_s[i - 1]);
     if (!std::isfinite(rest)) continue;
     result.sum += rest * rest;
     ++result.count;
@@ -62,7 +62,7 @@ std::vector<double> straighten(std::span<const double> t_s, double step_s) {
     const double slope_s = squares > 0.0 ? products / squares : 0.0;
     for (std::size_t i = begin; i < end; ++i) {
       even[i] = mean_t + slope_s * (static_cast<double>(i - begin) - middle);
-      if (std::abs(even[i] - t_s[i]) > most_apart_in_steps * step_s) return {};
+      if (std::abs(even[i] - t_s[i]) > max_apart_in_steps * step_s) return {};
       if (i > 0 && even[i] <= even[i - 1]) return {};
     }
     begin = end;

@@ -14,7 +14,7 @@ namespace wheelwright::import {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-constexpr double most_between_stamps_s = 1.0;
+constexpr double max_between_stamps_s = 1.0;
 
 // Stamps of the sender, where a message has them and its clock is that of the recorder.
 const Channel* stamps_of(const Stream& stream) {
@@ -32,7 +32,7 @@ bool agree(const std::vector<double>& stamps, const std::vector<double>& receive
   if (differences.size() < stamps.size()) return false;
   const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
   std::nth_element(differences.begin(), middle, differences.end());
-  return middle != differences.end() && *middle < most_between_stamps_s;
+  return middle != differences.end() && *middle < max_between_stamps_s;
 }
 
 // A time of day goes on past midnight.

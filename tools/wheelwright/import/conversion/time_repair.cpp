@@ -15,8 +15,8 @@ constexpr double longest_pause_s = 60.0;
 constexpr double longest_pause_steps = 50.0;
 constexpr double hole_s = 10.0;
 constexpr double restart_below_s = 1.0;
-constexpr std::size_t most_out_of_order = 5;  // rows by which one may be late
-constexpr std::size_t most_remarks = 5;       // of a kind, with their places
+constexpr std::size_t max_out_of_order = 5;  // rows by which one may be late
+constexpr std::size_t max_remarks = 5;       // of a kind, with their places
 
 double median_step(std::span<const double> t_s) {
   std::vector<double> steps;
@@ -33,12 +33,12 @@ double median_step(std::span<const double> t_s) {
 class Kind {
  public:
   void add(const std::string& where) {
-    if (count_++ < most_remarks) places_ += (places_.empty() ? "" : ", ") + where;
+    if (count_++ < max_remarks) places_ += (places_.empty() ? "" : ", ") + where;
   }
   void say(std::vector<std::string>& remarks, const std::string& what) const {
     if (count_ == 0) return;
     const std::string more =
-        count_ > most_remarks ? ", and " + std::to_string(count_ - most_remarks) + " more" : "";
+        count_ > max_remarks ? ", and " + std::to_string(count_ - max_remarks) + " more" : "";
     remarks.push_back(places_ + more + ": " + what);
   }
 
@@ -107,7 +107,7 @@ class Repair {
   // The rows behind it go on where those before it ended.
   bool is_late(std::size_t row, double last_s) {
     if (time_s(row) < result_.t_s[rows_.front()]) return false;
-    for (std::size_t next = row + 1; next < stamps_s_.size() && next <= row + most_out_of_order; ++next) {
+    for (std::size_t next = row + 1; next < stamps_s_.size() && next <= row + max_out_of_order; ++next) {
       if (time_s(next) > last_s) return time_s(next) - last_s <= pause_s_ && is_few(row, last_s);
     }
     return false;
@@ -118,7 +118,7 @@ class Repair {
     const auto repeated = static_cast<std::size_t>(rows_.end() - first_after(time_s(row)));
     std::size_t behind = 0;
     for (std::size_t next = row; next < stamps_s_.size() && time_s(next) <= last_s; ++next) ++behind;
-    return repeated <= most_out_of_order && (behind == 1 || behind < repeated);
+    return repeated <= max_out_of_order && (behind == 1 || behind < repeated);
   }
 
   void add_behind_break(std::size_t row, double step_s) {

@@ -24,7 +24,7 @@ double evenness(const std::vector<double>& values) {
 }
 
 bool looks_counted(const std::vector<double>& values) {
-  constexpr double least_range = 10.0;
+  constexpr double min_range = 10.0;
   std::size_t changes = 0;
   std::size_t by_one = 0;
   double lowest = std::numeric_limits<double>::infinity();
@@ -40,7 +40,7 @@ bool looks_counted(const std::vector<double>& values) {
     highest = std::max(highest, value);
     last = value;
   }
-  return highest - lowest >= least_range && by_one * 10 > changes * 8;
+  return highest - lowest >= min_range && by_one * 10 > changes * 8;
 }
 
 double quantum(const std::vector<double>& values) {
@@ -58,7 +58,7 @@ double quantum(const std::vector<double>& values) {
 }
 
 bool is_held(const std::vector<double>& values) {
-  constexpr double most_changes = 0.3;  // of the rows
+  constexpr double max_changes = 0.3;  // of the rows
   std::size_t changes = 0;
   std::size_t count = 0;
   double last = std::numeric_limits<double>::quiet_NaN();
@@ -68,7 +68,7 @@ bool is_held(const std::vector<double>& values) {
     last = value;
     ++count;
   }
-  return changes > 0 && static_cast<double>(changes) < most_changes * static_cast<double>(count);
+  return changes > 0 && static_cast<double>(changes) < max_changes * static_cast<double>(count);
 }
 
 }  // namespace wheelwright::import

@@ -38,7 +38,7 @@ class ReferenceFinder {
 
   // Frames that are bolted to each other do not.
   static bool moves(const Channel& channel) {
-    constexpr double least_m = 0.01;
+    constexpr double min_m = 0.01;
     double lowest = std::numeric_limits<double>::infinity();
     double highest = -std::numeric_limits<double>::infinity();
     for (const double value : channel.values) {
@@ -46,7 +46,7 @@ class ReferenceFinder {
       lowest = std::min(lowest, value);
       highest = std::max(highest, value);
     }
-    return highest - lowest > least_m;
+    return highest - lowest > min_m;
   }
 
   bool find_tum() {

@@ -19,9 +19,9 @@ namespace wheelwright::import {
 namespace {
 
 constexpr std::size_t fewest_rows = 50;
-constexpr std::size_t most_columns = 40;
+constexpr std::size_t max_columns = 40;
 constexpr double sure_explained = 0.6;
-constexpr std::size_t most_rows = 20'000;
+constexpr std::size_t max_rows = 20'000;
 
 const Stream* longest_table(std::span<const Recording> recordings) {
   const Stream* longest = nullptr;
@@ -52,11 +52,11 @@ class ByNumbers {
 
   void find_time() {
     const Channel* best = nullptr;
-    double most_even = 0.02;
+    double max_even = 0.02;
     for (const Channel* channel : unused_) {
       const double even = evenness(channel->values);
-      if (even <= most_even) continue;
-      most_even = even;
+      if (even <= max_even) continue;
+      max_even = even;
       best = channel;
     }
     if (best == nullptr) return;
@@ -70,8 +70,8 @@ class ByNumbers {
     std::vector<const Channel*> commands;
     std::vector<Candidate> wheels;
     collect(commands, wheels);
-    if (commands.empty() || wheels.empty() || commands.size() > most_columns ||
-        wheels.size() > 2 * most_columns)
+    if (commands.empty() || wheels.empty() || commands.size() > max_columns ||
+        wheels.size() > 2 * max_columns)
       return;
     const auto best = best_assignment(commands, wheels);
     if (!best || best->explained < sure_explained) return;
@@ -117,7 +117,7 @@ class ByNumbers {
 
   ResponseFit fit(const std::vector<double>& speed, const Channel& command) const {
     ResponseRows rows;
-    const std::size_t count = std::min(speed.size(), most_rows);
+    const std::size_t count = std::min(speed.size(), max_rows);
     rows.speed.assign(speed.begin(), speed.begin() + static_cast<std::ptrdiff_t>(count));
     rows.command.assign(count, std::numeric_limits<double>::quiet_NaN());
     double last = std::numeric_limits<double>::quiet_NaN();

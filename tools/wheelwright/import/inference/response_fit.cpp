@@ -9,7 +9,7 @@ namespace {
 
 constexpr Eigen::Index lags = 30;  // rows of the past
 constexpr std::size_t fewest_rows = 20;
-constexpr std::size_t most_rows = 20'000;  // enough to decide, and quick
+constexpr std::size_t max_rows = 20'000;  // enough to decide, and quick
 
 }  // namespace
 
@@ -22,7 +22,7 @@ ResponseFit fit_response(const ResponseRows& rows) {
   std::size_t begin = 0;
   Eigen::VectorXd regressors(lags);
   for (const std::size_t end : rows.run_ends) {
-    for (std::size_t i = begin + lags; i < end && count < most_rows; ++i) {
+    for (std::size_t i = begin + lags; i < end && count < max_rows; ++i) {
       for (Eigen::Index lag = 0; lag < lags; ++lag)
         regressors[lag] = rows.command[i - static_cast<std::size_t>(lag)];
       const double speed = rows.speed[i];

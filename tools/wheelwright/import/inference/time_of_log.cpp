@@ -46,7 +46,7 @@ std::optional<double> speed_ratio(std::span<const Recording> recordings, const G
   constexpr double max_m_s = 3.0;
   const bool is_stated = given.says("command.unit") || command.unit != "m/s";
   if (!is_stated && largest(columns->command[0]) > max_m_s) return std::nullopt;
-  constexpr double least_explained = 0.5;
+  constexpr double min_explained = 0.5;
   const auto rows = response_rows(*columns, mapping);
   ResponseFit best;
   for (const auto& side : rows) {
@@ -54,7 +54,7 @@ std::optional<double> speed_ratio(std::span<const Recording> recordings, const G
     if (fit.explained > best.explained) best = fit;
     if (command.is_of_body()) break;
   }
-  if (best.explained < least_explained) return std::nullopt;
+  if (best.explained < min_explained) return std::nullopt;
   return std::abs(best.gain) * *scale / unit->in_si;
 }
 

@@ -21,7 +21,7 @@ using config::plain_number;
 using std::numbers::pi;
 
 constexpr double fastest_m_s = 3.0;  // larger commands are in no metres per second
-constexpr double least_explained = 0.1;
+constexpr double min_explained = 0.1;
 constexpr double sure_nats = 50.0;
 constexpr double sure_explained = 0.5;  // share of the variance from which a gain is believed
 
@@ -62,7 +62,7 @@ class UnitFinder {
   // Coarse counts and stamps that jitter hide a speed that is sure all the same.
   bool is_sure() const {
     return explained_ >= sure_explained ||
-           (explained_ >= least_explained && fits_[0].nats + fits_[1].nats >= sure_nats);
+           (explained_ >= min_explained && fits_[0].nats + fits_[1].nats >= sure_nats);
   }
 
   std::string evidence() const {

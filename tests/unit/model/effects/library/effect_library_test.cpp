@@ -13,7 +13,7 @@ using namespace wheelwright;
 
 namespace {
 
-LinearModel small_core() {
+LinearModel small_linear_part() {
   return {ModelType::arma, 0.018, 0.258, {{0.0, 0.2}, {0.0, 0.0}, {0.8}}, {{0.0, 0.0}, {0.0, 0.2}, {0.8}}};
 }
 
@@ -54,8 +54,8 @@ TEST_CASE("An effect of size zero leaves every motion as it is") {
       const auto setting = absent(info, variant);
       if (!setting) continue;
       INFO(info.name << " " << variant.name);
-      ModelSimulation without(small_core(), std::vector<EffectSetting>{});
-      ModelSimulation with(small_core(), std::vector{*setting});
+      ModelSimulation without(small_linear_part(), std::vector<EffectSetting>{});
+      ModelSimulation with(small_linear_part(), std::vector{*setting});
       for (int k = 0; k < 600; ++k) {
         without.step(command_at(k), 16.0 - 0.002 * k);
         with.step(command_at(k), 16.0 - 0.002 * k);
@@ -83,7 +83,7 @@ TEST_CASE("Every effect says what is seen, why, and in which units and bounds") 
 
 TEST_CASE("A model with every effect in it comes back from its file as it was saved") {
   RobotModel model;
-  model.core = small_core();
+  model.linear_part = small_linear_part();
   for (const auto& info : effect_library()) {
     AddedEffect added;
     added.setting = {info.name, info.variants.back().name, {}};

@@ -23,7 +23,7 @@ std::vector<DriveLog> clean_runs(std::uint64_t seed) {
 GapAnalysis analysed(const std::vector<DriveLog>& runs) {
   const std::span<const DriveLog> all(runs);
   auto analysis =
-      analyse_gap(all.first(2), all.subspan(2), {}, for_each_in_turn, [](const std::string&, double) {});
+      analyse_gap(all.first(2), all.subspan(2), {}, serial_for, [](const std::string&, double) {});
   REQUIRE(analysis);
   return std::move(*analysis);
 }

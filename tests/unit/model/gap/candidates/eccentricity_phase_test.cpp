@@ -13,12 +13,12 @@ namespace {
 
 // Three runs to fit and one held out, and the linear model of them.
 struct Fitted {
-  GapProblem train;
-  GapProblem heldout;
-  GapFit fit;
+  Problem train;
+  Problem heldout;
+  Fit fit;
 };
 
-GapProblem problem_of(std::span<const DriveLog> logs) {
+Problem problem_of(std::span<const DriveLog> logs) {
   std::vector<GapRun> runs;
   std::vector<WheelPair> metres_per_tick;
   for (const auto& log : logs) {
@@ -26,7 +26,7 @@ GapProblem problem_of(std::span<const DriveLog> logs) {
     measure_motion(runs.back());
     metres_per_tick.push_back(*log.metres_per_tick);
   }
-  return {std::move(runs), std::move(metres_per_tick), for_each_in_turn};
+  return {std::move(runs), std::move(metres_per_tick), serial_for};
 }
 
 Fitted fitted(const std::vector<DriveLog>& logs) {
@@ -50,8 +50,8 @@ std::vector<DriveLog> plant_runs(const std::string& hidden) {
 }
 
 std::optional<WheelAngles> angles_of(const Fitted& all) {
-  return find_wheel_angles(all.train, all.heldout, all.fit, *find_effect("wheel_eccentricity"),
-                           for_each_in_turn);
+  return find_eccentricity_phases(all.train, all.heldout, all.fit, *find_effect("wheel_eccentricity"),
+                                  serial_for);
 }
 
 // The library's own ripple, of 5 % and a wheel of 0.22 m, laid into a log of round wheels of which the left

@@ -12,11 +12,11 @@ using namespace wheelwright::gap;
 
 namespace {
 
-std::optional<TrialEffect> steps_beside_linear_model(GapProblem& problem, const TrialModel& guess) {
-  const GapFit fit = problem.fit(guess, 8);
+std::optional<TrialEffect> steps_beside_linear_model(Problem& problem, const TrialModel& guess) {
+  const Fit fit = problem.fit(guess, 8);
   problem.set_noise(problem.noise_left_by(fit.model));
   return find_command_steps(problem, problem.fit(fit.model, 8), *find_effect("command_quantization"),
-                            for_each_in_turn);
+                            serial_for);
 }
 
 std::optional<TrialEffect> steps_in(const test::GapCaseSpec& spec) {
@@ -27,10 +27,10 @@ std::optional<TrialEffect> steps_in(const test::GapCaseSpec& spec) {
     measure_motion(runs.back());
     metres_per_tick.push_back(log.metres_per_tick.value_or(WheelPair{}));
   }
-  CoreShape shape;
+  LinearPartShape shape;
   shape.shared = !runs.front().has_counts;
   const TrialModel guess = first_guess(shape, runs.front().period_s, runs.front().wheel_base_m, 0.1, 0.036);
-  GapProblem problem(std::move(runs), std::move(metres_per_tick), for_each_in_turn);
+  Problem problem(std::move(runs), std::move(metres_per_tick), serial_for);
   return steps_beside_linear_model(problem, guess);
 }
 
@@ -54,8 +54,7 @@ std::optional<TrialEffect> steps_in_sines(const std::vector<TrialEffect>& effect
     return WheelPair{0.15 * std::sin(0.9 * t_s) + 0.1 * std::sin(2.3 * t_s),
                      0.15 * std::sin(0.7 * t_s) + 0.1 * std::cos(1.9 * t_s)};
   };
-  GapProblem problem({test::counted_run(robot, 3000, command_m_s)}, {test::counted_metres_per_tick},
-                     for_each_in_turn);
+  Problem problem({test::counted_run(robot, 3000, command_m_s)}, {test::counted_metres_per_tick}, serial_for);
   TrialModel guess = test::counted_robot();
   guess.effects = known;
   return steps_beside_linear_model(problem, guess);
@@ -83,11 +82,11 @@ TEST_CASE("Poses alone show the step too, where there is one for each row") {
 }
 
 TEST_CASE("A step is found in commands that change all the time, and where it rises") {
-  for (const double rises_at : {0.2, 0.5, 1.0}) {
-    const auto found = steps_in_sines({{find_effect("command_quantization"), 0, {0.02, rises_at}}});
+  for (const double level_edges : {0.2, 0.5, 1.0}) {
+    const auto found = steps_in_sines({{find_effect("command_quantization"), 0, {0.02, level_edges}}});
     REQUIRE(found);
     CHECK_THAT(found->parameters[0], WithinRel(0.02, 0.01));
-    CHECK_THAT(found->parameters[1], WithinAbs(rises_at, 0.1));
+    CHECK_THAT(found->parameters[1], WithinAbs(level_edges, 0.1));
   }
 }
 

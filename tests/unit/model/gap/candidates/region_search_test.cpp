@@ -48,21 +48,20 @@ GapRun driven(const TrialModel& robot) {
 
 TEST_CASE("A region that is placed a little off is moved, sized and turned to where it is") {
   const TrialModel truth = with_region({-0.3, 0.6, 0.5, 1.2, 0.8, 0.0});
-  const GapProblem problem({driven(truth)}, {WheelPair{}}, for_each_in_turn);
+  const Problem problem({driven(truth)}, {WheelPair{}}, serial_for);
   const TrialModel off = with_region({-0.3, 0.4, 0.7, 0.7, 0.7, 0.1});
-  const TrialModel tuned = with_region_tuned(problem, off, for_each_in_turn);
-  const auto squares = [&](const TrialModel& model) { return squares_of(problem.residuals(model)); };
-  CHECK(squares(tuned) < 0.3 * squares(off));
+  const TrialModel tuned = with_region_tuned(problem, off, serial_for);
+  const auto sum_squares = [&](const TrialModel& model) { return sum_squares_of(problem.residuals(model)); };
+  CHECK(sum_squares(tuned) < 0.3 * sum_squares(off));
   CHECK(tuned.effects.front().parameters.front() == -0.3);
 }
 
 TEST_CASE("A region that reaches as far again beyond its end is cut to its size") {
   const TrialModel truth = with_region({-0.3, 3.0, -1.0, 1.0, 0.8, 0.0});
-  const GapProblem problem({driven(truth)}, {WheelPair{}}, for_each_in_turn);
-  const auto region =
-      with_region_tuned(problem, with_region({-0.3, 3.5, -1.0, 2.0, 0.8, 0.0}), for_each_in_turn)
-          .effects.front()
-          .parameters;
+  const Problem problem({driven(truth)}, {WheelPair{}}, serial_for);
+  const auto region = with_region_tuned(problem, with_region({-0.3, 3.5, -1.0, 2.0, 0.8, 0.0}), serial_for)
+                          .effects.front()
+                          .parameters;
   CHECK_THAT(region[1], WithinAbs(3.0, 0.05));
   CHECK_THAT(region[3], WithinAbs(1.0, 0.1));
 }
@@ -70,29 +69,28 @@ TEST_CASE("A region that reaches as far again beyond its end is cut to its size"
 TEST_CASE("A round region is not left as the rectangle that comes closest to it") {
   TrialModel truth = with_region({-0.3, 0.6, 0.5, 1.2, 1.2, 0.0});
   truth.effects.front().variant = variant_index(*truth.effects.front().info, "floor_round");
-  const GapProblem problem({driven(truth)}, {WheelPair{}}, for_each_in_turn);
+  const Problem problem({driven(truth)}, {WheelPair{}}, serial_for);
   const TrialModel off = with_region({-0.3, 0.4, 0.7, 0.7, 0.7, 0.1});
-  const TrialModel tuned = with_region_tuned(problem, off, for_each_in_turn);
+  const TrialModel tuned = with_region_tuned(problem, off, serial_for);
   const TrialEffect& region = tuned.effects.front();
   CHECK(region.info->variants[region.variant].name == "floor_round");
-  const auto squares = [&](const TrialModel& model) { return squares_of(problem.residuals(model)); };
-  CHECK(squares(tuned) < 1e-3 * squares(off));
+  const auto sum_squares = [&](const TrialModel& model) { return sum_squares_of(problem.residuals(model)); };
+  CHECK(sum_squares(tuned) < 1e-3 * sum_squares(off));
 }
 
 TEST_CASE("A region that is turned round and round is given by a heading of half a turn") {
   const TrialModel truth = with_region({-0.3, 0.6, 0.5, 1.6, 0.5, 0.0});
-  const GapProblem problem({driven(truth)}, {WheelPair{}}, for_each_in_turn);
+  const Problem problem({driven(truth)}, {WheelPair{}}, serial_for);
   const TrialModel upright = with_region({-0.3, 0.6, 0.5, 1.6, 0.5, 1.58});
-  const TrialModel tuned = with_region_tuned(problem, upright, for_each_in_turn);
+  const TrialModel tuned = with_region_tuned(problem, upright, serial_for);
   const ParameterInfo& heading = tuned.effects.front().parameter_info(5);
   CHECK(tuned.effects.front().parameters[5] >= heading.lower);
   CHECK(tuned.effects.front().parameters[5] <= heading.upper);
 }
 
 TEST_CASE("A model without a region comes back as it was") {
-  const GapProblem problem({driven(with_region({-0.3, 0.6, 0.5, 1.2, 0.8, 0.0}))}, {WheelPair{}},
-                           for_each_in_turn);
+  const Problem problem({driven(with_region({-0.3, 0.6, 0.5, 1.2, 0.8, 0.0}))}, {WheelPair{}}, serial_for);
   TrialModel model = first_guess({}, period_s, wheel_base_m, 0.06, 0.04);
   CHECK_FALSE(has_region(model));
-  CHECK(with_region_tuned(problem, model, for_each_in_turn).effects.empty());
+  CHECK(with_region_tuned(problem, model, serial_for).effects.empty());
 }

@@ -26,18 +26,18 @@ WheelPair docking(int period) {
   return {speed, speed};
 }
 
-GapProblem docked(const TrialModel& robot) {
-  return {{test::counted_run(robot, 3000, docking)}, {test::counted_metres_per_tick}, for_each_in_turn};
+Problem docked(const TrialModel& robot) {
+  return {{test::counted_run(robot, 3000, docking)}, {test::counted_metres_per_tick}, serial_for};
 }
 
-double tuned(const GapProblem& problem, const TrialModel& model, std::size_t parameter) {
+double tuned(const Problem& problem, const TrialModel& model, std::size_t parameter) {
   return with_thresholds_tuned(problem, model).effects.front().parameters[parameter];
 }
 
 }  // namespace
 
 TEST_CASE("A dead zone is found between the largest command that does nothing and the next one") {
-  const GapProblem problem = docked(with_effect("dead_zone", {0.02, 0.02}));
+  const Problem problem = docked(with_effect("dead_zone", {0.02, 0.02}));
   for (const double from : {0.012, 0.03}) {
     const double threshold = tuned(problem, with_effect("dead_zone", {from, 0.02}), 0);
     CHECK(threshold > 0.019);
@@ -46,7 +46,7 @@ TEST_CASE("A dead zone is found between the largest command that does nothing an
 }
 
 TEST_CASE("A break-away is found although no slope leads from one drive that moves a wheel to the next") {
-  const GapProblem problem = docked(with_effect("stiction", {0.035, 0.003, 0.03, 0.002}));
+  const Problem problem = docked(with_effect("stiction", {0.035, 0.003, 0.03, 0.002}));
   for (const double from : {0.029, 0.043}) {
     const double excess = tuned(problem, with_effect("stiction", {from, 0.003, 0.03, 0.002}), 0);
     CHECK(excess > 0.031);
@@ -56,7 +56,7 @@ TEST_CASE("A break-away is found although no slope leads from one drive that mov
 
 TEST_CASE("A model without a threshold stays as it is") {
   const TrialModel truth = with_effect("coulomb_friction", {0.01, 0.03});
-  const GapProblem problem = docked(truth);
+  const Problem problem = docked(truth);
   const TrialModel model = with_effect("coulomb_friction", {0.02, 0.03});
   CHECK(with_thresholds_tuned(problem, model).effects.front().parameters == model.effects.front().parameters);
 }

@@ -41,7 +41,7 @@ DriveLog slalom(double threshold_m_s) {
   return log;
 }
 
-// The same counts at all rows of each stretch of so many; then they catch up.
+// The same counts at all rows of each segment of so many; then they catch up.
 std::vector<Freeze> hold_counts(DriveLog& log, std::initializer_list<std::size_t> from, std::size_t rows) {
   std::vector<Freeze> held;
   for (const std::size_t first : from) {

@@ -105,12 +105,12 @@ TEST_CASE("Counts that begin anew behind a hole are told from those that went on
   const auto hole = gate(log);
   REQUIRE(hole.faults.size() == 1);
   CHECK_FALSE(hole.faults.front().distorts);
-  auto began_anew = log;
-  for (auto at = began_anew.samples.begin() + row; at != began_anew.samples.end(); ++at) {
+  auto was_restarted = log;
+  for (auto at = was_restarted.samples.begin() + row; at != was_restarted.samples.end(); ++at) {
     at->ticks->left -= 5000;
     at->ticks->right -= 5000;
   }
-  const auto gated = gate(began_anew);
+  const auto gated = gate(was_restarted);
   REQUIRE(gated.faults.size() == 1);
   CHECK_THAT(gated.faults.front().what, ContainsSubstring("and the counts begin anew behind them"));
   CHECK(gated.faults.front().distorts);
@@ -249,7 +249,7 @@ TEST_CASE("What a reference saw while counts were lost is not held against them"
   CHECK_FALSE(run.references[from].anew);
   for (std::size_t i = from + 1; i <= from + 21; ++i) CHECK(run.references[i].anew);
   CHECK_FALSE(run.references[from + 22].anew);
-  for (const auto& sample : with_lost_counts(gated.log).samples) CHECK_FALSE(sample.counts_anew);
+  for (const auto& sample : with_lost_counts(gated.log).samples) CHECK_FALSE(sample.counter_reset);
 }
 
 TEST_CASE("No travel is measured across lost counts") {
@@ -257,14 +257,14 @@ TEST_CASE("No travel is measured across lost counts") {
   const std::size_t from = moving_row(log) - 25;
   for (std::size_t i = from; i < from + 20; ++i) log.samples[i].ticks->left = log.samples[from].ticks->left;
   const auto gated = gate(log);
-  CHECK_FALSE(gated.log.samples[from].counts_anew);
-  for (std::size_t i = from + 1; i <= from + 20; ++i) CHECK(gated.log.samples[i].counts_anew);
-  CHECK_FALSE(gated.log.samples[from + 21].counts_anew);
+  CHECK_FALSE(gated.log.samples[from].counter_reset);
+  for (std::size_t i = from + 1; i <= from + 20; ++i) CHECK(gated.log.samples[i].counter_reset);
+  CHECK_FALSE(gated.log.samples[from + 21].counter_reset);
 
   auto silent = clean_log();
   silent.samples[from].ticks.reset();
-  CHECK(gate(silent).log.samples[from + 1].counts_anew);
-  CHECK_FALSE(gate(silent).log.samples[from + 2].counts_anew);
+  CHECK(gate(silent).log.samples[from + 1].counter_reset);
+  CHECK_FALSE(gate(silent).log.samples[from + 2].counter_reset);
 }
 
 TEST_CASE("An answer that comes late is an effect, not a fault of the data") {

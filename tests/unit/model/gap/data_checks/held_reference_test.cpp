@@ -47,7 +47,7 @@ TEST_CASE("Poses that are repeated until the next one are no readings") {
 TEST_CASE("Nothing is missing from a robot whose reference is repeated") {
   auto runs = clean_runs();
   for (auto& run : runs) hold_poses(run);
-  const auto analysis = analyse_gap(runs, {}, {}, for_each_in_turn, [](const std::string&, double) {});
+  const auto analysis = analyse_gap(runs, {}, {}, serial_for, [](const std::string&, double) {});
   REQUIRE(analysis);
   INFO(analysis->summary);
   CHECK(analysis->verdict == Verdict::nothing_missing);

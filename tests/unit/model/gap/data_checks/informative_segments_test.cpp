@@ -38,7 +38,7 @@ DriveLog long_drive(std::size_t rows, std::size_t turns_from, std::size_t turns_
 }  // namespace
 
 TEST_CASE("Logs that an analysis can take stay as they are") {
-  const auto segments = informative_segments({long_drive(5000, 0, 0)}, {.most_rows = 6000});
+  const auto segments = informative_segments({long_drive(5000, 0, 0)}, {.max_rows = 6000});
   REQUIRE(segments.runs.size() == 1);
   CHECK(segments.runs.front().samples.size() == 5000);
   CHECK(segments.all_used());
@@ -46,7 +46,7 @@ TEST_CASE("Logs that an analysis can take stay as they are") {
 
 TEST_CASE("Of a long log the parts are used that show something of their own, each from rest") {
   const auto log = long_drive(200'000, 120'000, 122'000);
-  const auto segments = informative_segments({log}, {.most_rows = 12'000, .length_s = 60.0});
+  const auto segments = informative_segments({log}, {.max_rows = 12'000, .length_s = 60.0});
   std::size_t rows = 0;
   bool turns = false;
   for (const DriveLog& run : segments.runs) {
@@ -67,7 +67,7 @@ TEST_CASE("Of a long log the parts are used that show something of their own, ea
 TEST_CASE("Where a robot never stands a part begins with commands alone, until its past is forgotten") {
   auto log = long_drive(50'000, 0, 0);
   for (auto& sample : log.samples) sample.command_m_s = {0.1, 0.2};
-  const auto segments = informative_segments({log}, {.most_rows = 5'000, .length_s = 60.0});
+  const auto segments = informative_segments({log}, {.max_rows = 5'000, .length_s = 60.0});
   REQUIRE(segments.runs.size() > 1);
   const DriveLog& run = segments.runs.back();
   REQUIRE(run.samples.front().t_s > 0.0);

@@ -21,7 +21,7 @@ std::vector<DriveLog> runs_with(const std::string& name, test::Severity severity
   return test::make_gap_case(spec).runs;
 }
 
-// Rows in the middle of stretches of 0.9 s at one forward command.
+// Rows in the middle of segments of 0.9 s at one forward command.
 std::vector<std::size_t> steady_rows(const DriveLog& log) {
   std::vector<std::size_t> rows;
   std::size_t steady = 0;
@@ -53,7 +53,8 @@ void lose(DriveLog& log, std::size_t first, std::size_t rows, double share) {
 
 std::size_t found_in(const DriveLog& log) {
   const std::vector<char> none(log.samples.size(), 0);
-  return find_thinned_counts(log, none, true).size() + find_thinned_counts(log, none, false).size();
+  return find_missed_encoder_edges(log, none, true).size() +
+         find_missed_encoder_edges(log, none, false).size();
 }
 
 }  // namespace
@@ -65,7 +66,7 @@ TEST_CASE("A stretch in which a counter misses most of its edges is found where 
   lose(log, rows[0], 18, 0.7);
   lose(log, rows[1], 18, 0.5);
   const std::vector<char> none(log.samples.size(), 0);
-  const auto found = find_thinned_counts(log, none, true);
+  const auto found = find_missed_encoder_edges(log, none, true);
   REQUIRE(found.size() == 2);
   for (std::size_t i = 0; i < 2; ++i) {
     CHECK(std::abs(static_cast<double>(found[i].first_row) - static_cast<double>(rows[i])) <= 2.0);
@@ -73,7 +74,7 @@ TEST_CASE("A stretch in which a counter misses most of its edges is found where 
   }
   CHECK_THAT(found[0].lost, WithinAbs(0.7, 0.08));
   CHECK_THAT(found[1].lost, WithinAbs(0.5, 0.08));
-  CHECK(find_thinned_counts(log, none, false).empty());
+  CHECK(find_missed_encoder_edges(log, none, false).empty());
 
   const auto gated = gate(log);
   CHECK(gated.dropouts.size() == 2);

@@ -19,7 +19,7 @@ constexpr double wheel_base_m = 0.25;
 constexpr int steps = 15;
 
 TrialModel with_effect(const std::string& name, const std::vector<double>& parameters) {
-  CoreShape one_gain;
+  LinearPartShape one_gain;
   one_gain.shared = true;
   TrialModel model = first_guess(one_gain, period_s, wheel_base_m, 0.06, 0.04);
   model.effects.push_back({find_effect(name), 0, parameters});
@@ -27,7 +27,7 @@ TrialModel with_effect(const std::string& name, const std::vector<double>& param
 }
 
 // Straight on, one speed after the other, half a second each, seen by a camera that errs by a millimetre.
-GapProblem driven(const TrialModel& robot, std::span<const double> speeds_m_s, int times) {
+Problem driven(const TrialModel& robot, std::span<const double> speeds_m_s, int times) {
   std::mt19937 random(1);
   std::normal_distribution<double> errs(0.0, 1e-3);
   ModelSimulation simulation = robot.simulation();
@@ -49,7 +49,7 @@ GapProblem driven(const TrialModel& robot, std::span<const double> speeds_m_s, i
   }
   GapRun run = make_gap_run(log, {}, period_s);
   measure_motion(run);
-  GapProblem problem({run}, {WheelPair{}}, for_each_in_turn);
+  Problem problem({run}, {WheelPair{}}, serial_for);
   problem.set_noise(problem.noise_left_by(robot));
   return problem;
 }
@@ -60,9 +60,9 @@ TEST_CASE("All roundings that send no command elsewhere belong to the interval o
   // Each is two thirds of a step beyond one: rounded up by whatever rises before that.
   constexpr std::array speeds_m_s{0.05, 0.11, 0.17, 0.23, -0.05, -0.17};
   const TrialModel robot = with_effect("command_quantization", {0.03, 0.5});
-  const GapProblem problem = driven(robot, speeds_m_s, 8);
+  const Problem problem = driven(robot, speeds_m_s, 8);
   const auto intervals =
-      with_effect_intervals(problem, problem.fit(robot, steps), steps, for_each_in_turn).intervals;
+      with_effect_intervals(problem, problem.fit(robot, steps), steps, serial_for).intervals;
   REQUIRE(intervals.size() == 2);
   CHECK(intervals[1].lower < 0.05);
   CHECK(intervals[1].upper > 0.66);
@@ -73,9 +73,9 @@ TEST_CASE("How far a region reaches behind the place where the robot stopped is 
   constexpr std::array speeds_m_s{0.2};
   enum : std::size_t { change, x, y, length, width, heading };
   const TrialModel robot = with_effect("surface_patch", {-0.2, 1.6, 0.0, 1.2, 1.0, 0.0});
-  const GapProblem problem = driven(robot, speeds_m_s, 15);  // ends at 1.4 m, in the region
+  const Problem problem = driven(robot, speeds_m_s, 15);  // ends at 1.4 m, in the region
   const auto intervals =
-      with_effect_intervals(problem, problem.fit(robot, steps), steps, for_each_in_turn).intervals;
+      with_effect_intervals(problem, problem.fit(robot, steps), steps, serial_for).intervals;
   const auto info = [&](std::size_t i) { return robot.effects.front().parameter_info(i); };
   CHECK(intervals[length].lower < 0.5);
   CHECK(intervals[length].upper > 10.0);
@@ -86,12 +86,12 @@ TEST_CASE("How far a region reaches behind the place where the robot stopped is 
 TEST_CASE("Where the likelihood is a parabola, its profile widens an interval by little") {
   constexpr std::array speeds_m_s{0.05, 0.2, 0.11, -0.2, 0.15};
   const TrialModel robot = with_effect("direction_gain", {-0.05});
-  const GapProblem problem = driven(robot, speeds_m_s, 8);
-  const GapFit fit = problem.fit(robot, steps);
+  const Problem problem = driven(robot, speeds_m_s, 8);
+  const Fit fit = problem.fit(robot, steps);
   const auto linear = linear_intervals(problem, problem.jacobian(fit.model, fit.residuals), fit.residuals);
-  const auto intervals = with_effect_intervals(problem, fit, steps, for_each_in_turn).intervals;
+  const auto intervals = with_effect_intervals(problem, fit, steps, serial_for).intervals;
   for (std::size_t i = 0; i < intervals.size(); ++i) {
-    const ParameterInterval& by_slope = linear[fit.model.core.size() + i].deviation;
+    const ParameterInterval& by_slope = linear[fit.model.linear_part.size() + i].deviation;
     const double width = intervals[i].upper - intervals[i].lower;
     CHECK(width >= 0.99 * (by_slope.upper - by_slope.lower));
     CHECK(width < 1.4 * (by_slope.upper - by_slope.lower));
@@ -101,10 +101,10 @@ TEST_CASE("Where the likelihood is a parabola, its profile widens an interval by
 TEST_CASE("A knee that a fit has lost at zero, where it has no slope, is found again") {
   constexpr std::array speeds_m_s{0.1, 0.2, 0.15, 0.25, 0.05, 0.3};
   const TrialModel robot = with_effect("saturation", {0.22, 0.0, 0.15});
-  const GapProblem problem = driven(robot, speeds_m_s, 8);
-  const GapFit lost = problem.fit(with_effect("saturation", {0.2, 0.0, 0.0}), steps);
+  const Problem problem = driven(robot, speeds_m_s, 8);
+  const Fit lost = problem.fit(with_effect("saturation", {0.2, 0.0, 0.0}), steps);
   REQUIRE(lost.model.effects.front().parameters[2] == 0.0);
-  const GapFit fit = away_from_flat_places(problem, lost, steps);
+  const Fit fit = away_from_flat_places(problem, lost, steps);
   CHECK(fit.model.effects.front().parameters[2] > 0.02);
-  CHECK(fit.squares < lost.squares - 100.0);
+  CHECK(fit.sum_squares < lost.sum_squares - 100.0);
 }

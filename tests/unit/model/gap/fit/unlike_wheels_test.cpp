@@ -1,5 +1,5 @@
-// Wheels that answer unlike each other, or to the other's command too, seen by poses alone: a linear core
-// holds that, and it is no effect.
+// Wheels that answer unlike each other, or to the other's command too, seen by poses alone: a linear linear
+// part holds that, and it is no effect.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -56,7 +56,7 @@ DriveLog driven(const LinearModel& robot, unsigned seed) {
 GapAnalysis analysis_of(const LinearModel& robot) {
   std::vector<DriveLog> logs;
   for (unsigned seed = 1; seed <= 3; ++seed) logs.push_back(driven(robot, seed));
-  const auto analysis = analyse_gap(std::span(logs).first(2), std::span(logs).last(1), {}, for_each_in_turn,
+  const auto analysis = analyse_gap(std::span(logs).first(2), std::span(logs).last(1), {}, serial_for,
                                     [](const std::string&, double) {});
   REQUIRE(analysis);
   return *analysis;

@@ -20,7 +20,7 @@ struct Robot {
 GapAnalysis analysed(const std::vector<DriveLog>& runs, const GapOptions& options) {
   const std::span<const DriveLog> all(runs);
   auto analysis =
-      analyse_gap(all.first(2), all.subspan(2), options, for_each_in_turn, [](const std::string&, double) {});
+      analyse_gap(all.first(2), all.subspan(2), options, serial_for, [](const std::string&, double) {});
   REQUIRE(analysis);
   return std::move(*analysis);
 }
@@ -120,7 +120,7 @@ TEST_CASE("A gain that a given model has wrong is told for its wheel, and is nev
 
 TEST_CASE("A given model of another period is not compared with the logs, and the summary says so") {
   RobotModel other = robot().model;
-  other.core.period_s = 0.02;
+  other.linear_part.period_s = 0.02;
   const GapAnalysis analysis = analysed(robot().runs, {.model = other});
   CHECK(analysis.linear_changes.empty());
   CHECK_THAT(analysis.summary, ContainsSubstring("period is 0.02 s and that of the logs 0.018 s"));

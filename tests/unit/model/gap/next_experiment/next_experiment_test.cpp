@@ -34,15 +34,15 @@ GapAnalysis undecided(const std::string& name, const std::vector<double>& parame
                       const std::string& rival, const std::vector<double>& rival_parameters) {
   GapAnalysis analysis;
   analysis.verdict = Verdict::ambiguous;
-  Round check;
+  SelectionStep check;
   check.without.model = model_with({});
   for (const auto& [effect, values] : {std::pair{name, parameters}, std::pair{rival, rival_parameters}}) {
-    Contender contender;
-    contender.fit.model = model_with({{effect, values}});
-    contender.effect = contender.fit.model.effects.back();
-    check.contenders.push_back(contender);
+    Candidate candidate;
+    candidate.fit.model = model_with({{effect, values}});
+    candidate.effect = candidate.fit.model.effects.back();
+    check.candidates.push_back(candidate);
   }
-  analysis.search.final.model = check.contenders.front().fit.model;
+  analysis.search.final.model = check.candidates.front().fit.model;
   analysis.search.checks.push_back(check);
   Finding found;
   found.setting = {name, "", parameters};
@@ -82,7 +82,7 @@ TEST_CASE("Every manoeuvre begins and ends at rest, keeps to its limits, and las
 TEST_CASE("Between two rivals the next experiment names both and parts them by more than noise") {
   const auto logs = one_run(test::Program::one_speed);
   const auto next = next_experiment(undecided("dead_zone", {0.02, 0.02}, "coulomb_friction", {0.02, 0.06}),
-                                    logs, {0.3, 0.15, 1.0}, for_each_in_turn);
+                                    logs, {0.3, 0.15, 1.0}, serial_for);
   REQUIRE(next);
   auto pair = next->separates;
   std::ranges::sort(pair);
@@ -95,7 +95,7 @@ TEST_CASE("Between two rivals the next experiment names both and parts them by m
 TEST_CASE("On a smaller floor the next experiment stays on it") {
   const auto logs = one_run(test::Program::one_speed);
   const auto analysis = undecided("dead_zone", {0.02, 0.02}, "coulomb_friction", {0.02, 0.06});
-  const auto next = next_experiment(analysis, logs, {0.3, 0.15, 0.5}, for_each_in_turn);
+  const auto next = next_experiment(analysis, logs, {0.3, 0.15, 0.5}, serial_for);
   REQUIRE(next);
   ModelSimulation robot = analysis.search.final.model.simulation();
   robot.reset({});
@@ -108,8 +108,8 @@ TEST_CASE("On a smaller floor the next experiment stays on it") {
 TEST_CASE("Where nothing is in doubt there is no next experiment") {
   GapAnalysis analysis;
   analysis.verdict = Verdict::nothing_missing;
-  CHECK_FALSE(next_experiment(analysis, one_run(test::Program::mixed), {}, for_each_in_turn));
+  CHECK_FALSE(next_experiment(analysis, one_run(test::Program::mixed), {}, serial_for));
   analysis.verdict = Verdict::bad_data;
   analysis.not_testable.push_back({"backlash", "the runs hold no reversal"});
-  CHECK_FALSE(next_experiment(analysis, one_run(test::Program::forward_only), {}, for_each_in_turn));
+  CHECK_FALSE(next_experiment(analysis, one_run(test::Program::forward_only), {}, serial_for));
 }

@@ -7,9 +7,9 @@
 #include "tests/support/known_errors.hpp"
 
 using namespace wheelwright::gap;
+using wheelwright::test::drifting_errors;
 using wheelwright::test::known_errors;
 using wheelwright::test::KnownErrors;
-using wheelwright::test::wandering_errors;
 using wheelwright::test::with_tracker;
 
 namespace {
@@ -46,7 +46,7 @@ TEST_CASE("The noise of a series is found from the series") {
 
 TEST_CASE("How long a speed lasts, and that travel comes back, is found from the series") {
   const TravelNoise truth{1e-4, 4e-3, 0.12, 3.0};
-  const auto known = wandering_errors(truth, 20000, 9);
+  const auto known = drifting_errors(truth, 20000, 9);
   const std::vector<NoiseSample> samples{{known.times_s, known.restarts, known.errors}};
   const TravelNoise found = noise_of(samples, {1e-6, lasting_of_motors_s});
   CHECK(found.lasts_s == truth.lasts_s);

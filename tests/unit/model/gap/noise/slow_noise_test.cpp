@@ -13,20 +13,20 @@ namespace {
 
 constexpr double speed_noise_m_s = 0.01;
 
-// At a steady command; the wheels' speeds wander, and forget after `lasts_s` where they were.
+// At a steady command; the wheels' speeds drift, and forget after `lasts_s` where they were.
 GapRun drive(double lasts_s, unsigned seed) {
   std::mt19937 engine(seed);
   std::normal_distribution<double> chance;
   const double kept = std::exp(-counted_period_s / lasts_s);
   const double fresh_m_s = speed_noise_m_s * std::sqrt(1.0 - kept * kept);
-  WheelPair wander_m_s;
+  WheelPair drift_m_s;
   WheelPair beyond_m;
   const auto next_m = [&](double, const WheelPair&) {
     const WheelPair so_far_m = beyond_m;
-    wander_m_s = {kept * wander_m_s.left + fresh_m_s * chance(engine),
-                  kept * wander_m_s.right + fresh_m_s * chance(engine)};
-    beyond_m.left += counted_period_s * wander_m_s.left;
-    beyond_m.right += counted_period_s * wander_m_s.right;
+    drift_m_s = {kept * drift_m_s.left + fresh_m_s * chance(engine),
+                 kept * drift_m_s.right + fresh_m_s * chance(engine)};
+    beyond_m.left += counted_period_s * drift_m_s.left;
+    beyond_m.right += counted_period_s * drift_m_s.right;
     return so_far_m;
   };
   const auto steady = [](int) { return WheelPair{0.15, 0.15}; };
@@ -34,16 +34,16 @@ GapRun drive(double lasts_s, unsigned seed) {
 }
 
 // Of the left wheel, after one second, as it is found in four drives.
-double wandering_found(double lasts_s) {
+double drift_found(double lasts_s) {
   std::vector<GapRun> runs;
   for (const unsigned seed : {1U, 2U, 3U, 4U}) runs.push_back(drive(lasts_s, seed));
-  GapProblem problem(runs, std::vector<WheelPair>(runs.size(), counted_metres_per_tick), for_each_in_turn);
+  Problem problem(runs, std::vector<WheelPair>(runs.size(), counted_metres_per_tick), serial_for);
   problem.set_noise(problem.noise_left_by(counted_robot()));
   return with_slow_noise(problem, counted_robot(), two_seconds_apart_s).channel[0].walk_per_sqrt_s;
 }
 
 // What such a speed comes to over a long time (Ornstein and Uhlenbeck, 1930).
-double wandering_m(double lasts_s) {
+double drifting_m(double lasts_s) {
   return speed_noise_m_s * std::sqrt(2.0 * lasts_s);
 }
 
@@ -52,6 +52,6 @@ double wandering_m(double lasts_s) {
 TEST_CASE("Noise over seconds is as large as what wanders for a part of a second comes to") {
   for (const double lasts_s : {0.05, 0.2, 0.5}) {
     CAPTURE(lasts_s);
-    CHECK_THAT(wandering_found(lasts_s), WithinRel(wandering_m(lasts_s), 0.2));
+    CHECK_THAT(drift_found(lasts_s), WithinRel(drifting_m(lasts_s), 0.2));
   }
 }

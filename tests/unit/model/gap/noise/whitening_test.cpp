@@ -6,8 +6,8 @@
 #include "tests/support/known_errors.hpp"
 
 using namespace wheelwright::gap;
+using wheelwright::test::drifting_errors;
 using wheelwright::test::known_errors;
-using wheelwright::test::wandering_errors;
 using wheelwright::test::with_tracker;
 
 namespace {
@@ -60,7 +60,7 @@ TEST_CASE("What is not known of the start of a series, or after a restart, count
 
 TEST_CASE("Errors whose speed lasts, and which come back, come out white and of unit variance") {
   const TravelNoise lasting{1e-4, 4e-3, 0.12, 3.0};
-  const auto known = wandering_errors(lasting, 20000, 8);
+  const auto known = drifting_errors(lasting, 20000, 8);
   const Whitener whitener(known.times_s, known.restarts, lasting);
   std::vector<double> white(known.errors.size());
   whitener.apply(known.errors, white.data());
@@ -89,8 +89,8 @@ TEST_CASE("Errors that readings have in common for a while come out white and of
 TEST_CASE("A long time is foretold as its parts are") {
   const double returns_s = GENERATE(3.0, 0.12);  // or as quickly as the speed is forgotten
   const TravelNoise lasting{1e-4, 4e-3, 0.12, returns_s};
-  const WanderStep whole(lasting, 0.3);
-  const WanderStep part(lasting, 0.1);
+  const DriftStep whole(lasting, 0.3);
+  const DriftStep part(lasting, 0.1);
   double travel = 0.0;
   double speed = 1.0;
   double travel_variance = 0.0;

@@ -31,8 +31,7 @@ std::vector<DriveLog> logs_with_gyro(const std::string& hidden, double scale = 0
 }
 
 GapAnalysis analysed(std::span<const DriveLog> logs) {
-  auto analysis =
-      analyse_gap(logs.first(2), logs.last(1), {}, for_each_in_turn, [](const std::string&, double) {});
+  auto analysis = analyse_gap(logs.first(2), logs.last(1), {}, serial_for, [](const std::string&, double) {});
   REQUIRE(analysis);
   return std::move(*analysis);
 }

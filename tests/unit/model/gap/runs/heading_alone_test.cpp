@@ -31,7 +31,7 @@ GapAnalysis analysed_by_heading(const std::string& hidden) {
   spec.seconds = 60.0;
   auto logs = test::make_gap_case(spec).runs;
   for (DriveLog& log : logs) keep_heading_alone(log);
-  auto analysis = analyse_gap(std::span(logs).first(2), std::span(logs).last(1), {}, for_each_in_turn,
+  auto analysis = analyse_gap(std::span(logs).first(2), std::span(logs).last(1), {}, serial_for,
                               [](const std::string&, double) {});
   REQUIRE(analysis);
   return std::move(*analysis);
@@ -101,7 +101,8 @@ TEST_CASE("A heading that leaps and comes back is left out where there is nothin
 TEST_CASE("A model with a slope in it is told the heading where no reference tells more") {
   constexpr double period_s = 0.02;
   constexpr double wheel_base_m = 0.2;
-  const LinearModel core{ModelType::arma, period_s, wheel_base_m, {{1.0}, {0.0}, {}}, {{0.0}, {1.0}, {}}};
+  const LinearModel linear_part{
+      ModelType::arma, period_s, wheel_base_m, {{1.0}, {0.0}, {}}, {{0.0}, {1.0}, {}}};
   DriveLog log;
   log.wheel_base_m = wheel_base_m;
   log.period_s = period_s;
@@ -113,9 +114,9 @@ TEST_CASE("A model with a slope in it is told the heading where no reference tel
     log.samples.push_back(sample);
   }
   RobotModel model{};
-  model.core = core;
+  model.linear_part = linear_part;
   model.effects.emplace_back().setting = {"floor_slope", "wheel", {0.03, 0.0}};
-  REQUIRE(is_told_on_the_way(model, log));
+  REQUIRE(is_reset_to_measured_pose(model, log));
   const auto runs = open_loop_runs(model, log);
   // Told at 10 s that it heads along y, it feels no slope along x any more.
   const auto speed_at_15_s = [](const auto& run) { return run[750].speed_m_s.left; };

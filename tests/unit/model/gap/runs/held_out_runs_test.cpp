@@ -30,7 +30,7 @@ DriveLog elsewhere(DriveLog run) {
 }
 
 GapAnalysis analysed(const std::vector<DriveLog>& train, const std::vector<DriveLog>& test) {
-  auto analysis = analyse_gap(train, test, {}, for_each_in_turn, [](const std::string&, double) {});
+  auto analysis = analyse_gap(train, test, {}, serial_for, [](const std::string&, double) {});
   REQUIRE(analysis);
   return std::move(*analysis);
 }

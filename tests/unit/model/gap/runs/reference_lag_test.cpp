@@ -37,7 +37,7 @@ GapAnalysis analysed_with_late_references(const std::string& hidden, std::size_t
     let_references_lag(log, rows);
     keep_one_reference_in(log, one_in);
   }
-  auto analysis = analyse_gap(std::span(logs).first(2), std::span(logs).last(1), {}, for_each_in_turn,
+  auto analysis = analyse_gap(std::span(logs).first(2), std::span(logs).last(1), {}, serial_for,
                               [](const std::string&, double) {});
   REQUIRE(analysis);
   return std::move(*analysis);

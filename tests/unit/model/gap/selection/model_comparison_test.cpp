@@ -22,7 +22,7 @@ TrialModel with_effects(const std::vector<std::pair<std::string, std::vector<dou
 }
 
 // Slow turns to and fro, with a reference that rounds to a tenth of a millimetre.
-GapProblem driven(const TrialModel& robot, int periods) {
+Problem driven(const TrialModel& robot, int periods) {
   ModelSimulation simulation = robot.simulation();
   simulation.reset({});
   const auto rounded = [](double value) { return 1e-4 * std::round(1e4 * value); };
@@ -43,7 +43,7 @@ GapProblem driven(const TrialModel& robot, int periods) {
   }
   GapRun run = make_gap_run(log, {}, period_s);
   measure_motion(run);
-  return {{run}, {WheelPair{}}, for_each_in_turn};
+  return {{run}, {WheelPair{}}, serial_for};
 }
 
 }  // namespace
@@ -51,25 +51,25 @@ GapProblem driven(const TrialModel& robot, int periods) {
 TEST_CASE("What all runs say a little stands before what the training alone says loudly") {
   const std::pair<std::string, std::vector<double>> quiet{"direction_gain", {-0.03}};
   const std::pair<std::string, std::vector<double>> loud{"dead_zone", {0.05, 0.02}};
-  const GapProblem train = driven(with_effects({quiet, loud}), 3000);
-  const GapProblem heldout = driven(with_effects({quiet}), 3000);
-  const Contest contest(train, heldout, {});
-  const auto contender = [&](const TrialModel& model) {
-    Contender result;
+  const Problem train = driven(with_effects({quiet, loud}), 3000);
+  const Problem heldout = driven(with_effects({quiet}), 3000);
+  const ModelComparison comparison(train, heldout, {});
+  const auto candidate = [&](const TrialModel& model) {
+    Candidate result;
     const auto residuals = train.residuals(model);
-    result.fit = {model, squares_of(residuals), residuals, {}};
+    result.fit = {model, sum_squares_of(residuals), residuals, {}};
     return result;
   };
-  Round round;
-  round.without = contender(with_effects({})).fit;
-  round.contenders = {contender(with_effects({loud})), contender(with_effects({quiet}))};
-  contest.judge(round);
-  REQUIRE(round.contenders.size() == 2);
-  CHECK(round.contenders.front().effect.info->name == "direction_gain");
-  const auto both = [](const Contender& one) { return one.train_nats + one.heldout_nats; };
-  CHECK(both(round.contenders.back()) > both(round.contenders.front()));
-  CHECK(contest.good_enough(round.contenders.front()));
-  CHECK_FALSE(contest.good_enough(round.contenders.back()));
+  SelectionStep selection_step;
+  selection_step.without = candidate(with_effects({})).fit;
+  selection_step.candidates = {candidate(with_effects({loud})), candidate(with_effects({quiet}))};
+  comparison.judge(selection_step);
+  REQUIRE(selection_step.candidates.size() == 2);
+  CHECK(selection_step.candidates.front().effect.info->name == "direction_gain");
+  const auto both = [](const Candidate& one) { return one.train_nats + one.heldout_nats; };
+  CHECK(both(selection_step.candidates.back()) > both(selection_step.candidates.front()));
+  CHECK(comparison.good_enough(selection_step.candidates.front()));
+  CHECK_FALSE(comparison.good_enough(selection_step.candidates.back()));
 }
 
 TEST_CASE("A lag that is the same both ways is no asymmetric response, however much it explains") {
@@ -79,18 +79,18 @@ TEST_CASE("A lag that is the same both ways is no asymmetric response, however m
     return model;
   };
   const auto stands = [&](const TrialModel& robot) {
-    const GapProblem problem = driven(robot, 3000);
-    const auto fit = [&](const TrialModel& model) -> GapFit {
+    const Problem problem = driven(robot, 3000);
+    const auto fit = [&](const TrialModel& model) -> Fit {
       const auto residuals = problem.residuals(model);
-      return {model, squares_of(residuals), residuals, {}};
+      return {model, sum_squares_of(residuals), residuals, {}};
     };
-    Round round;
-    round.without = fit(with_effects({}));
-    round.contenders.emplace_back();
-    round.contenders.back().fit = fit(robot);
-    const Contest contest(problem, problem, {});
-    contest.judge(round);
-    return !round.contenders.empty() && contest.good_enough(round.contenders.front());
+    SelectionStep selection_step;
+    selection_step.without = fit(with_effects({}));
+    selection_step.candidates.emplace_back();
+    selection_step.candidates.back().fit = fit(robot);
+    const ModelComparison comparison(problem, problem, {});
+    comparison.judge(selection_step);
+    return !selection_step.candidates.empty() && comparison.good_enough(selection_step.candidates.front());
   };
   constexpr std::size_t command = 0, command_coasting = 2;
   CHECK(stands(response(command, {0.1, 0.0})));
@@ -100,14 +100,14 @@ TEST_CASE("A lag that is the same both ways is no asymmetric response, however m
 }
 
 TEST_CASE("What training leaves no doubt of needs less on held-out runs to be confirmed") {
-  const GapProblem problem = driven(with_effects({}), 200);
-  const Contest contest(problem, problem, {});
+  const Problem problem = driven(with_effects({}), 200);
+  const ModelComparison comparison(problem, problem, {});
   const auto good_enough = [&](double train_nats, double heldout_nats) {
-    Contender contender;
-    contender.effect = with_effects({{"direction_gain", {-0.02}}}).effects.front();
-    contender.train_nats = train_nats;
-    contender.heldout_nats = heldout_nats;
-    return contest.good_enough(contender);
+    Candidate candidate;
+    candidate.effect = with_effects({{"direction_gain", {-0.02}}}).effects.front();
+    candidate.train_nats = train_nats;
+    candidate.heldout_nats = heldout_nats;
+    return comparison.good_enough(candidate);
   };
   CHECK(good_enough(12.0, 12.0));
   CHECK_FALSE(good_enough(12.0, 7.0));
@@ -117,37 +117,37 @@ TEST_CASE("What training leaves no doubt of needs less on held-out runs to be co
 }
 
 TEST_CASE("What leaves noise alone is worth adding though it is small beside the strongest") {
-  const GapProblem runs = driven(with_effects({}), 300);
-  const Contest contest(runs, runs, {});
-  const auto explaining = [](double nats, double inflation) {
-    Contender contender;
-    contender.effect = {find_effect("backlash"), 0, {0.01, 300.0, 1.0}};
-    contender.train_nats = contender.heldout_nats = nats * inflation;
-    contender.inflation = inflation;
-    return contender;
+  const Problem runs = driven(with_effects({}), 300);
+  const ModelComparison comparison(runs, runs, {});
+  const auto explaining = [](double nats, double autocorrelation_factor) {
+    Candidate candidate;
+    candidate.effect = {find_effect("backlash"), 0, {0.01, 300.0, 1.0}};
+    candidate.train_nats = candidate.heldout_nats = nats * autocorrelation_factor;
+    candidate.autocorrelation_factor = autocorrelation_factor;
+    return candidate;
   };
-  Round first;
-  first.contenders = {explaining(10000.0, 1.0)};
-  CHECK(contest.worth_adding(explaining(700.0, 30.0), {first}));
-  CHECK_FALSE(contest.worth_adding(explaining(300.0, 30.0), {first}));
-  CHECK(contest.worth_adding(explaining(300.0, 1.5), {first}));
-  CHECK_FALSE(contest.worth_adding(explaining(100.0, 1.5), {first}));
+  SelectionStep first;
+  first.candidates = {explaining(10000.0, 1.0)};
+  CHECK(comparison.worth_adding(explaining(700.0, 30.0), {first}));
+  CHECK_FALSE(comparison.worth_adding(explaining(300.0, 30.0), {first}));
+  CHECK(comparison.worth_adding(explaining(300.0, 1.5), {first}));
+  CHECK_FALSE(comparison.worth_adding(explaining(100.0, 1.5), {first}));
 }
 
-TEST_CASE("What is out of its name's character is no contender for it") {
-  const GapProblem problem = driven(with_effects({}), 200);  // commands up to 0.2 m/s
-  const Contest contest(problem, problem, {});
+TEST_CASE("What is out of its name's character is no candidate for it") {
+  const Problem problem = driven(with_effects({}), 200);  // commands up to 0.2 m/s
+  const ModelComparison comparison(problem, problem, {});
   const auto stands = [&](const std::string& name, const std::vector<double>& parameters) {
     const TrialModel model = with_effects({{name, parameters}});
     const auto residuals = problem.residuals(model);
-    Round round;
-    round.without.model = with_effects({});
-    round.without.residuals = problem.residuals(round.without.model);
-    round.without.squares = squares_of(round.without.residuals);
-    round.contenders.resize(1);
-    round.contenders.front().fit = {model, squares_of(residuals), residuals, {}};
-    contest.judge(round);
-    return !round.contenders.empty();
+    SelectionStep selection_step;
+    selection_step.without.model = with_effects({});
+    selection_step.without.residuals = problem.residuals(selection_step.without.model);
+    selection_step.without.sum_squares = sum_squares_of(selection_step.without.residuals);
+    selection_step.candidates.resize(1);
+    selection_step.candidates.front().fit = {model, sum_squares_of(residuals), residuals, {}};
+    comparison.judge(selection_step);
+    return !selection_step.candidates.empty();
   };
   CHECK(stands("saturation", {0.15, 0.1, 0.0}));
   CHECK_FALSE(stands("saturation", {1.0, 0.4, 0.0}));  // limits acceleration, and no speed
@@ -160,7 +160,7 @@ TEST_CASE("What is out of its name's character is no contender for it") {
 namespace {
 
 // Both wheels always at the same speed, to and fro: each one's command has the size of the other's.
-GapProblem straight(const TrialModel& robot) {
+Problem straight(const TrialModel& robot) {
   constexpr double metres_per_tick = 0.0005;
   ModelSimulation simulation = robot.simulation();
   simulation.reset({});
@@ -178,22 +178,22 @@ GapProblem straight(const TrialModel& robot) {
     log.samples.push_back(sample);
     way_m += period_s * simulation.step(sample.command_m_s).wheel_m_s.left;
   }
-  return {{make_gap_run(log, {}, period_s)}, {*log.metres_per_tick}, for_each_in_turn};
+  return {{make_gap_run(log, {}, period_s)}, {*log.metres_per_tick}, serial_for};
 }
 
-Round judged(const GapProblem& problem, const std::vector<TrialEffect>& effects) {
-  const Contest contest(problem, problem, {});
-  Round round;
-  round.without = problem.fit(with_effects({}), 5);
+SelectionStep judged(const Problem& problem, const std::vector<TrialEffect>& effects) {
+  const ModelComparison comparison(problem, problem, {});
+  SelectionStep selection_step;
+  selection_step.without = problem.fit(with_effects({}), 5);
   for (const TrialEffect& effect : effects) {
-    TrialModel model = round.without.model;
+    TrialModel model = selection_step.without.model;
     model.effects.push_back(effect);
-    Contender contender;
-    contender.fit = problem.fit(model, 10);
-    round.contenders.push_back(contender);
+    Candidate candidate;
+    candidate.fit = problem.fit(model, 10);
+    selection_step.candidates.push_back(candidate);
   }
-  contest.judge(round);
-  return round;
+  comparison.judge(selection_step);
+  return selection_step;
 }
 
 const EffectInfo* decoy_named(std::string_view name) {
@@ -211,27 +211,27 @@ TEST_CASE("A decoy that does the same as a name on these runs is no rival of it"
   const TrialEffect other{decoy_named("decoy_memory"), 0, {0.05, 1.0}};
   REQUIRE(same_here.info != nullptr);
   REQUIRE(other.info != nullptr);
-  const Round round =
+  const SelectionStep selection_step =
       judged(straight(with_effects({{"direction_gain", {0.06}}})), {same_here, other, direction_gain});
-  REQUIRE(round.contenders.size() == 2);
-  CHECK(round.contenders.front().effect.info == direction_gain.info);
-  CHECK(round.contenders.back().effect.info == other.info);
+  REQUIRE(selection_step.candidates.size() == 2);
+  CHECK(selection_step.candidates.front().effect.info == direction_gain.info);
+  CHECK(selection_step.candidates.back().effect.info == other.info);
 }
 
 TEST_CASE("What explains as much beside another as alone is no rival of it") {
   const TrialEffect gain{find_effect("direction_gain"), 0, {0.06}};
   const TrialEffect dead_zone{find_effect("dead_zone"), 0, {0.02, 0.5}};
   const TrialEffect same_here{decoy_named("decoy_cross_talk"), 0, {-0.03}};
-  const GapProblem problem = straight(with_effects({{"direction_gain", {0.06}}, {"dead_zone", {0.02, 0.5}}}));
-  const Contest contest(problem, problem, {});
+  const Problem problem = straight(with_effects({{"direction_gain", {0.06}}, {"dead_zone", {0.02, 0.5}}}));
+  const ModelComparison comparison(problem, problem, {});
   const auto stands_beside = [&](const TrialEffect& one, const TrialEffect& other) {
-    const Round apart = judged(problem, {one, other});
-    const bool first = apart.contenders.front().effect.info == one.info;
-    const Contender& mine = first ? apart.contenders.front() : apart.contenders.back();
-    const Contender& rival = first ? apart.contenders.back() : apart.contenders.front();
+    const SelectionStep apart = judged(problem, {one, other});
+    const bool first = apart.candidates.front().effect.info == one.info;
+    const Candidate& mine = first ? apart.candidates.front() : apart.candidates.back();
+    const Candidate& rival = first ? apart.candidates.back() : apart.candidates.front();
     TrialModel both = rival.fit.model;
     both.effects.push_back(mine.effect);
-    return contest.explains_something_else(problem.fit(both, 10), mine, rival);
+    return comparison.explains_something_else(problem.fit(both, 10), mine, rival);
   };
   CHECK(stands_beside(gain, dead_zone));
   CHECK_FALSE(stands_beside(same_here, gain));

@@ -27,7 +27,7 @@ TrialEffect named(const std::string& name, const std::vector<double>& parameters
   return {find_effect(name), 0, parameters};
 }
 
-GapProblem some_drive() {
+Problem some_drive() {
   DriveLog log;
   log.wheel_base_m = 0.25;
   log.period_s = period_s;
@@ -42,17 +42,17 @@ GapProblem some_drive() {
   }
   GapRun run = make_gap_run(log, {}, period_s);
   measure_motion(run);
-  return {{run}, {WheelPair{}}, for_each_in_turn};
+  return {{run}, {WheelPair{}}, serial_for};
 }
 
 // Steps to and fro in several sizes, with the counts that `robot` would give.
-GapProblem counted_drive(const TrialModel& robot) {
+Problem counted_drive(const TrialModel& robot) {
   const auto command_m_s = [](int period) {
     const int step = period / 40;
     const double size_m_s = 0.05 * (1 + step % 4);
     return WheelPair{step % 2 == 0 ? size_m_s : -size_m_s, step % 3 == 0 ? size_m_s : -0.5 * size_m_s};
   };
-  return {{test::counted_run(robot, 2000, command_m_s)}, {test::counted_metres_per_tick}, for_each_in_turn};
+  return {{test::counted_run(robot, 2000, command_m_s)}, {test::counted_metres_per_tick}, serial_for};
 }
 
 struct Said {
@@ -62,28 +62,28 @@ struct Said {
 };
 
 // Who would take a place, the first one best, as a look leaves it.
-Round check(const std::vector<Said>& all) {
-  Round round;
+SelectionStep check(const std::vector<Said>& all) {
+  SelectionStep selection_step;
   for (const Said& said : all) {
-    Contender contender;
-    contender.effect = said.effect;
-    contender.heldout_nats = said.heldout_nats;
-    contender.train_nats = said.train_nats;
-    contender.score = said.heldout_nats;
-    round.contenders.push_back(contender);
+    Candidate candidate;
+    candidate.effect = said.effect;
+    candidate.heldout_nats = said.heldout_nats;
+    candidate.train_nats = said.train_nats;
+    candidate.score = said.heldout_nats;
+    selection_step.candidates.push_back(candidate);
   }
-  return round;
+  return selection_step;
 }
 
 // What is left of two effects, with what was said for each in its place.
-TrialModel left_model(const Said& one, const Round& check_of_one, const Said& other,
-                      const Round& check_of_other, bool free_runs_closer) {
-  GapProblem problem = some_drive();
-  Contest contest(problem, problem, {});
-  GapLook look(problem, problem, contest, {}, {}, for_each_in_turn);
+TrialModel left_model(const Said& one, const SelectionStep& check_of_one, const Said& other,
+                      const SelectionStep& check_of_other, bool free_runs_closer) {
+  Problem problem = some_drive();
+  ModelComparison comparison(problem, problem, {});
+  CandidateEvaluation evaluation(problem, problem, comparison, {}, {}, serial_for);
   const FreeRuns free_runs{[](const TrialModel&) { return true; },
                            [&](const TrialModel&, const TrialModel&) { return free_runs_closer; }};
-  GapChecks checks(problem, contest, look, {}, free_runs);
+  RivalChecks checks(problem, comparison, evaluation, {}, free_runs);
   GapSearch result;
   result.final.model = with_effects({one.effect, other.effect});
   result.checks = {check_of_one, check_of_other};
@@ -92,8 +92,8 @@ TrialModel left_model(const Said& one, const Round& check_of_one, const Said& ot
   return result.final.model;
 }
 
-std::vector<std::string> left_of(const Said& one, const Round& check_of_one, const Said& other,
-                                 const Round& check_of_other, bool free_runs_closer) {
+std::vector<std::string> left_of(const Said& one, const SelectionStep& check_of_one, const Said& other,
+                                 const SelectionStep& check_of_other, bool free_runs_closer) {
   const TrialModel left = left_model(one, check_of_one, other, check_of_other, free_runs_closer);
   std::vector<std::string> names;
   for (const auto& effect : left.effects) names.push_back(effect.info->name);
@@ -103,7 +103,7 @@ std::vector<std::string> left_of(const Said& one, const Round& check_of_one, con
 const Said strong{named("dead_zone", {0.02, 0.5}), 800.0};
 const std::vector<std::string> strong_alone{"dead_zone"};
 
-std::vector<std::string> left_beside_strong(const Said& other, const Round& check_of_other,
+std::vector<std::string> left_beside_strong(const Said& other, const SelectionStep& check_of_other,
                                             bool free_runs_closer) {
   return left_of(strong, check({strong}), other, check_of_other, free_runs_closer);
 }
@@ -125,10 +125,10 @@ TEST_CASE("Beside others an effect that explains little stays only where free ru
 }
 
 TEST_CASE("Beside others a delay that a core could hold is no effect, a longer one is") {
-  const Said core_like{named("transport_delay", {0.04}), 300.0};
-  REQUIRE(core_like.effect.info->linear);
-  CHECK(left_beside_strong(core_like, check({core_like}), false) == strong_alone);
-  CHECK(left_beside_strong(core_like, check({core_like}), true) == strong_alone);
+  const Said linear_part_like{named("transport_delay", {0.04}), 300.0};
+  REQUIRE(linear_part_like.effect.info->linear);
+  CHECK(left_beside_strong(linear_part_like, check({linear_part_like}), false) == strong_alone);
+  CHECK(left_beside_strong(linear_part_like, check({linear_part_like}), true) == strong_alone);
   const Said longer{named("transport_delay", {0.4}), 300.0};
   CHECK(left_beside_strong(longer, check({longer}), false).size() == 2);
 }
@@ -139,8 +139,8 @@ TEST_CASE("A delay that is clear is left to a core that reaches as far back") {
   const auto weights = [](const Said& delay) {
     return left_model(strong, check({strong}), delay, check({delay}), false).shape.weights;
   };
-  CHECK(weights(doubtful) == CoreShape{}.weights);
-  CHECK(weights(clear) > CoreShape{}.weights);
+  CHECK(weights(doubtful) == LinearPartShape{}.weights);
+  CHECK(weights(clear) > LinearPartShape{}.weights);
 }
 
 TEST_CASE("What a decoy beats beside others goes, whatever free runs say") {
@@ -170,20 +170,20 @@ TEST_CASE("Of two that are not needed the lesser one goes first") {
 TEST_CASE("An effect and its rivals are judged where it stands: friction in front of the play") {
   const TrialEffect friction = named("coulomb_friction", {0.03, 0.02});
   const TrialModel robot = with_effects({friction, named("backlash", {0.01, 100.0, 1.0})});
-  GapProblem train = counted_drive(robot);
-  GapProblem heldout = counted_drive(robot);
-  Contest contest(train, heldout, {});
-  const std::vector<const EffectInfo*> candidates{find_effect("coulomb_friction"), find_effect("dead_zone"),
-                                                  find_effect("backlash")};
-  GapLook look(train, heldout, contest, candidates, {}, for_each_in_turn);
+  Problem train = counted_drive(robot);
+  Problem heldout = counted_drive(robot);
+  ModelComparison comparison(train, heldout, {});
+  const std::vector<const EffectInfo*> candidate_effects{find_effect("coulomb_friction"),
+                                                         find_effect("dead_zone"), find_effect("backlash")};
+  CandidateEvaluation evaluation(train, heldout, comparison, candidate_effects, {}, serial_for);
   const auto never = [](const auto&...) { return false; };
   const FreeRuns free_runs{never, never};
-  GapChecks checks(train, contest, look, {}, free_runs);
+  RivalChecks checks(train, comparison, evaluation, {}, free_runs);
   GapSearch result;
   result.final = train.fit(robot, steps_of_a_refit);
   checks.check(result);
   REQUIRE(result.checks.size() == 2);
-  const Contender& first = result.checks.front().contenders.front();
+  const Candidate& first = result.checks.front().candidates.front();
   CHECK(first.effect.info == friction.info);
   CHECK(first.behind == 1);
   CHECK_THAT(first.effect.parameters.front(), WithinAbs(0.03, 0.003));
@@ -193,19 +193,19 @@ TEST_CASE("An effect and its rivals are judged where it stands: friction in fron
 TEST_CASE("What explains something else and more is no doubt of what is there") {
   const TrialEffect present = named("gain_drift", {0.1, 15.0});
   const TrialModel robot = with_effects({named("dead_zone", {0.04, 0.5}), present});
-  GapProblem train = counted_drive(robot);
-  GapProblem heldout = counted_drive(robot);
-  Contest contest(train, heldout, {});
-  const std::vector<const EffectInfo*> candidates{find_effect("dead_zone"), present.info};
-  GapLook look(train, heldout, contest, candidates, {}, for_each_in_turn);
+  Problem train = counted_drive(robot);
+  Problem heldout = counted_drive(robot);
+  ModelComparison comparison(train, heldout, {});
+  const std::vector<const EffectInfo*> candidate_effects{find_effect("dead_zone"), present.info};
+  CandidateEvaluation evaluation(train, heldout, comparison, candidate_effects, {}, serial_for);
   const auto never = [](const auto&...) { return false; };
   const FreeRuns free_runs{never, never};
-  GapChecks checks(train, contest, look, {}, free_runs);
+  RivalChecks checks(train, comparison, evaluation, {}, free_runs);
   GapSearch result;
   result.final = train.fit(with_effects({present}), steps_of_a_refit);
   checks.check(result);
   REQUIRE(result.checks.size() == 1);
-  const auto& contenders = result.checks.front().contenders;
-  REQUIRE(!contenders.empty());
-  CHECK(contenders.front().effect.info == present.info);
+  const auto& candidates = result.checks.front().candidates;
+  REQUIRE(!candidates.empty());
+  CHECK(candidates.front().effect.info == present.info);
 }

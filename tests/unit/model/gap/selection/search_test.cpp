@@ -11,7 +11,7 @@ using namespace wheelwright::gap;
 namespace {
 
 GapAnalysis analysed(const std::vector<DriveLog>& logs) {
-  auto analysis = analyse_gap(std::span(logs).first(2), std::span(logs).last(1), {}, for_each_in_turn,
+  auto analysis = analyse_gap(std::span(logs).first(2), std::span(logs).last(1), {}, serial_for,
                               [](const std::string&, double) {});
   REQUIRE(analysis);
   return std::move(*analysis);

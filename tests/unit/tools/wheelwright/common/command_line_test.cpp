@@ -85,14 +85,14 @@ TEST_CASE("An ARMA model is fitted with the table of its orders, and scored") {
   CHECK_THAT(fitted.out, ContainsSubstring("held out [mm]"));
   CHECK_THAT(fitted.out, ContainsSubstring("chosen"));
   const RobotModel model = config::load_model(folder / "model.yaml");
-  CHECK(model.core.type == ModelType::arma);
+  CHECK(model.linear_part.type == ModelType::arma);
   CHECK(wheelwright_command({"score", folder / "model.yaml", folder / "test.csv"}).status ==
         ExitStatus::done);
 
   REQUIRE(wheelwright_command({"fit", folder / "train.csv", "-o", folder / "model.yaml", "--type", "arma",
                                "--order", "4", "--delay", "2", "--method", "equation-error"})
               .status == ExitStatus::done);
-  const WheelResponse left = config::load_model(folder / "model.yaml").core.left;
+  const WheelResponse left = config::load_model(folder / "model.yaml").linear_part.left;
   CHECK(left.from_own_past.size() == 4);
   CHECK(left.from_left[1] == 0.0);
   CHECK(left.from_left[2] != 0.0);
@@ -103,7 +103,7 @@ TEST_CASE("The order of a fit is the number of taps") {
   config::save_drive_log(plant_run(1), folder / "train.csv");
   REQUIRE(wheelwright_command({"fit", folder / "train.csv", "-o", folder / "model.yaml", "--order", "17"})
               .status == ExitStatus::done);
-  CHECK(config::load_model(folder / "model.yaml").core.left.from_left.size() == 17);
+  CHECK(config::load_model(folder / "model.yaml").linear_part.left.from_left.size() == 17);
 }
 
 TEST_CASE("Help and version go to standard output with status 0") {
@@ -211,12 +211,12 @@ TEST_CASE("A fit as JSON says what the table says, in m/s and m") {
   const RobotModel model = config::load_model(folder / "model.yaml");
   CHECK(json.at("model") == folder / "model.yaml");
   CHECK(json.at("type") == "fir");
-  CHECK(json.at("order") == model.core.left.from_left.size());
+  CHECK(json.at("order") == model.linear_part.left.from_left.size());
   CHECK(json.at("left").at("gain_from_left").at("value").get<double>() ==
         Approx(model.left_fit->gain.from_left).margin(1e-4));
   CHECK(json.at("free_run").at("distance_rms_m").get<double>() < 0.003);
   CHECK(json.at("holes").empty());
-  CHECK_FALSE(json.at("settled_speeds").contains("steps"));
+  CHECK_FALSE(json.at("steady_state_map").contains("steps"));
 
   auto arma = fit;
   arma.insert(arma.end(), {"--type", "arma"});

@@ -82,7 +82,7 @@ TEST_CASE("Calibrated once, attempts differ only by their drives, and still do n
   CHECK_FALSE(same_ends({outcomes[0]}, {outcomes[1]}));
 }
 
-TEST_CASE("On a robot without imperfections every contender ends where it began") {
+TEST_CASE("On a robot without imperfections every candidate ends where it began") {
   auto plan = plan_of("perfect");
   plan.robot.room = config::load_room(config_folder + "/robots/rooms/box_without_slip.yaml");
   for (const auto& drive : tools::run_attempt(plan, 0)) {

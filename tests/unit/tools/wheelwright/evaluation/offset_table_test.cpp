@@ -12,12 +12,12 @@ using tools::AttemptOutcome;
 
 namespace {
 
-// Attempts whose every contender ends this far from the start, in any direction.
+// Attempts whose every candidate ends this far from the start, in any direction.
 std::vector<AttemptOutcome> attempts_that_end(double factor_of_published, std::size_t count) {
   std::vector<AttemptOutcome> outcomes(count);
   for (std::size_t attempt = 0; attempt < count; ++attempt) {
-    for (std::size_t i = 0; i < tools::contenders.size(); ++i) {
-      const auto& published = tools::contenders.at(i).published;
+    for (std::size_t i = 0; i < tools::candidates.size(); ++i) {
+      const auto& published = tools::candidates.at(i).published;
       const double offset_m = factor_of_published * (published ? published->mean_m : 0.1);
       const double direction = static_cast<double>(attempt);
       outcomes[attempt].at(i) =
@@ -34,7 +34,7 @@ TEST_CASE("A published row is met within 30 % of its mean offset and not beyond"
   CHECK(all_met(tools::offset_rows(attempts_that_end(0.71, 4), 1)));
   for (const double factor : {0.69, 1.31}) {
     for (const auto& row : tools::offset_rows(attempts_that_end(factor, 4), 1)) {
-      if (row.contender.published) CHECK(row.met == false);
+      if (row.candidate.published) CHECK(row.met == false);
     }
   }
 }
@@ -81,12 +81,12 @@ TEST_CASE("A single attempt shows its offset with a dash for what one attempt ca
   CHECK_FALSE(json.contains("standard_deviation"));
 }
 
-TEST_CASE("A contender that was left out has no row") {
+TEST_CASE("A candidate that was left out has no row") {
   auto outcomes = attempts_that_end(1.0, 2);
   for (auto& outcome : outcomes) outcome.back().reset();
   const auto rows = tools::offset_rows(outcomes, 1);
-  CHECK(rows.size() == tools::contenders.size() - 1);
-  CHECK_FALSE(tools::offset_json(rows).contains(tools::contenders.back().key));
+  CHECK(rows.size() == tools::candidates.size() - 1);
+  CHECK_FALSE(tools::offset_json(rows).contains(tools::candidates.back().key));
 }
 
 TEST_CASE("End points are listed by model and attempt, without those that failed") {

@@ -34,7 +34,7 @@ RobotModel linear_model() {
   RobotModel model;
   model.robot = "a -- robot */";
   model.created = "2026-01-02T03:04:05Z";
-  model.core = {
+  model.linear_part = {
       ModelType::arma, 0.018, 0.25, {{0.0, 0.18}, {0.0, 0.0}, {0.8}}, {{0.0, 0.0}, {0.0, 0.22}, {0.8}}};
   return model;
 }

@@ -7,9 +7,9 @@
 namespace wheelwright::import::ros {
 namespace {
 
-constexpr std::size_t most_topics = 2000;
-constexpr std::size_t most_remarks = 100;
-constexpr std::size_t most_metadata = 200;
+constexpr std::size_t max_topics = 2000;
+constexpr std::size_t max_remarks = 100;
+constexpr std::size_t max_metadata = 200;
 constexpr std::size_t longest_name = 200;
 
 }  // namespace
@@ -20,8 +20,8 @@ TopicStream* BagRecording::topic(const TopicDescription& description) {
   const std::string type = config::printable(short_type_name(description.type), longest_name);
   const auto known = topics_.find(name + '\n' + type + '\n' + description.message_encoding);
   if (known != topics_.end()) return known->second.get();
-  if (topics_.size() >= most_topics) {
-    remark("has more than " + std::to_string(most_topics) + " topics; those described later are left out");
+  if (topics_.size() >= max_topics) {
+    remark("has more than " + std::to_string(max_topics) + " topics; those described later are left out");
     return nullptr;
   }
   std::string stream_name = name;
@@ -37,11 +37,11 @@ TopicStream* BagRecording::topic(const TopicDescription& description) {
 
 void BagRecording::remark(std::string text) {
   if (std::ranges::find(recording_.remarks, text) != recording_.remarks.end()) return;
-  if (recording_.remarks.size() < most_remarks) recording_.remarks.push_back(std::move(text));
+  if (recording_.remarks.size() < max_remarks) recording_.remarks.push_back(std::move(text));
 }
 
 void BagRecording::add_metadata(std::string_view key, std::string_view value) {
-  if (recording_.metadata.size() < most_metadata)
+  if (recording_.metadata.size() < max_metadata)
     recording_.metadata.emplace_back(config::printable(key, longest_name), config::printable(value));
 }
 

@@ -30,7 +30,7 @@ struct Outcome {
 };
 
 // A small file may stand for more than any disk holds: half of what is free may be used.
-Outcome unpack_to(std::FILE* output, FileBytes& input, std::uintmax_t most_bytes) {
+Outcome unpack_to(std::FILE* output, FileBytes& input, std::uintmax_t max_bytes) {
   constexpr std::uint64_t piece_bytes = 1U << 20U;
   std::unique_ptr<ZSTD_DCtx, FreeStream> stream(ZSTD_createDCtx());
   std::vector<char> piece(piece_bytes);
@@ -48,7 +48,7 @@ Outcome unpack_to(std::FILE* output, FileBytes& input, std::uintmax_t most_bytes
       if (ZSTD_isError(wanted) != 0U)
         return {"", "its compressed data are damaged: what is before the fault is read"};
       written += out.pos;
-      if (written > most_bytes)
+      if (written > max_bytes)
         return {
             "unpacks to more than half of what is free in the folder for temporary files; unpack it with "
             "zstd -d",

@@ -22,7 +22,7 @@ namespace {
 constexpr double step_m_s = 0.04;  // of commands that act in steps
 
 // Both wheels hear of both commands, and not alike.
-LinearModel core() {
+LinearModel linear_part() {
   return {ModelType::arma,
           0.018,
           0.258,
@@ -48,7 +48,7 @@ EffectSetting strong(const EffectInfo& info, const EffectVariant& variant) {
 
 RobotModel model_of(const std::vector<EffectSetting>& settings) {
   RobotModel model;
-  model.core = core();
+  model.linear_part = linear_part();
   for (const auto& setting : settings) model.effects.push_back({setting, {}, {}, "", {}, {}});
   return model;
 }
@@ -97,8 +97,8 @@ constexpr int settling_periods = 6000;
 
 // Straight, backward, in a curve, on the spot, at rest, and by commands that are whole steps.
 std::vector<Twist> wanted() {
-  const DcGain left = dc_gain(core().left);
-  const DcGain right = dc_gain(core().right);
+  const DcGain left = dc_gain(linear_part().left);
+  const DcGain right = dc_gain(linear_part().right);
   const WheelPair u{3.0 * step_m_s, 2.0 * step_m_s};
   const WheelPair speed{left.from_left * u.left + left.from_right * u.right,
                         right.from_left * u.left + right.from_right * u.right};
@@ -108,7 +108,7 @@ std::vector<Twist> wanted() {
           {0.1, 0.5},
           {0.0, 0.8},
           {0.0, 0.0},
-          twist_of_wheels(speed, core().wheel_base_m)};
+          twist_of_wheels(speed, linear_part().wheel_base_m)};
 }
 
 struct Row {
@@ -238,7 +238,7 @@ double apart(const Twist& a, const Twist& b) {
 }
 
 double largest_difference(const RobotModel& model, const std::vector<Row>& rows) {
-  ModelSimulation simulation(model.core, effect_settings(model));
+  ModelSimulation simulation(model.linear_part, effect_settings(model));
   double largest = 0.0;
   for (int k = 0; k < periods; ++k) {
     const auto& motion = simulation.step(command_at(k), battery_at(k));

@@ -12,7 +12,7 @@ namespace {
 constexpr std::string_view magic = "#ROSBAG V2.0\n";
 constexpr std::uint64_t length_bytes = 4;
 constexpr std::uint64_t longest_header = 1U << 20U;
-constexpr std::uint64_t most_record_bytes = most_unpacked_bytes;
+constexpr std::uint64_t max_record_bytes = max_unpacked_bytes;
 
 enum class Operation : std::uint8_t { message = 2, bag_header = 3, chunk = 5, connection = 7 };
 
@@ -126,7 +126,7 @@ class Scanner {
       if (connection == connections_.end()) {
         ++without_connection_;
       } else if (TopicStream* topic = connection->second) {
-        const std::uint64_t used = topic->is_decoded() ? std::min(record.data_bytes, most_record_bytes) : 0;
+        const std::uint64_t used = topic->is_decoded() ? std::min(record.data_bytes, max_record_bytes) : 0;
         recording_.add(*topic, record.header.time_ns, bytes.view(record.data_place, used));
       }
     }
@@ -156,7 +156,7 @@ class Scanner {
                         "\", which is not read; none, bz2 and lz4 are");
       return behind;
     }
-    if (bytes > most_unpacked_bytes) {
+    if (bytes > max_unpacked_bytes) {
       recording_.remark(label_ + name + " is larger than 512 MiB, and is left out");
       return behind;
     }

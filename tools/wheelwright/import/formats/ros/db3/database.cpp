@@ -3,7 +3,7 @@
 namespace wheelwright::import::ros {
 namespace {
 
-constexpr int most_value_bytes = 512 << 20;
+constexpr int max_value_bytes = 512 << 20;
 
 // The name of a file as SQLite's URI has it.
 std::string as_uri(const std::filesystem::path& path) {
@@ -30,7 +30,7 @@ tl::expected<Database, std::string> Database::open(const std::filesystem::path& 
   if (status != SQLITE_OK) return tl::unexpected("cannot be opened: " + std::string(sqlite3_errstr(status)));
   sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
-  sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, most_value_bytes);
+  sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, max_value_bytes);
   return database;
 }
 

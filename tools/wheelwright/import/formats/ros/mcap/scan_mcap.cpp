@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint64_t record_head_bytes = 9;
 constexpr std::uint64_t message_head_bytes = 22;
 constexpr std::uint64_t chunk_head_bytes = 128;  // enough for its numbers and the name of its compression
-constexpr std::uint64_t most_description_bytes = 16U << 20U;
+constexpr std::uint64_t max_description_bytes = 16U << 20U;
 
 enum class Operation : std::uint8_t {
   header = 0x01,
@@ -97,7 +97,7 @@ class Scanner {
 
   void read_record(FileBytes& bytes, Operation operation, std::uint64_t place, std::uint64_t length) {
     if (operation == Operation::message) return read_message(bytes, place, length);
-    if (length > most_description_bytes) return;
+    if (length > max_description_bytes) return;
     if (operation != Operation::header && operation != Operation::schema && operation != Operation::channel &&
         operation != Operation::metadata) {
       return;
@@ -155,7 +155,7 @@ class Scanner {
     if (!fields.ok() || channel == channels_.end()) {
       ++without_channel_;
     } else if (TopicStream* topic = channel->second) {
-      const std::uint64_t data_bytes = std::min(length - message_head_bytes, most_unpacked_bytes);
+      const std::uint64_t data_bytes = std::min(length - message_head_bytes, max_unpacked_bytes);
       recording_.add(*topic, time_ns,
                      bytes.view(place + message_head_bytes, topic->is_decoded() ? data_bytes : 0));
     }
@@ -177,7 +177,7 @@ class Scanner {
       return !is_cut;
     }
     const std::uint64_t packed_bytes = std::min(head->packed_bytes, available - head->packed_place);
-    if (packed_bytes > most_unpacked_bytes) {
+    if (packed_bytes > max_unpacked_bytes) {
       recording_.remark(name + " is larger than 512 MiB, and is left out");
       return !is_cut;
     }

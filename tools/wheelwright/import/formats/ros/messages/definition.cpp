@@ -15,7 +15,7 @@ namespace {
 using config::excerpt;
 using Failure = tl::unexpected<std::string>;
 
-constexpr std::size_t most_fields = 4000;  // of all types together
+constexpr std::size_t max_fields = 4000;  // of all types together
 constexpr std::size_t longest_field_name = 200;
 constexpr std::size_t longest_definition = 256U << 10U;
 constexpr int deepest_nesting = 32;
@@ -157,8 +157,8 @@ class Parser {
     auto parsed = parse_line(line, dialect_);
     if (!parsed) return parsed.error();
     if (!*parsed) return std::nullopt;
-    if (++fields_ > most_fields)
-      return "its definition has more than " + std::to_string(most_fields) + " fields";
+    if (++fields_ > max_fields)
+      return "its definition has more than " + std::to_string(max_fields) + " fields";
     lines_.back().push_back(std::move(**parsed));
     return std::nullopt;
   }

@@ -5,7 +5,7 @@
 namespace wheelwright::import::ros {
 namespace {
 
-constexpr std::size_t most_steps = 100'000;  // of all programs of a stream
+constexpr std::size_t max_steps = 100'000;  // of all programs of a stream
 constexpr std::uint64_t huge_bytes = std::uint64_t{1} << 40U;
 constexpr std::string_view filler_byte = "structure_needs_at_least_one_member";
 
@@ -25,7 +25,7 @@ class SizeTable {
     TypeSize size;
     for (const Field& field : definition_.types[type].fields) {
       const TypeSize part = of_field(field);
-      size.least_bytes = std::min(size.least_bytes + part.least_bytes, huge_bytes);
+      size.min_bytes = std::min(size.min_bytes + part.min_bytes, huge_bytes);
       size.is_fixed = size.is_fixed && part.is_fixed;
     }
     is_known_[type] = true;
@@ -36,8 +36,8 @@ class SizeTable {
     TypeSize one{bytes_of(field.kind), is_number(field.kind)};
     if (field.kind == FieldKind::message) one = of_type(field.type);
     const std::uint64_t count = field.arity == Arity::fixed ? field.count : 1;
-    const bool is_huge = one.least_bytes > 0 && count > huge_bytes / one.least_bytes;
-    return {is_huge ? huge_bytes : count * one.least_bytes, one.is_fixed};
+    const bool is_huge = one.min_bytes > 0 && count > huge_bytes / one.min_bytes;
+    return {is_huge ? huge_bytes : count * one.min_bytes, one.is_fixed};
   }
 
   const MessageDefinition& definition_;
@@ -120,17 +120,17 @@ std::unique_ptr<Program> ProgramCompiler::compile(std::size_t type, const std::s
   auto program = std::make_unique<Program>();
   add_type(*program, type, prefix, use);
   table_.charge(program->steps.size() * sizeof(Step) / sizeof(double));
-  return steps_ > most_steps ? nullptr : std::move(program);
+  return steps_ > max_steps ? nullptr : std::move(program);
 }
 
 void ProgramCompiler::add_type(Program& program, std::size_t type, const std::string& prefix, Use use) {
   std::size_t names_slot = no_channel;
   for (const Field& field : definition_.types[type].fields) {
-    if (steps_ > most_steps) return;
+    if (steps_ > max_steps) return;
     // What takes no bytes is left out, so that a message takes no more steps than it has bytes.
     if (field.arity == Arity::fixed && field.count == 0) continue;
     if (field.kind == FieldKind::message && field.arity != Arity::sequence &&
-        sizes_[field.type].least_bytes == 0) {
+        sizes_[field.type].min_bytes == 0) {
       continue;
     }
     if (use != Use::skip && names_its_neighbours(field)) {

@@ -20,9 +20,9 @@ namespace wheelwright::import::ros {
 
 // An array with more elements is passed over: an image, a scan, a path. With names beside it (JointState) it
 // may have more.
-inline constexpr std::uint32_t most_numbers_in_array = 16;
-inline constexpr std::uint32_t most_messages_in_array = 8;
-inline constexpr std::uint32_t most_named_elements = 64;
+inline constexpr std::uint32_t max_numbers_in_array = 16;
+inline constexpr std::uint32_t max_messages_in_array = 8;
+inline constexpr std::uint32_t max_named_elements = 64;
 
 struct Step {
   enum class Code : std::uint8_t {
@@ -63,7 +63,7 @@ struct Program {
 
 // What a type takes on the wire, without alignment.
 struct TypeSize {
-  std::uint64_t least_bytes = 0;
+  std::uint64_t min_bytes = 0;
   bool is_fixed = true;
 };
 std::size_t bytes_of(FieldKind kind);

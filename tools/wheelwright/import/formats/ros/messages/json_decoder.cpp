@@ -41,7 +41,7 @@ struct JsonDecoder::Walk {
       visit(member, path.empty() ? key : path + "." + key, level + 1);
   }
   void visit_array(const json& array, const std::string& path, int level) {
-    if (array.size() > (array.front().is_number() ? most_numbers_in_array : most_messages_in_array)) return;
+    if (array.size() > (array.front().is_number() ? max_numbers_in_array : max_messages_in_array)) return;
     for (std::size_t i = 0; i < array.size(); ++i)
       visit(array[i], path + "[" + std::to_string(i) + "]", level + 1);
   }

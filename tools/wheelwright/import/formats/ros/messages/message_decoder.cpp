@@ -9,7 +9,7 @@ namespace {
 using Failure = tl::unexpected<std::string>;
 
 constexpr std::size_t longest_element_name = 200;
-constexpr std::size_t most_padding_bytes = 7;  // behind a message of CDR
+constexpr std::size_t max_padding_bytes = 7;  // behind a message of CDR
 constexpr std::string_view too_large =
     "its definition is too large: more than 100 000 fields with those of its parts";
 
@@ -177,7 +177,7 @@ tl::expected<WireCursor, std::string> MessageDecoder::begin(std::string_view mes
 
 std::optional<std::string> MessageDecoder::fault(const WireCursor& cursor) const {
   if (cursor.has_failed()) return "is shorter than its definition says";
-  if (cursor.left() <= (wire_ == Wire::cdr ? most_padding_bytes : 0)) return std::nullopt;
+  if (cursor.left() <= (wire_ == Wire::cdr ? max_padding_bytes : 0)) return std::nullopt;
   return "has " + std::to_string(cursor.left()) + " bytes more than its definition says";
 }
 
@@ -224,9 +224,9 @@ void MessageDecoder::run_numbers(Program& program, const Step& step, WireCursor&
 
 void MessageDecoder::run_messages(Program& program, const Step& step, WireCursor& cursor) {
   const std::uint32_t count = count_of(step, cursor);
-  const std::uint64_t least_bytes = sizes_[step.type].least_bytes;
-  if (least_bytes == 0) return;
-  if (count > cursor.left() / least_bytes) return cursor.fail();
+  const std::uint64_t min_bytes = sizes_[step.type].min_bytes;
+  if (min_bytes == 0) return;
+  if (count > cursor.left() / min_bytes) return cursor.fail();
   const auto programs = members(program, step, count);
   if (programs.empty()) return skip_messages(step.type, count, cursor);
   for (const std::size_t at : programs) {
@@ -240,9 +240,9 @@ void MessageDecoder::run_messages(Program& program, const Step& step, WireCursor
 
 void MessageDecoder::skip_messages(std::size_t type, std::uint64_t count, WireCursor& cursor) {
   const TypeSize size = sizes_[type];
-  if (size.least_bytes == 0 || count == 0) return;
-  if (count > cursor.left() / size.least_bytes) return cursor.fail();
-  if (size.is_fixed && wire_ == Wire::ros1) return cursor.skip(count, size.least_bytes, 1);
+  if (size.min_bytes == 0 || count == 0) return;
+  if (count > cursor.left() / size.min_bytes) return cursor.fail();
+  if (size.is_fixed && wire_ == Wire::ros1) return cursor.skip(count, size.min_bytes, 1);
   if (!skipping_[type]) skipping_[type] = compiler_.skipping(type);
   if (!skipping_[type]) return cursor.fail();
   for (; count > 0 && !cursor.has_failed(); --count) run(*skipping_[type], cursor);
@@ -252,7 +252,7 @@ void MessageDecoder::read_names(std::vector<std::string_view>& names, const Step
   names.clear();
   for (std::uint32_t left = count_of(step, cursor); left > 0 && !cursor.has_failed(); --left) {
     const std::string_view name = cursor.text().substr(0, longest_element_name);
-    if (names.size() <= most_named_elements) names.push_back(name);  // one more: then they are too many
+    if (names.size() <= max_named_elements) names.push_back(name);  // one more: then they are too many
   }
 }
 
@@ -264,8 +264,8 @@ std::span<const std::size_t> MessageDecoder::members(Program& program, const Ste
   const auto names = has_names ? std::span<const std::string_view>(program.names[elements.names_slot])
                                : std::span<const std::string_view>();
   if (count == 0) return {};
-  if (names.size() != count || count > most_named_elements) {
-    if (count > (is_number(step.kind) ? most_numbers_in_array : most_messages_in_array)) return {};
+  if (names.size() != count || count > max_named_elements) {
+    if (count > (is_number(step.kind) ? max_numbers_in_array : max_messages_in_array)) return {};
     while (elements.by_place.size() < count) {
       const std::string place = std::to_string(elements.by_place.size());
       elements.by_place.push_back(add_member(elements.name + "[" + place + "]", step));
@@ -290,7 +290,7 @@ std::span<const std::size_t> MessageDecoder::members(Program& program, const Ste
 // A channel, or the place of a program; no_channel where there is room for no more.
 std::size_t MessageDecoder::add_member(const std::string& name, const Step& step) {
   if (is_number(step.kind)) return table_.add_channel(name);
-  if (table_.channels() >= most_channels) return no_channel;
+  if (table_.channels() >= max_channels) return no_channel;
   auto program = compiler_.element(step.type, name);
   if (!program) return no_channel;
   elements_.push_back(std::move(program));

@@ -22,7 +22,7 @@ void reorder(std::vector<double>& values, const std::vector<std::size_t>& order)
 }  // namespace
 
 std::size_t RowTable::add_channel(std::string_view name) {
-  if (channels_.size() >= most_channels) {
+  if (channels_.size() >= max_channels) {
     lacks_channels_ = true;
     return no_channel;
   }

@@ -10,7 +10,7 @@
 
 namespace wheelwright::import::ros {
 
-inline constexpr std::size_t most_channels = 1000;
+inline constexpr std::size_t max_channels = 1000;
 inline constexpr std::size_t no_channel = static_cast<std::size_t>(-1);
 
 // What the numbers of all tables of a recording may be, and how many they are.
@@ -24,7 +24,7 @@ class RowTable {
  public:
   explicit RowTable(NumberBudget& budget) : budget_(&budget) {}
 
-  // The place of a new channel, which has not-a-number in the rows so far; no_channel beyond most_channels.
+  // The place of a new channel, which has not-a-number in the rows so far; no_channel beyond max_channels.
   std::size_t add_channel(std::string_view name);
   // Sets a value of the row that is being filled.
   void set(std::size_t channel, double value) {

@@ -8,7 +8,7 @@ namespace {
 
 using config::excerpt;
 
-constexpr std::size_t most_transforms = 500;
+constexpr std::size_t max_transforms = 500;
 constexpr std::size_t longest_frame = 100;
 
 double seconds_of(std::uint64_t time_ns) {
@@ -96,7 +96,7 @@ RowTable& TopicStream::transforms_between(std::string_view parent, std::string_v
   std::pair frames(frame_name(parent), frame_name(child));
   const auto known = transforms_.find(frames);
   if (known != transforms_.end()) return known->second;
-  lacks_transforms_ = transforms_.size() >= most_transforms;
+  lacks_transforms_ = transforms_.size() >= max_transforms;
   return lacks_transforms_ ? table_ : transforms_.emplace(std::move(frames), budget_).first->second;
 }
 
@@ -135,7 +135,7 @@ void TopicStream::finish_table(RowTable& table, const std::string& name, std::st
   if (table.sort_by_time())
     recording.remarks.push_back(name + ": its messages were not recorded in order of time, and are sorted");
   if (table.lacks_channels()) {
-    recording.remarks.push_back(name + ": has more than " + std::to_string(most_channels) +
+    recording.remarks.push_back(name + ": has more than " + std::to_string(max_channels) +
                                 " numbers in a message; the first are read");
   }
   Stream stream;

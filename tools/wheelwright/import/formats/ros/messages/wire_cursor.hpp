@@ -17,8 +17,8 @@
 namespace wheelwright::import::ros {
 
 struct WireFormat {
-  std::size_t most_alignment = 1;  // a power of two
-  bool is_swapped = false;         // against this machine
+  std::size_t max_alignment = 1;  // a power of two
+  bool is_swapped = false;        // against this machine
   bool has_zero_ended_strings = false;
 };
 
@@ -71,7 +71,7 @@ class WireCursor {
 
  private:
   void align(std::size_t size) {
-    const std::size_t alignment = std::min(size, format_.most_alignment);
+    const std::size_t alignment = std::min(size, format_.max_alignment);
     const std::size_t aligned = (at_ + alignment - 1) & ~(alignment - 1);
     if (aligned > bytes_.size()) return fail();
     at_ = aligned;

@@ -136,7 +136,7 @@ bool is_zstd(std::string_view head) {
 Unpacked Decompressor::unpack(Compression compression, std::string_view packed, std::uint64_t announced) {
   if (compression == Compression::none)
     return {packed, packed.size() < announced ? std::string(cut_short) : ""};
-  if (announced > most_unpacked_bytes) {
+  if (announced > max_unpacked_bytes) {
     return {
         {},
         "it unpacks to " + std::to_string(announced) + " bytes, more than the 512 MiB that a chunk may have"};
@@ -150,9 +150,9 @@ Unpacked Decompressor::unpack(Compression compression, std::string_view packed, 
 
 Unpacked Decompressor::unpack(Compression compression, std::string_view packed) {
   if (compression == Compression::none) return {packed, ""};
-  return compression == Compression::bz2   ? run<Bzip2>(buffer_, packed, most_unpacked_bytes)
-         : compression == Compression::lz4 ? run<Lz4>(buffer_, packed, most_unpacked_bytes)
-                                           : run<Zstd>(buffer_, packed, most_unpacked_bytes);
+  return compression == Compression::bz2   ? run<Bzip2>(buffer_, packed, max_unpacked_bytes)
+         : compression == Compression::lz4 ? run<Lz4>(buffer_, packed, max_unpacked_bytes)
+                                           : run<Zstd>(buffer_, packed, max_unpacked_bytes);
 }
 
 }  // namespace wheelwright::import::ros

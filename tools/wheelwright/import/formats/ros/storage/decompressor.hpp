@@ -15,7 +15,7 @@ enum class Compression { none, bz2, lz4, zstd };  // lz4: the frame format
 std::optional<Compression> compression_named(std::string_view name);
 
 // A larger chunk is not unpacked: the largest that recorders write hold one message of an image or of points.
-inline constexpr std::uint64_t most_unpacked_bytes = 512U << 20U;
+inline constexpr std::uint64_t max_unpacked_bytes = 512U << 20U;
 
 struct Unpacked {
   std::string_view bytes;  // valid until the next call

@@ -21,11 +21,11 @@ struct LogHole {
 // In order. None in a log without encoder counts: its rows are events, each in force until the next.
 std::vector<LogHole> find_holes(const DriveLog& log);
 
-// Adds to `sums` how far the free run is from each stretch between holes, each measured from its own start.
+// Adds to `sums` how far the free run is from each segment between holes, each measured from its own start.
 // What follows a hole is left out until its commands have been forgotten (60 periods of `model_period_s`),
 // since the robot may have come out of it at any speed. Predictions hold one entry per row of `log`.
-void add_known_stretches(std::span<const Prediction> runs, const DriveLog& log, double model_period_s,
-                         ScoreSums& sums);
-void add_known_stretches(Prediction predicted, const DriveLog& log, double model_period_s, ScoreSums& sums);
+void add_segments(std::span<const Prediction> runs, const DriveLog& log, double model_period_s,
+                  ScoreSums& sums);
+void add_segments(Prediction predicted, const DriveLog& log, double model_period_s, ScoreSums& sums);
 
 }  // namespace wheelwright

@@ -9,10 +9,10 @@
 namespace wheelwright {
 
 // Makes the wheel stage out of the body stage of `effect`.
-std::unique_ptr<Effect> at_the_wheels(std::unique_ptr<Effect> effect);
+std::unique_ptr<Effect> wheel_load_variants(std::unique_ptr<Effect> effect);
 
 // Gives an effect whose variants act on the body a second set of variants, named with "at_wheels", that act
 // on the wheels.
-EffectInfo with_variants_at_the_wheels(EffectInfo info);
+EffectInfo with_wheel_load_variants(EffectInfo info);
 
 }  // namespace wheelwright

@@ -1,4 +1,4 @@
-#include "model/effects/library/at_the_wheels.hpp"
+#include "model/effects/library/wheel_load_variants.hpp"
 
 #include <utility>
 
@@ -9,16 +9,16 @@ class AtTheWheels final : public Effect {
  public:
   explicit AtTheWheels(std::unique_ptr<Effect> inner) : inner_(std::move(inner)) {}
 
-  void wheel(WheelPair& speed_m_s, const Surroundings& around) override {
-    Surroundings now = around;
+  void wheel(WheelPair& speed_m_s, const StepContext& context) override {
+    StepContext now = context;
     now.next_speed_m_s = speed_m_s;
-    Twist twist = twist_of_wheels(speed_m_s, around.wheel_base_m);
+    Twist twist = twist_of_wheels(speed_m_s, context.wheel_base_m);
     inner_->body(twist, now);
-    speed_m_s = wheels_of_twist(twist, around.wheel_base_m);
+    speed_m_s = wheels_of_twist(twist, context.wheel_base_m);
   }
   EffectHooks hooks() const override { return {.wheel = true}; }
   void reset() override { inner_->reset(); }
-  std::unique_ptr<Effect> clone() const override { return at_the_wheels(inner_->clone()); }
+  std::unique_ptr<Effect> clone() const override { return wheel_load_variants(inner_->clone()); }
   void assign(const Effect& other) override {
     inner_->assign(*static_cast<const AtTheWheels&>(other).inner_);
   }
@@ -29,11 +29,11 @@ class AtTheWheels final : public Effect {
 
 }  // namespace
 
-std::unique_ptr<Effect> at_the_wheels(std::unique_ptr<Effect> effect) {
+std::unique_ptr<Effect> wheel_load_variants(std::unique_ptr<Effect> effect) {
   return std::make_unique<AtTheWheels>(std::move(effect));
 }
 
-EffectInfo with_variants_at_the_wheels(EffectInfo info) {
+EffectInfo with_wheel_load_variants(EffectInfo info) {
   const std::size_t count = info.variants.size();
   for (std::size_t i = 0; i < count; ++i) {
     EffectVariant variant = info.variants[i];
@@ -43,7 +43,7 @@ EffectInfo with_variants_at_the_wheels(EffectInfo info) {
   }
   info.make = [make = std::move(info.make), count](const EffectArguments& arguments) {
     if (arguments.variant < count) return make(arguments);
-    return at_the_wheels(make({arguments.parameters, arguments.variant - count}));
+    return wheel_load_variants(make({arguments.parameters, arguments.variant - count}));
   };
   return info;
 }

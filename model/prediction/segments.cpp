@@ -1,4 +1,4 @@
-#include "model/prediction/known_stretches.hpp"
+#include "model/prediction/segments.hpp"
 
 #include <vector>
 
@@ -21,22 +21,22 @@ std::vector<LogHole> find_holes(const DriveLog& log) {
   return holes;
 }
 
-void add_known_stretches(Prediction predicted, const DriveLog& log, double model_period_s, ScoreSums& sums) {
-  add_known_stretches({&predicted, 1}, log, model_period_s, sums);
+void add_segments(Prediction predicted, const DriveLog& log, double model_period_s, ScoreSums& sums) {
+  add_segments({&predicted, 1}, log, model_period_s, sums);
 }
 
-void add_known_stretches(std::span<const Prediction> runs, const DriveLog& log, double model_period_s,
-                         ScoreSums& sums) {
+void add_segments(std::span<const Prediction> runs, const DriveLog& log, double model_period_s,
+                  ScoreSums& sums) {
   const auto holes = find_holes(log);
   if (holes.empty()) return sums.add(runs, log);
-  DriveLog stretch = log;
-  stretch.extra_columns.clear();
+  DriveLog segment = log;
+  segment.extra_columns.clear();
   const auto add = [&](std::size_t from, std::size_t to) {
-    stretch.samples.assign(log.samples.begin() + static_cast<std::ptrdiff_t>(from),
+    segment.samples.assign(log.samples.begin() + static_cast<std::ptrdiff_t>(from),
                            log.samples.begin() + static_cast<std::ptrdiff_t>(to));
     std::vector<Prediction> parts;
     for (const Prediction& run : runs) parts.push_back(run.subspan(from, to - from));
-    sums.add(parts, stretch);
+    sums.add(parts, segment);
   };
   std::size_t from = 0;
   for (const auto& hole : holes) {

@@ -1,4 +1,4 @@
-#include "model/identification/held_speeds.hpp"
+#include "model/identification/steady_state_speeds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@ namespace wheelwright {
 namespace {
 
 constexpr double settling_periods =
-    14.0;                              // what is left of the lag then is small enough for the model to tell
-constexpr double least_periods = 6.0;  // of a hold behind that
+    14.0;                            // what is left of the lag then is small enough for the model to tell
+constexpr double min_periods = 6.0;  // of a hold behind that
 constexpr double same_command_m_s = 1e-4;
 
 struct Hold {
@@ -77,7 +77,7 @@ class HoldFinder {
     std::size_t from = first;
     while (from < last && rows[from].t_s < rows[first].t_s + settling_periods * period_s_) ++from;
     const double held_s = rows[last].t_s - rows[from].t_s;
-    if (held_s < least_periods * period_s_) return;
+    if (held_s < min_periods * period_s_) return;
     const double by_model = of_wheel(motion_[last].distance_m) - of_wheel(motion_[from].distance_m);
     const double still_owed = settled_by_model(from, last) - by_model / held_s;
     const double drift = fit_.drift_m_per_sqrt_s;
@@ -95,8 +95,8 @@ class HoldFinder {
 };
 
 // Holds of one command together; what they scatter beyond their noise widens the error.
-HeldSpeed joined(std::span<const Hold> holds) {
-  HeldSpeed level{holds.front().command_m_s, 0.0, 0.0, holds.size(), 0.0};
+SteadyStateSpeed joined(std::span<const Hold> holds) {
+  SteadyStateSpeed level{holds.front().command_m_s, 0.0, 0.0, holds.size(), 0.0};
   double weights = 0.0;
   for (const auto& hold : holds) {
     level.speed_m_s += hold.speed_m_s / hold.variance;
@@ -111,9 +111,9 @@ HeldSpeed joined(std::span<const Hold> holds) {
   return level;
 }
 
-std::vector<HeldSpeed> by_command(std::vector<Hold> holds) {
+std::vector<SteadyStateSpeed> by_command(std::vector<Hold> holds) {
   std::ranges::sort(holds, {}, &Hold::command_m_s);
-  std::vector<HeldSpeed> levels;
+  std::vector<SteadyStateSpeed> levels;
   for (auto first = holds.begin(); first != holds.end();) {
     const auto last = std::find_if(first, holds.end(), [&](const Hold& hold) {
       return hold.command_m_s - first->command_m_s > same_command_m_s;
@@ -126,8 +126,8 @@ std::vector<HeldSpeed> by_command(std::vector<Hold> holds) {
 
 }  // namespace
 
-HeldSpeeds held_speeds(std::span<const DriveLog> logs, const LinearModel& model, const WheelFit& left,
-                       const WheelFit& right) {
+SteadyStateSpeeds steady_state_speeds(std::span<const DriveLog> logs, const LinearModel& model,
+                                      const WheelFit& left, const WheelFit& right) {
   std::vector<Hold> of_left;
   std::vector<Hold> of_right;
   for (const auto& log : logs) {

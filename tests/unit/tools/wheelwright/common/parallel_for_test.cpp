@@ -1,5 +1,5 @@
 // Work on all cores: each job once, nested work too, and nothing that was thrown is lost.
-#include "tools/wheelwright/common/side_by_side.hpp"
+#include "tools/wheelwright/common/parallel_for.hpp"
 
 #include <atomic>
 #include <numeric>
@@ -13,10 +13,10 @@ using namespace wheelwright;
 TEST_CASE("Jobs that hand out further jobs are all done once, and done when the call returns") {
   constexpr std::size_t outer = 40;
   constexpr std::size_t inner = 25;
-  const auto for_each = tools::side_by_side();
+  const auto parallel_for = tools::parallel_for();
   std::vector<std::atomic<int>> done(outer * inner);
-  for_each(outer, [&](std::size_t i) {
-    for_each(inner, [&](std::size_t k) { ++done[i * inner + k]; });
+  parallel_for(outer, [&](std::size_t i) {
+    parallel_for(inner, [&](std::size_t k) { ++done[i * inner + k]; });
     for (std::size_t k = 0; k < inner; ++k) {
       if (done[i * inner + k] != 1) throw std::logic_error("a call returned before its jobs were done");
     }
@@ -25,14 +25,14 @@ TEST_CASE("Jobs that hand out further jobs are all done once, and done when the 
 }
 
 TEST_CASE("What a job throws, the call throws when the other jobs are done") {
-  const auto for_each = tools::side_by_side();
+  const auto parallel_for = tools::parallel_for();
   std::atomic<int> done = 0;
   const auto work = [&](std::size_t i) {
     if (i == 3) throw std::runtime_error("job 3");
     ++done;
   };
-  CHECK_THROWS_WITH(for_each(20, work), "job 3");
+  CHECK_THROWS_WITH(parallel_for(20, work), "job 3");
   CHECK(done == 19);
-  CHECK_THROWS_WITH(for_each(2, [&](std::size_t) { for_each(20, work); }), "job 3");
-  CHECK_NOTHROW(for_each(20, [](std::size_t) {}));
+  CHECK_THROWS_WITH(parallel_for(2, [&](std::size_t) { parallel_for(20, work); }), "job 3");
+  CHECK_NOTHROW(parallel_for(20, [](std::size_t) {}));
 }

@@ -1,4 +1,4 @@
-#include "model/log/settled_travel.hpp"
+#include "model/log/sign_corrected_travel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@ namespace wheelwright {
 namespace {
 
 // Longer than any wheel takes to turn round.
-constexpr std::size_t most_rows_of_a_turn = 100;
+constexpr std::size_t max_rows_of_a_turn = 100;
 
 std::int64_t size_at(std::span<const std::int64_t> counted, std::size_t row) {
   return std::abs(counted[row] - counted[row - 1]);
@@ -20,7 +20,7 @@ std::int64_t size_at(std::span<const std::int64_t> counted, std::size_t row) {
 // slowest; `at` itself where no row fits.
 std::size_t slowest_row(std::span<const std::int64_t> counted, std::size_t at, std::int64_t excess) {
   std::int64_t since = 0;
-  for (std::size_t row = at - 1; row >= 1 && at - row <= most_rows_of_a_turn; --row) {
+  for (std::size_t row = at - 1; row >= 1 && at - row <= max_rows_of_a_turn; --row) {
     const std::int64_t size = size_at(counted, row);
     if (2 * since + size == excess) return row;
     since += size;
@@ -89,8 +89,8 @@ const ExtraColumn* column_of(const DriveLog& log, std::string_view name) {
 
 }  // namespace
 
-std::vector<std::int64_t> settled_travel(std::span<const std::int64_t> counted,
-                                         std::span<const std::int64_t> travel) {
+std::vector<std::int64_t> sign_corrected_travel(std::span<const std::int64_t> counted,
+                                                std::span<const std::int64_t> travel) {
   if (travel.empty()) return {};
   std::vector<std::int64_t> changes = turned_in_time(counted, travel);
   share_out_turns(counted, changes);
@@ -110,12 +110,12 @@ void settle_travel(DriveLog& drive, std::span<const WheelTicks> counted) {
       counts.push_back(counted[row].*side);
       travel.push_back((*drive.samples[row].ticks).*side);
     }
-    const auto settled = settled_travel(counts, travel);
+    const auto settled = sign_corrected_travel(counts, travel);
     for (std::size_t i = 0; i < rows.size(); ++i) (*drive.samples[rows[i]].ticks).*side = settled[i];
   }
 }
 
-void take_settled_travel(DriveLog& log) {
+void take_sign_corrected_travel(DriveLog& log) {
   const ExtraColumn* left = column_of(log, "travel_ticks_left");
   const ExtraColumn* right = column_of(log, "travel_ticks_right");
   if (left == nullptr || right == nullptr) return;

@@ -13,9 +13,9 @@
 
 namespace wheelwright {
 
-class SettledSpeeds {
+class SteadyStateMap {
  public:
-  SettledSpeeds(const LinearModel& core, std::span<const EffectSetting> effects);
+  SteadyStateMap(const LinearModel& linear_part, std::span<const EffectSetting> effects);
 
   // The commands at which the wheels settle at these speeds. A speed that cannot be had gives the nearest one
   // that can: in a dead zone either rest or the slowest motion, beyond saturation the fastest.

@@ -1,5 +1,5 @@
 // What the counter learnt late of a wheel's direction, put where it belongs.
-#include "model/log/settled_travel.hpp"
+#include "model/log/sign_corrected_travel.hpp"
 
 #include "drivers/open_interface/encoder_counter.hpp"
 #include "tests/support/catch.hpp"
@@ -49,7 +49,7 @@ std::int64_t farthest_off(const std::vector<std::int64_t>& one, const std::vecto
 
 TEST_CASE("A wheel's turn is put where the wheel was slowest") {
   const Counts counts = back_and_forth();
-  const auto settled = settled_travel(counts.counted, counts.travel);
+  const auto settled = sign_corrected_travel(counts.counted, counts.travel);
   std::int64_t jumps = 0;
   for (std::size_t k = 1; k < settled.size(); ++k) {
     CHECK(std::abs(settled[k] - settled[k - 1]) <= 11);
@@ -62,13 +62,13 @@ TEST_CASE("A wheel's turn is put where the wheel was slowest") {
 
 TEST_CASE("Travel whose signs were known at once stays as it is") {
   const std::vector<std::int64_t> travel{0, 3, 8, 12, 12, 9, 2, -6, -14};
-  CHECK(settled_travel(travel, travel) == travel);
+  CHECK(sign_corrected_travel(travel, travel) == travel);
 }
 
 TEST_CASE("Counts that tell their direction are believed, whatever was made of their signs") {
   const std::vector<std::int64_t> counted{0, 8, 16, 21, 22, 19, 12, 4};
   const std::vector<std::int64_t> travel{0, 8, 16, 21, 20, 17, 24, 8};
-  CHECK(settled_travel(counted, travel) == counted);
+  CHECK(sign_corrected_travel(counted, travel) == counted);
 }
 
 TEST_CASE("A log of the daemon gets its travel as ticks, another one stays as it is") {
@@ -80,12 +80,12 @@ TEST_CASE("A log of the daemon gets its travel as ticks, another one stays as it
     log.samples.push_back(sample);
   }
   const DriveLog plain = log;
-  take_settled_travel(log);
+  take_sign_corrected_travel(log);
   CHECK(log.samples[4].ticks->left == plain.samples[4].ticks->left);
   // Slowest in the fourth reading; what came after went back.
   const std::vector<double> known{0, 6, 11, 14, 17, 2};
   log.extra_columns = {{"travel_ticks_left", known, {}}, {"travel_ticks_right", known, {}}};
-  take_settled_travel(log);
+  take_sign_corrected_travel(log);
   std::vector<std::int64_t> left;
   for (const auto& sample : log.samples) left.push_back(sample.ticks->left);
   CHECK(left == std::vector<std::int64_t>{0, 6, 11, 12, 9, 3});

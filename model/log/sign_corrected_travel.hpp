@@ -18,8 +18,8 @@ namespace wheelwright {
 // time, both unwrapped and one per reading. Returns the travel with each turn in the row in which the wheel
 // was slowest; what was counted there and back in that row is shared out by the rows around it. An encoder
 // that tells its direction is known by its counts, whose speed changes more smoothly than any of that.
-std::vector<std::int64_t> settled_travel(std::span<const std::int64_t> counted,
-                                         std::span<const std::int64_t> travel);
+std::vector<std::int64_t> sign_corrected_travel(std::span<const std::int64_t> counted,
+                                                std::span<const std::int64_t> travel);
 
 // Settles the ticks of a drive's samples, which hold travel. `counted` has what the robot counted, one per
 // sample; where a sample has no ticks it does not matter.
@@ -27,6 +27,6 @@ void settle_travel(DriveLog& drive, std::span<const WheelTicks> counted);
 
 // Of a log of the daemon, which has travel in columns of its own: gives its samples the settled travel as
 // their ticks. Other logs stay as they are.
-void take_settled_travel(DriveLog& log);
+void take_sign_corrected_travel(DriveLog& log);
 
 }  // namespace wheelwright

@@ -16,7 +16,7 @@
 
 namespace wheelwright {
 
-struct HeldSpeed {
+struct SteadyStateSpeed {
   double command_m_s = 0.0;
   double speed_m_s = 0.0;
   double standard_error_m_s = 0.0;  // by noise of the counts, drift, and scatter between holds
@@ -24,13 +24,13 @@ struct HeldSpeed {
   double held_s = 0.0;  // all holds together, without the time in which the wheel settled
 };
 
-struct HeldSpeeds {
-  std::vector<HeldSpeed> left;  // by rising command; rest is no speed
-  std::vector<HeldSpeed> right;
+struct SteadyStateSpeeds {
+  std::vector<SteadyStateSpeed> left;  // by rising command; rest is no speed
+  std::vector<SteadyStateSpeed> right;
 };
 
 // `model` is a moving average fitted to the runs, `left` and `right` what its fit says of the wheels' noise.
-HeldSpeeds held_speeds(std::span<const DriveLog> logs, const LinearModel& model, const WheelFit& left,
-                       const WheelFit& right);
+SteadyStateSpeeds steady_state_speeds(std::span<const DriveLog> logs, const LinearModel& model,
+                                      const WheelFit& left, const WheelFit& right);
 
 }  // namespace wheelwright

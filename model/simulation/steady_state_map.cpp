@@ -1,4 +1,4 @@
-#include "model/simulation/settled_speeds.hpp"
+#include "model/simulation/steady_state_map.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,21 +28,21 @@ WheelPair settled_at(ModelSimulation simulation, double command, double period_s
 
 }  // namespace
 
-SettledSpeeds::SettledSpeeds(const LinearModel& core, std::span<const EffectSetting> effects) {
-  const ModelSimulation at_rest(core, effects);
+SteadyStateMap::SteadyStateMap(const LinearModel& linear_part, std::span<const EffectSetting> effects) {
+  const ModelSimulation at_rest(linear_part, effects);
   for (int i = -steps_each_way; i <= steps_each_way; ++i) {
     const double command = largest_command_m_s * i / steps_each_way;
-    const WheelPair speed = settled_at(at_rest, command, core.period_s);
+    const WheelPair speed = settled_at(at_rest, command, linear_part.period_s);
     left_.push_back({command, left_.empty() ? speed.left : std::max(speed.left, left_.back().speed)});
     right_.push_back({command, right_.empty() ? speed.right : std::max(speed.right, right_.back().speed)});
   }
 }
 
-WheelPair SettledSpeeds::command_for(const WheelPair& speed_m_s) const {
+WheelPair SteadyStateMap::command_for(const WheelPair& speed_m_s) const {
   return {command_on(left_, speed_m_s.left), command_on(right_, speed_m_s.right)};
 }
 
-double SettledSpeeds::command_on(const std::vector<Point>& curve, double speed) {
+double SteadyStateMap::command_on(const std::vector<Point>& curve, double speed) {
   if (speed == 0.0) return 0.0;
   const auto above = std::ranges::lower_bound(curve, speed, {}, &Point::speed);
   if (above == curve.begin()) return above->command;

@@ -27,7 +27,7 @@ constexpr bool is_by_gap_workflow(Knowledge knowledge) {
   return knowledge == Knowledge::refitted || knowledge == Knowledge::extended;
 }
 
-struct Contender {
+struct Candidate {
   PoseSource source;       // that the route is steered by
   Knowledge model;         // odometry asks it only how far the robot still goes when stopped
   std::string_view key;    // in JSON and files
@@ -35,16 +35,16 @@ struct Contender {
   std::optional<PublishedRow> published;
 };
 
-// PAPER.md, Table II: 30 attempts each on a Roomba 560. The hybrid method is described there, but not
-// measured.
-inline constexpr std::array contenders{
-    Contender{PoseSource::odometry, Knowledge::fir, "odometry", "odometry", PublishedRow{0.068, 0.027}},
-    Contender{PoseSource::fir, Knowledge::fir, "fir", "moving average, sensor-less",
+// Table II of the source paper: 30 attempts each on a Roomba 560. The hybrid method is described there, but
+// not measured.
+inline constexpr std::array candidates{
+    Candidate{PoseSource::odometry, Knowledge::fir, "odometry", "odometry", PublishedRow{0.068, 0.027}},
+    Candidate{PoseSource::fir, Knowledge::fir, "fir", "moving average, sensor-less",
               PublishedRow{0.332, 0.095}},
-    Contender{PoseSource::arma, Knowledge::arma, "arma", "ARMA, sensor-less", PublishedRow{0.258, 0.021}},
-    Contender{PoseSource::hybrid, Knowledge::arma, "hybrid", "hybrid: ARMA and encoders", std::nullopt},
-    Contender{PoseSource::arma, Knowledge::refitted, "refitted", "ARMA of the gap's drives", std::nullopt},
-    Contender{PoseSource::arma, Knowledge::extended, "effects", "ARMA with effects", std::nullopt},
+    Candidate{PoseSource::arma, Knowledge::arma, "arma", "ARMA, sensor-less", PublishedRow{0.258, 0.021}},
+    Candidate{PoseSource::hybrid, Knowledge::arma, "hybrid", "hybrid: ARMA and encoders", std::nullopt},
+    Candidate{PoseSource::arma, Knowledge::refitted, "refitted", "ARMA of the gap's drives", std::nullopt},
+    Candidate{PoseSource::arma, Knowledge::extended, "effects", "ARMA with effects", std::nullopt},
 };
 
 }  // namespace wheelwright::tools

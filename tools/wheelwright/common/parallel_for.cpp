@@ -1,4 +1,4 @@
-#include "tools/wheelwright/common/side_by_side.hpp"
+#include "tools/wheelwright/common/parallel_for.hpp"
 
 #include <malloc.h>
 
@@ -17,9 +17,9 @@ namespace {
 
 // Threads that share all batches of jobs, also those that a job itself hands out: whoever is through with its
 // own, or waits for the last ones of its batch, takes one of the newest batch that has any.
-class Crew {
+class ThreadPool {
  public:
-  explicit Crew(std::size_t helpers) {
+  explicit ThreadPool(std::size_t helpers) {
     for (std::size_t i = 0; i < helpers; ++i) {
       helpers_.emplace_back([this](const std::stop_token& stop) { help(stop); });
     }
@@ -90,21 +90,21 @@ class Crew {
 // Every free run takes and frees the same long arrays: had the system them back each time, a part of all time
 // would go into that.
 void keep_freed_memory() {
-  constexpr int most_of_one_array = 32 << 20;  // more is refused
-  constexpr int most_at_rest = 1 << 30;
-  mallopt(M_MMAP_THRESHOLD, most_of_one_array);
-  mallopt(M_TRIM_THRESHOLD, most_at_rest);
+  constexpr int max_of_one_array = 32 << 20;  // more is refused
+  constexpr int max_at_rest = 1 << 30;
+  mallopt(M_MMAP_THRESHOLD, max_of_one_array);
+  mallopt(M_TRIM_THRESHOLD, max_at_rest);
 }
 
 }  // namespace
 
-gap::ForEach side_by_side() {
+gap::ParallelFor parallel_for() {
   keep_freed_memory();
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  const auto crew = std::make_shared<Crew>(cores - 1);
-  return [crew, cores](std::size_t count, const std::function<void(std::size_t)>& job) {
-    if (cores < 2 || count < 2) return gap::for_each_in_turn(count, job);
-    crew->run(count, job);
+  const std::size_t linear_parts = std::max(1U, std::thread::hardware_concurrency());
+  const auto pool = std::make_shared<ThreadPool>(linear_parts - 1);
+  return [pool, linear_parts](std::size_t count, const std::function<void(std::size_t)>& job) {
+    if (linear_parts < 2 || count < 2) return gap::serial_for(count, job);
+    pool->run(count, job);
   };
 }
 
