@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "config/load/printable_text.hpp"
+#include "model/uncertainty/pose_uncertainty.hpp"
 
 namespace wheelwright::daemon {
 namespace {
@@ -85,6 +86,10 @@ void add_route(Table& table, const config::DaemonConfig& config, const LogReport
   const PoseRecord& last = *log.last_driven_record;
   table.title("Route '" + config.route->name + "', steered by " + steered_by(config.pose_source));
   table.row("checkpoints visited", "{} of {}", last.visited, config.route->checkpoints.size());
+  if (is_sensorless(config.pose_source) && last.has_prediction && last.predicted_covariance.trace() > 0.0) {
+    table.row("ends where the model says", "within {:.3f} m in 95 of 100 drives",
+              position_radius95_m(last.predicted_covariance));
+  }
   if (!is_closed(*config.route)) return;
   const auto closure = [&](const std::string& by, PoseSource source, const Pose& pose, bool best_measured) {
     table.row("loop closure by " + by, "{:.4f} m{}", std::hypot(pose.x_m, pose.y_m),

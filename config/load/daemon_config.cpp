@@ -183,6 +183,9 @@ void read_run(YamlReader& file, DaemonConfig& config) {
                                                 {"hybrid", PoseSource::hybrid},
                                                 {"odometry", PoseSource::odometry}},
                                                config.pose_source);
+  if (run->has("largest_uncertainty_m")) {
+    config.largest_uncertainty_m = run->number("largest_uncertainty_m", {0.001, 100.0, "m"});
+  }
   config.arm_at_start =
       run->choice<bool>("arm", {{"at_start", true}, {"by_signal", false}}, config.arm_at_start);
   config.at_end = run->choice<AtEnd>("at_end", {{"exit", AtEnd::exit}, {"stay", AtEnd::stay}}, config.at_end);

@@ -61,6 +61,7 @@ struct DaemonConfig {
   std::optional<Route> route;                       // or
   std::optional<CommandedDrive> commanded_drive;    // none of both: only calibrate
   PoseSource pose_source = PoseSource::fir;
+  std::optional<double> largest_uncertainty_m;  // of a route by the model alone; more is refused
   bool arm_at_start = true;
   AtEnd at_end = AtEnd::exit;
   std::filesystem::path log_folder = "runs";

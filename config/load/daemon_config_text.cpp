@@ -131,6 +131,7 @@ void add_run(Yaml& yaml, const DaemonConfig& config) {
     list("right_m_s", [](const Row& row) { return row.command_m_s.right; });
   }
   yaml.word("pose_source", std::string(wheelwright::name_of(config.pose_source)));
+  if (config.largest_uncertainty_m) yaml.number("largest_uncertainty_m", *config.largest_uncertainty_m);
   yaml.word("arm", config.arm_at_start ? "at_start" : "by_signal");
   yaml.word("at_end", config.at_end == AtEnd::exit ? "exit" : "stay");
   yaml.text("log_folder", config.log_folder.string());

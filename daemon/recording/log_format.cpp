@@ -71,24 +71,31 @@ std::string pose_log_head(const config::DaemonConfig& config) {
   text += "measured_speed_left,measured_speed_right,activity,checkpoints_visited,";
   text += "hybrid_x,hybrid_y,hybrid_theta,hybrid_cov_xx,hybrid_cov_xy,hybrid_cov_yy,hybrid_cov_xtheta,";
   text +=
-      "hybrid_cov_ytheta,hybrid_cov_thetatheta,discarded,fault_left,fault_right,recalibration_due,events\n";
+      "hybrid_cov_ytheta,hybrid_cov_thetatheta,discarded,fault_left,fault_right,recalibration_due,events,";
+  text += "model_cov_xx,model_cov_xy,model_cov_yy,model_cov_xtheta,model_cov_ytheta,model_cov_thetatheta\n";
   return text;
 }
 
 namespace {
 
-// By the hybrid filter; empty fields where it does not run. A covariance is small: twelve decimals.
+// A covariance is small: twelve decimals.
+std::string covariance_fields(const Eigen::Matrix3d& covariance) {
+  std::string fields;
+  for (const double value : {covariance(0, 0), covariance(0, 1), covariance(1, 1), covariance(0, 2),
+                             covariance(1, 2), covariance(2, 2)}) {
+    fields += (fields.empty() ? "" : ",") + fixed_number(value, 12);
+  }
+  return fields;
+}
+
+// By the hybrid filter; empty fields where it does not run.
 std::string hybrid_fields(const std::optional<HybridOutput>& hybrid) {
   if (!hybrid) return ",,,,,,,,,,,,,";
   std::string fields;
   for (const double value : {hybrid->pose.x_m, hybrid->pose.y_m, hybrid->pose.theta_rad}) {
     fields += fixed_number(value, 6) + ",";
   }
-  const Eigen::Matrix3d& covariance = hybrid->covariance;
-  for (const double value : {covariance(0, 0), covariance(0, 1), covariance(1, 1), covariance(0, 2),
-                             covariance(1, 2), covariance(2, 2)}) {
-    fields += fixed_number(value, 12) + ",";
-  }
+  fields += covariance_fields(hybrid->covariance) + ",";
   if (hybrid->left.discarded) fields += hybrid->right.discarded ? "both" : "left";
   if (!hybrid->left.discarded && hybrid->right.discarded) fields += "right";
   fields += "," + std::string(name_of(hybrid->left_fault)) + "," + std::string(name_of(hybrid->right_fault));
@@ -115,7 +122,8 @@ std::string pose_log_line(const LogEntry& entry, double wheel_base_m) {
     line += fixed_number(value, 6) + ",";
   }
   line += std::string(name_of(record.command.activity)) + "," + std::to_string(record.visited) + ",";
-  return line + hybrid_fields(record.hybrid);
+  line += hybrid_fields(record.hybrid);
+  return line + "," + (record.has_prediction ? covariance_fields(record.predicted_covariance) : ",,,,,");
 }
 
 }  // namespace wheelwright::daemon

@@ -34,6 +34,12 @@ mcap::SensorValues sensors_of(const SensorFrame& frame) {
   return sensors;
 }
 
+// xx, xy, yy, x theta, y theta, theta theta.
+std::array<double, 6> six_of(const Eigen::Matrix3d& covariance) {
+  return {covariance(0, 0), covariance(0, 1), covariance(1, 1),
+          covariance(0, 2), covariance(1, 2), covariance(2, 2)};
+}
+
 mcap::StateValues state_of(const LogEntry& entry) {
   const PoseRecord& record = entry.record;
   mcap::StateValues state;
@@ -69,12 +75,11 @@ mcap::TickValues tick_values(const LogEntry& entry) {
   if (record.has_prediction) {
     tick.model = record.predicted;
     tick.predicted_m_s = record.predicted_speed_m_s;
+    tick.model_covariance = six_of(record.predicted_covariance);
   }
   if (record.hybrid) {
-    const Eigen::Matrix3d& covariance = record.hybrid->covariance;
     tick.hybrid = record.hybrid->pose;
-    tick.covariance = {covariance(0, 0), covariance(0, 1), covariance(1, 1),
-                       covariance(0, 2), covariance(1, 2), covariance(2, 2)};
+    tick.covariance = six_of(record.hybrid->covariance);
     tick.events = field_of(record.hybrid->events);
   }
   return tick;

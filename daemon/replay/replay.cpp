@@ -100,7 +100,7 @@ class Replay {
   void deliver() {
     const CalibrationOutcome outcome = std::move(*waiting_);
     waiting_.reset();
-    if (outcome.refusal) {
+    if (outcome.refusal || outcome.route_refusal) {
       brain_.refuse();
     } else if (outcome.kind == CalibrationKind::encoder_order) {
       brain_.accept_encoder_order();

@@ -103,6 +103,11 @@ class VirtualRun {
       link_.stop(StopReason::refused);
       return;
     }
+    if (outcome.route_refusal) {
+      result_.refusal = outcome.route_refusal;
+      brain_.refuse();
+      link_.stop(StopReason::refused);
+    }
     if (outcome.remark) result_.remarks.push_back(*outcome.remark);
     switch (outcome.kind) {
       case CalibrationKind::encoder_order:

@@ -101,7 +101,7 @@ void Scene::Way::clear() {
 
 void Scene::restart() {
   for (Way& way : ways_) way.clear();
-  ellipse_.reset();
+  ellipses_.fill(std::nullopt);
   visited_ = 0;
   route_changed_ = true;
 }
@@ -117,13 +117,18 @@ bool Scene::take(const LogEntry& entry) {
   activity_ = activity;
   if (begins) restart();
   if (activity == Activity::idle) return begins;
-  if (record.has_prediction) ways_[0].add(record.predicted);
+  if (record.has_prediction) {
+    ways_[0].add(record.predicted);
+    const Eigen::Matrix3d& covariance = record.predicted_covariance;
+    ellipses_[1] = Ellipse{record.predicted, covariance(0, 0), covariance(0, 1), covariance(1, 1)};
+    ellipses_changed_ = true;
+  }
   if (record.valid) ways_[1].add(record.odometry);
   if (record.hybrid) {
     ways_[2].add(record.hybrid->pose);
     const Eigen::Matrix3d& covariance = record.hybrid->covariance;
-    ellipse_ = Ellipse{record.hybrid->pose, covariance(0, 0), covariance(0, 1), covariance(1, 1)};
-    ellipse_changed_ = true;
+    ellipses_[0] = Ellipse{record.hybrid->pose, covariance(0, 0), covariance(0, 1), covariance(1, 1)};
+    ellipses_changed_ = true;
   }
   if (record.visited != visited_) {
     visited_ = record.visited;
@@ -185,9 +190,18 @@ std::vector<std::string> Scene::way_entities(std::uint64_t time_ns, std::size_t 
   return entities;
 }
 
-std::string Scene::ellipse_entity(std::uint64_t time_ns) const {
-  const auto points = outline(ellipse_->center, ellipse_->xx_m2, ellipse_->xy_m2, ellipse_->yy_m2);
-  return entity(time_ns, route_frame, "covariance", line_strip(points, looks[2].color, 2.0));
+std::vector<std::string> Scene::ellipse_entities(std::uint64_t time_ns) const {
+  constexpr std::array<std::string_view, 2> ids{"covariance", "predicted_covariance"};
+  const std::array colors{looks[2].color, looks[0].color};
+  std::vector<std::string> entities;
+  for (std::size_t i = 0; i < ellipses_.size(); ++i) {
+    if (!ellipses_.at(i)) continue;
+    const Ellipse& ellipse = *ellipses_.at(i);
+    const auto points = outline(ellipse.center, ellipse.xx_m2, ellipse.xy_m2, ellipse.yy_m2);
+    entities.push_back(
+        entity(time_ns, route_frame, std::string(ids.at(i)), line_strip(points, colors.at(i), 2.0)));
+  }
+  return entities;
 }
 
 std::string Scene::everything(std::uint64_t time_ns) const {
@@ -195,7 +209,7 @@ std::string Scene::everything(std::uint64_t time_ns) const {
   for (std::size_t way = 0; way < ways_.size(); ++way) {
     for (auto& piece : way_entities(time_ns, way, 0)) entities.push_back(std::move(piece));
   }
-  if (ellipse_) entities.push_back(ellipse_entity(time_ns));
+  for (auto& ellipse : ellipse_entities(time_ns)) entities.push_back(std::move(ellipse));
   const std::string all = R"({"timestamp":)" + time_text(time_ns) + R"(,"type":1,"id":""})";
   return update_of({all}, entities);
 }
@@ -217,8 +231,10 @@ std::optional<std::string> Scene::changes(std::uint64_t time_ns) {
     changed.forgotten.clear();
     changed.changed = false;
   }
-  if (ellipse_ && ellipse_changed_) entities.push_back(ellipse_entity(time_ns));
-  route_changed_ = ellipse_changed_ = false;
+  if (ellipses_changed_) {
+    for (auto& ellipse : ellipse_entities(time_ns)) entities.push_back(std::move(ellipse));
+  }
+  route_changed_ = ellipses_changed_ = false;
   if (deletions.empty() && entities.empty()) return std::nullopt;
   return update_of(deletions, entities);
 }

@@ -1,5 +1,6 @@
 // The floor as a scene of Foxglove's 3D panel: the route, its checkpoints, the ways driven by each source of
-// pose, and the ellipse that holds the filtered position with 95 % probability.
+// pose, and the ellipses that hold the filtered position, and the position by the model alone, with 95 %
+// probability.
 //
 // An entity replaces the one of the same id, so a way is cut into pieces and only the newest of them is sent
 // again; who comes later gets all of them by everything().
@@ -64,15 +65,15 @@ class Scene {
   std::vector<std::string> route_entities(std::uint64_t time_ns) const;
   std::vector<std::string> way_entities(std::uint64_t time_ns, std::size_t way,
                                         std::uint64_t from_piece) const;
-  std::string ellipse_entity(std::uint64_t time_ns) const;
+  std::vector<std::string> ellipse_entities(std::uint64_t time_ns) const;
 
   std::optional<Route> route_;
-  std::array<Way, 4> ways_;  // predicted, odometry, filtered, truth
-  std::optional<Ellipse> ellipse_;
+  std::array<Way, 4> ways_;                         // predicted, odometry, filtered, truth
+  std::array<std::optional<Ellipse>, 2> ellipses_;  // filtered, predicted
   std::uint16_t visited_ = 0;
   Activity activity_ = Activity::idle;
   bool route_changed_ = false;
-  bool ellipse_changed_ = false;
+  bool ellipses_changed_ = false;
 };
 
 }  // namespace wheelwright::daemon::telemetry

@@ -54,6 +54,12 @@ void CalibratorThread::deliver(CalibrationOutcome& outcome) {
     wiring_.push(wiring_.deliveries, Delivery{});
     return;
   }
+  if (outcome.route_refusal) {
+    spdlog::error("{}", outcome.route_refusal->reason);
+    report_.refusal = outcome.route_refusal->reason;
+    session_.request_stop(StopReason::refused);
+    wiring_.push(wiring_.deliveries, Delivery{});
+  }
   if (outcome.remark) {
     spdlog::warn("{}", *outcome.remark);
     report_.late_readings = outcome.remark;

@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "model/brain/route_forecast.hpp"
+
 namespace wheelwright::daemon {
 namespace {
 
@@ -64,6 +66,11 @@ Plan make_plan(const config::DaemonConfig& config, std::optional<RobotModel> mod
   plan.mission.commanded_drive = config.commanded_drive;
   plan.mission.pose_source = config.pose_source;
   plan.mission.adapt = config.adapt;
+  plan.mission.largest_uncertainty_m = config.largest_uncertainty_m;
+  if (plan.model) {
+    if (const auto doubt = doubt_of_route(*plan.model, plan.mission, plan.limits))
+      throw ConfigError(config.model_file.string() + ": " + doubt->reason);
+  }
   return plan;
 }
 

@@ -17,7 +17,8 @@ struct Plan {
 
 // `model` is what the model file holds, if there is one. Throws ConfigError where the mission needs one, or
 // another: of the period of the link, of the type that the pose source is named after, and for the source
-// `hybrid` with an encoder scale. Given commands are driven with a model or without.
+// `hybrid` with an encoder scale; and where the model cannot hold the route within run.largest_uncertainty_m.
+// Given commands are driven with a model or without.
 Plan make_plan(const config::DaemonConfig& config, std::optional<RobotModel> model);
 
 }  // namespace wheelwright::daemon

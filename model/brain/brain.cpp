@@ -11,16 +11,6 @@ namespace {
 constexpr double shortest_wait_s = 1.0;
 constexpr double shortest_coast_s = 0.7;
 
-FollowerLimits follower_limits(const RobotLimits& limits) {
-  FollowerLimits result;
-  result.period_s = limits.period_s;
-  result.wheel_base_m = limits.wheel_base_m;
-  result.largest_wheel_speed_m_s = limits.largest_wheel_speed_m_s;
-  result.slowest_wheel_speed_m_s = limits.slowest_wheel_speed_m_s;
-  result.acceleration_m_s2 = limits.acceleration_m_s2;
-  return result;
-}
-
 }  // namespace
 
 Brain::Brain(const Mission& mission, const RobotLimits& limits, std::unique_ptr<DrivingModel> model)
@@ -108,7 +98,7 @@ void Brain::stand_at(const Pose& pose) {
   odometry_.set_pose(pose);
   rest_tick_ = next_tick_;
   if (!model_) return;
-  model_->predictor.reset(pose);
+  model_->rest_at(pose);
   if (model_->filter) model_->filter->set_pose(pose);
 }
 
@@ -160,7 +150,7 @@ void Brain::apply_exchange(std::int64_t tick) {
   for (std::int64_t past = std::max(rest_tick_, next_tick_ - remembered); past < next_tick_; ++past) {
     const auto& command = past_commands_.at(static_cast<std::size_t>(past) % past_commands_.size());
     if (command.tick != past) continue;
-    model.predictor.step(command.speed_m_s);
+    model.step(command.speed_m_s);
     if (model.filter && past < tick) model.filter->prime(command.speed_m_s);
   }
   if (model_) model.take_over(*model_);
@@ -208,6 +198,7 @@ PoseRecord Brain::take(const SensorFrame& frame) {
     record.has_prediction = true;
     record.predicted = prediction.pose;
     record.predicted_speed_m_s = prediction.speed_m_s;
+    record.predicted_covariance = prediction.covariance;
     record.visited = prediction.visited;
   }
   last_record_ = record;
@@ -230,9 +221,9 @@ std::optional<Command> Brain::next_command() {
   next_tick_ = std::max(next_tick_, latest_.tick + 1);
   if (next_tick_ > latest_.tick + ticks_ahead()) return std::nullopt;
   const WheelOrder wanted = order();
-  Command command{next_tick_, rounded(wanted.speed_m_s), wanted.activity, wanted.repetition};
+  Command command{next_tick_, rounded_command(wanted.speed_m_s, limits_), wanted.activity, wanted.repetition};
   remember_prediction(next_tick_);
-  if (model_) model_->predictor.step(command.speed_m_s);
+  if (model_) model_->step(command.speed_m_s);
   past_commands_.at(static_cast<std::size_t>(next_tick_) % past_commands_.size()) = {next_tick_,
                                                                                      command.speed_m_s};
   activity_ = command.activity;
@@ -243,8 +234,9 @@ std::optional<Command> Brain::next_command() {
 void Brain::remember_prediction(std::int64_t tick) {
   if (!model_) return;
   Prediction& slot = predictions_.at(static_cast<std::size_t>(tick) % predictions_.size());
-  slot = {tick, model_->predictor.pose(), model_->predictor.speed_m_s(),
+  slot = {tick, model_->predictor.pose(), model_->predictor.speed_m_s(), Eigen::Matrix3d::Zero(),
           static_cast<std::uint16_t>(follower_.visited())};
+  if (model_->uncertainty) slot.covariance = model_->uncertainty->covariance(slot.pose);
 }
 
 WheelOrder Brain::order() {
@@ -320,13 +312,6 @@ Pose Brain::rest_by_sensors(const Pose& measured) {
   const Prediction& then = predictions_.at(slot);
   if (then.tick != latest_.tick) return measured;
   return compose(measured, between(then.pose, model_->predictor.rest_pose()));
-}
-
-WheelPair Brain::rounded(const WheelPair& command) const {
-  const double step = limits_.command_step_m_s;
-  const double limit = limits_.largest_wheel_speed_m_s;
-  const auto round = [&](double speed) { return step * std::round(std::clamp(speed, -limit, limit) / step); };
-  return {round(command.left), round(command.right)};
 }
 
 }  // namespace wheelwright

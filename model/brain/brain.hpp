@@ -36,6 +36,9 @@ struct PoseRecord {
   bool has_prediction = false;
   Pose predicted;  // by the model, from commands alone
   WheelPair predicted_speed_m_s;
+  // Of x, y, theta of `predicted`, in its frame (model/uncertainty); zero where the model states no
+  // uncertainty.
+  Eigen::Matrix3d predicted_covariance = Eigen::Matrix3d::Zero();
   Pose odometry;
   WheelPair measured_speed_m_s;
   std::optional<HybridOutput>
@@ -85,6 +88,7 @@ class Brain {
     std::int64_t tick = -1;
     Pose pose;
     WheelPair speed_m_s;
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
     std::uint16_t visited = 0;
   };
 
@@ -123,7 +127,6 @@ class Brain {
   Pose steering_rest_pose();
   Pose rest_by_sensors(const Pose& measured);
   bool in_run(const SensorFrame& frame) const;
-  WheelPair rounded(const WheelPair& command) const;
   int ticks_ahead() const;
   void remember_prediction(std::int64_t tick);
   Stage stage() const;

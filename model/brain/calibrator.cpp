@@ -1,5 +1,7 @@
 #include "model/brain/calibrator.hpp"
 
+#include "model/brain/route_forecast.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -86,6 +88,8 @@ std::optional<CalibrationOutcome> Calibrator::take(const SensorFrame& frame) {
   auto outcome = take_manoeuvre(frame, last_activity_ != before);
   if (!outcome) return adapt(frame, before);
   if (outcome->model) watch(outcome->model);
+  const bool last = outcome->kind == CalibrationKind::arma || !mission_.random_drive;
+  if (outcome->model && last) outcome->route_refusal = doubt_of_route(*outcome->model, mission_, limits_);
   return outcome;
 }
 

@@ -43,6 +43,7 @@ struct CalibrationOutcome {
   std::optional<AdaptedModel> adapted;           // adaptation
   std::optional<std::string> remark;             // response, arma: what was left out of it
   std::optional<RobotModel> model;               // response, arma, adaptation: all that is known, to drive by
+  std::optional<Refusal> route_refusal;  // the model is sound, and yet the route is not to be driven by it
 };
 
 class Calibrator {

@@ -10,6 +10,7 @@
 #include "model/calibration/encoder_scale_fit.hpp"
 #include "model/geometry/pose.hpp"
 #include "model/route/route.hpp"
+#include "model/route/route_follower.hpp"
 
 namespace wheelwright {
 
@@ -69,6 +70,9 @@ struct Mission {
   PoseSource pose_source = PoseSource::fir;
   // Keep the model up to date while a route is driven (model/adaptation/continuous_calibration.hpp).
   bool adapt = false;
+  // A route by the model alone is refused where a checkpoint may be missed by more
+  // (model/brain/route_forecast.hpp).
+  std::optional<double> largest_uncertainty_m;
 };
 
 // The robot and the limits within which it may be moved.
@@ -82,5 +86,11 @@ struct RobotLimits {
   double command_step_m_s = 0.001;  // commands are rounded to it: what the robot can be told
   int ticks_ahead = 8;              // for which commands are made in advance where no sensor is needed
 };
+
+// As the follower of a route takes them.
+FollowerLimits follower_limits(const RobotLimits& limits);
+
+// As the robot can be told it: within the largest speed, in whole command steps.
+WheelPair rounded_command(const WheelPair& command_m_s, const RobotLimits& limits);
 
 }  // namespace wheelwright

@@ -24,6 +24,10 @@ FilterNoise filter_noise_of(const RobotModel& model) {
     noise.gain_standard_error.right =
         std::max(min_gain_error, model.right_fit->gain_standard_error.from_right);
   }
+  for (const AddedEffect& effect : model.effects) {
+    if (effect.setting.name != "wheel_scale_mismatch") continue;
+    noise.wheel_mismatch = effect.intervals.empty() ? 0.0 : standard_deviation(effect.intervals.front());
+  }
   return noise;
 }
 

@@ -16,9 +16,14 @@ struct FilterNoise {
   WheelPair gain_standard_error{0.005, 0.005};   // of the model's travel, as a fraction of it
   double scale_standard_error = 0.001;           // of metres per tick, as a fraction
   double slip_m_per_sqrt_m = 0.001;              // random walk of the floor travel against the counts
+  // Of the right wheel's rolling radius over the left one's, standard deviation. Neither the counts nor
+  // turning in place show it, so this is what tyres are like: some tenths of a per cent apart when they are
+  // worn.
+  double wheel_mismatch = 0.0025;
 };
 
-// The figures that the calibration found; the defaults stand where it left none.
+// The figures that the calibration found; the defaults stand where it left none. A mismatch of the wheels
+// that was found (effect wheel_scale_mismatch) is as uncertain as its interval says.
 FilterNoise filter_noise_of(const RobotModel& model);
 
 }  // namespace wheelwright

@@ -56,7 +56,7 @@ HybridFilter::HybridFilter(const LinearModel& model, const WheelPair& metres_per
       detector_(model.period_s),
       environment_(model.period_s),
       misfit_(model.period_s),
-      pose_(model.wheel_base_m, noise.scale_standard_error) {}
+      pose_(model.wheel_base_m, {noise.scale_standard_error, noise.wheel_mismatch}) {}
 
 void HybridFilter::set_prediction(Side& side, double predicted_m, double ticks) const {
   side.predicted_m = predicted_m;

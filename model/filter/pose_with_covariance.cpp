@@ -16,30 +16,33 @@ void PoseWithCovariance::move(const WheelPair& rolled_m, const TravelVariance& v
   Eigen::Matrix3d by_pose = Eigen::Matrix3d::Identity();
   by_pose(0, 2) = -moved.v_m_s * s;
   by_pose(1, 2) = moved.v_m_s * c;
-  Eigen::Matrix<double, 3, 2> by_motion;  // of forward way and turn
-  by_motion << c, -0.5 * moved.v_m_s * s, s, 0.5 * moved.v_m_s * c, 0.0, 1.0;
+  Eigen::Matrix<double, 3, 2> by_travel;  // of the left and the right wheel
+  const double by_turn = 0.5 * moved.v_m_s / wheel_base_m_;
+  by_travel << 0.5 * c + by_turn * s, 0.5 * c - by_turn * s,  //
+      0.5 * s - by_turn * c, 0.5 * s + by_turn * c,           //
+      -1.0 / wheel_base_m_, 1.0 / wheel_base_m_;
 
-  const double sum_m2 = variance.left_m2 + variance.right_m2;
-  const double scale2 = scale_standard_error_ * scale_standard_error_;
-  const double way_m = std::abs(moved.v_m_s);
-  const double turn_rad = moved.w_rad_s;
-  Eigen::Matrix2d motion;
-  motion(0, 0) = 0.25 * sum_m2 + scale2 * (way_m * way_m + 2.0 * way_m * way_m_);
-  // Turns to both sides cancel the error of the scale, so the variance of the heading may shrink again.
-  motion(1, 1) = sum_m2 / (wheel_base_m_ * wheel_base_m_) +
-                 std::max(0.0, scale2 * (turn_rad * turn_rad + 2.0 * turn_rad * turned_rad_));
-  motion(0, 1) = motion(1, 0) = 0.5 * (variance.right_m2 - variance.left_m2) / wheel_base_m_;
-  covariance_ = by_pose * covariance_ * by_pose.transpose() + by_motion * motion * by_motion.transpose();
-  way_m_ += way_m;
-  turned_rad_ += turn_rad;
+  Eigen::Matrix2d travel;
+  travel << variance.left_m2, variance.both_m2, variance.both_m2, variance.right_m2;
+  noise_ = by_pose * noise_ * by_pose.transpose() + by_travel * travel * by_travel.transpose();
+  const Eigen::Vector2d scaled(systematic_.scale * rolled_m.left, systematic_.scale * rolled_m.right);
+  const double half = 0.5 * systematic_.wheel_mismatch;
+  const Eigen::Vector2d unequal(-half * rolled_m.left, half * rolled_m.right);
+  systematic_offsets_[0] = by_pose * systematic_offsets_[0] + by_travel * scaled;
+  systematic_offsets_[1] = by_pose * systematic_offsets_[1] + by_travel * unequal;
   pose_ = move_along_arc(pose_, moved, 1.0);
 }
 
-void PoseWithCovariance::reset(const Pose& pose) {
+void PoseWithCovariance::reset(const Pose& pose, const Eigen::Matrix3d& covariance) {
   pose_ = pose;
-  covariance_.setZero();
-  way_m_ = 0.0;
-  turned_rad_ = 0.0;
+  noise_ = covariance;
+  systematic_offsets_.fill(Eigen::Vector3d::Zero());
+}
+
+Eigen::Matrix3d PoseWithCovariance::covariance() const {
+  Eigen::Matrix3d sum = noise_;
+  for (const Eigen::Vector3d& offset : systematic_offsets_) sum += offset * offset.transpose();
+  return sum;
 }
 
 }  // namespace wheelwright

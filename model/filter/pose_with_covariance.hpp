@@ -1,43 +1,54 @@
 // A pose and how sure it is, carried along arcs.
+//
+// Noise is new in each period, N <- F N F' + G Q G'. Two errors are the same in every period, and what each
+// does to the pose adds up along the way, d <- F d + G e: the scale of both wheels, and the difference of
+// their rolling radii, which turning in place cannot show. The covariance is N + sum d d'.
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
 #include "model/geometry/pose.hpp"
 
 namespace wheelwright {
 
-// Variances of one tick's wheel travel, apart from what the scale of both wheels has in common.
+// Covariance of one period's wheel travel, apart from the errors that are the same in every period.
 struct TravelVariance {
   double left_m2 = 0.0;
   double right_m2 = 0.0;
+  double both_m2 = 0.0;  // covariance of left and right
+};
+
+// Standard deviations, as fractions.
+struct SystematicErrors {
+  double scale = 0.0;  // of the travel of both wheels
+  double wheel_mismatch =
+      0.0;  // of the right wheel's radius over the left one's, each wheel having half of it
 };
 
 class PoseWithCovariance {
  public:
-  // `scale_standard_error` of metres per tick, as a fraction: the same error in every step, so that its
-  // variance grows with the square of the way.
-  PoseWithCovariance(double wheel_base_m, double scale_standard_error)
-      : wheel_base_m_(wheel_base_m), scale_standard_error_(scale_standard_error) {}
+  PoseWithCovariance(double wheel_base_m, const SystematicErrors& systematic)
+      : wheel_base_m_(wheel_base_m), systematic_(systematic) {}
 
   // Both wheels have rolled so far; `beyond` is what the body has moved beyond the wheels' travel (way in m,
   // turn in rad), as slip and geometry have it.
   void move(const WheelPair& rolled_m, const TravelVariance& variance, const Twist& beyond = {});
 
-  // Starts again at a pose that is known.
-  void reset(const Pose& pose);
+  // Starts again at a pose that is known, or known with this covariance.
+  void reset(const Pose& pose, const Eigen::Matrix3d& covariance = Eigen::Matrix3d::Zero());
 
+  double wheel_base_m() const { return wheel_base_m_; }
   const Pose& pose() const { return pose_; }
   // Of x, y (m) and theta (rad), in the frame of the pose.
-  const Eigen::Matrix3d& covariance() const { return covariance_; }
+  Eigen::Matrix3d covariance() const;
 
  private:
   double wheel_base_m_;
-  double scale_standard_error_;
-  double way_m_ = 0.0;
-  double turned_rad_ = 0.0;
+  SystematicErrors systematic_;
   Pose pose_;
-  Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d noise_ = Eigen::Matrix3d::Zero();
+  std::array<Eigen::Vector3d, 2> systematic_offsets_{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
 };
 
 }  // namespace wheelwright

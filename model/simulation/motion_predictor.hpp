@@ -24,6 +24,8 @@ class MotionPredictor {
 
   // Motion since the last reset, from commands alone.
   const Pose& pose() const { return simulation_.pose(); }
+  // What the last period brought.
+  const ModelSimulation::Motion& motion() const { return simulation_.motion(); }
   const WheelPair& speed_m_s() const { return simulation_.motion().wheel_m_s; }
 
   // The pose at which the robot comes to rest if it is told to stop now.

@@ -25,6 +25,11 @@ struct ParameterInterval {
   double upper = 0.0;
 };
 
+// As of a normal distribution: a quarter of the width, nearly.
+inline double standard_deviation(const ParameterInterval& interval) {
+  return (interval.upper - interval.lower) / (2.0 * 1.96);
+}
+
 // An effect that was found missing and added, and why it is believed.
 struct AddedEffect {
   EffectSetting setting;

@@ -62,6 +62,8 @@ RobotRecording::Topics RobotRecording::add_topics(Writer& writer) {
   topics.wheels = writer.add_channel("/wheels", "wheelwright.Wheels", wheels_schema());
   topics.sensors = writer.add_channel("/sensors", "wheelwright.Sensors", sensors_schema());
   topics.covariance = writer.add_channel("/hybrid/covariance", "wheelwright.Covariance", covariance_schema());
+  topics.model_covariance =
+      writer.add_channel("/model/covariance", "wheelwright.Covariance", covariance_schema());
   topics.state = writer.add_channel("/state", "wheelwright.State", state_schema());
   topics.log = writer.add_channel("/log", "foxglove.Log", log_schema());
   return topics;
@@ -83,7 +85,8 @@ void RobotRecording::add(const TickValues& tick) {
   add_transform(tick);
   add_wheels(tick);
   if (tick.sensors && !tick.sensors->empty()) add_sensors(*tick.sensors);
-  if (tick.covariance) add_covariance(*tick.covariance);
+  add_covariance(topics_.covariance, tick.covariance);
+  add_covariance(topics_.model_covariance, tick.model_covariance);
 }
 
 void RobotRecording::add_pose(std::uint16_t channel, std::string_view frame,
@@ -130,11 +133,13 @@ void RobotRecording::add_sensors(const SensorValues& sensors) {
   writer_.add(topics_.sensors, time_ns_, json_.whole("overcurrents", sensors.overcurrents).end());
 }
 
-void RobotRecording::add_covariance(const std::array<double, 6>& covariance) {
-  const auto& [xx, xy, yy, x_theta, y_theta, theta_theta] = covariance;
+void RobotRecording::add_covariance(std::uint16_t channel,
+                                    const std::optional<std::array<double, 6>>& covariance) {
+  if (!covariance) return;
+  const auto& [xx, xy, yy, x_theta, y_theta, theta_theta] = *covariance;
   const std::array rows{xx, xy, x_theta, xy, yy, y_theta, x_theta, y_theta, theta_theta};
   json_.begin().time("timestamp", time_ns_).array("covariance", rows);
-  writer_.add(topics_.covariance, time_ns_, json_.end());
+  writer_.add(channel, time_ns_, json_.end());
 }
 
 void RobotRecording::add_state(const StateValues& state) {

@@ -7,7 +7,7 @@
 // | /tf | foxglove.FrameTransform, `route` to `base_link`, by the pose that steers | each tick |
 // | /wheels | wheelwright.Wheels | each tick |
 // | /sensors | wheelwright.Sensors | each tick on which the robot was received |
-// | /hybrid/covariance | wheelwright.Covariance | each tick |
+// | /hybrid/covariance, /model/covariance | wheelwright.Covariance, of the pose of that name | each tick |
 // | /state | wheelwright.State | each change |
 // | /log | foxglove.Log | changes of activity, stops, events of the fault detector |
 //
@@ -65,7 +65,9 @@ struct TickValues {
   std::optional<Pose> odometry;
   std::optional<Pose> hybrid;
   std::optional<Pose> reference;
-  std::optional<std::array<double, 6>> covariance;  // of hybrid: xx, xy, yy, x theta, y theta, theta theta
+  // xx, xy, yy, x theta, y theta, theta theta: of hybrid, and of model.
+  std::optional<std::array<double, 6>> covariance;
+  std::optional<std::array<double, 6>> model_covariance;
   std::optional<SensorValues> sensors;
   std::optional<StateValues> state;
   std::string events;  // of the fault detector, as in the pose log
@@ -90,7 +92,8 @@ class RobotRecording {
 
  private:
   struct Topics {
-    std::uint16_t model, odometry, hybrid, reference, transform, wheels, sensors, covariance, state, log;
+    std::uint16_t model, odometry, hybrid, reference, transform, wheels, sensors, covariance,
+        model_covariance, state, log;
   };
   static Topics add_topics(Writer& writer);
 
@@ -98,7 +101,7 @@ class RobotRecording {
   void add_transform(const TickValues& tick);
   void add_wheels(const TickValues& tick);
   void add_sensors(const SensorValues& sensors);
-  void add_covariance(const std::array<double, 6>& covariance);
+  void add_covariance(std::uint16_t channel, const std::optional<std::array<double, 6>>& covariance);
   void add_state(const StateValues& state);
   void say(int level, std::string_view message);
 

@@ -68,7 +68,7 @@ std::string sensors_schema() {
 
 std::string covariance_schema() {
   return message("wheelwright.Covariance",
-                 R"("covariance":{"type":"array","description":"of x, y, theta of /pose/hybrid, row by row: )"
+                 R"("covariance":{"type":"array","description":"of x, y, theta of the pose, row by row: )"
                  R"(m^2, m rad, rad^2","items":{"type":"number"}})");
 }
 

@@ -22,7 +22,7 @@ class Floor {
   }
 
   takeScene(update) {
-    if (update.deletions.length || update.entities.some(entity => entity.id !== 'covariance' && entity.id !== 'robot')) {
+    if (update.deletions.length || update.entities.some(entity => !isEllipse(entity.id) && entity.id !== 'robot')) {
       this.redrawGround();
     }
     for (const deletion of update.deletions) {
@@ -32,7 +32,7 @@ class Floor {
     if (update.deletions.length) this.bounds = null;
     for (const entity of update.entities) this.entities.set(entity.id, entity);
     for (const [id, entity] of this.entities) {
-      if (id !== 'covariance') for (const line of entity.lines) line.points.forEach(point => this.include(point));
+      if (!isEllipse(id)) for (const line of entity.lines) line.points.forEach(point => this.include(point));
       if (id === 'checkpoints') entity.spheres.forEach(sphere => this.include(sphere.pose.position));
     }
   }
@@ -71,10 +71,15 @@ class Floor {
     this.drawGround(width, height, scale, x, y);
     context.drawImage(this.ground, 0, 0, width, height);
     this.drawRobot(context, scale, x, y);
-    for (const line of this.lines('covariance')) {
+    this.drawEllipse(context, 'predicted_covariance', ink.accent, x, y);
+    this.drawEllipse(context, 'covariance', ink.filter, x, y);
+  }
+
+  drawEllipse(context, id, stroke, x, y) {
+    for (const line of this.lines(id)) {
       strip(context, line.points, x, y);
       context.fillStyle = ink.tint;
-      context.strokeStyle = ink.filter;
+      context.strokeStyle = stroke;
       context.lineWidth = 1.2;
       context.fill();
       context.stroke();
@@ -194,9 +199,14 @@ function strip(context, points, x, y) {
   });
 }
 
+// The 95 % ellipse of a pose: it comes and goes with the robot, and is no part of the floor.
+function isEllipse(id) {
+  return id === 'covariance' || id === 'predicted_covariance';
+}
+
 const wayLooks = [
   { id: 'odometry', label: 'odometry', ink: 'quiet', width: 2 },
   { id: 'filtered', label: 'filtered, with 95 % ellipse', ink: 'filter', width: 2, dash: [6, 2] },
   { id: 'truth', label: 'truth', ink: 'alarm', width: 1.5, dash: [5, 3] },
-  { id: 'predicted', label: 'model', ink: 'accent', width: 3 },
+  { id: 'predicted', label: 'model, with 95 % ellipse', ink: 'accent', width: 3 },
 ];

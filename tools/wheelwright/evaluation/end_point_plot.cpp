@@ -38,10 +38,24 @@ std::string panel(const Candidate& candidate, const std::string& csv_name) {
          "'+' using (0):(0) with points pt 2 ps 1 lw 2 lc rgb 'black' notitle\n";
 }
 
+std::string estimate_fields(const std::optional<EndEstimate>& estimate) {
+  if (!estimate) return ",,,,,,,";
+  std::string fields;
+  for (const double value : {estimate->pose.x_m, estimate->pose.y_m, estimate->pose.theta_rad}) {
+    fields += "," + fixed_number(value, 6);
+  }
+  const Eigen::Matrix3d& covariance = estimate->covariance;
+  for (const double value : {covariance(0, 0), covariance(0, 1), covariance(1, 1), covariance(2, 2)}) {
+    fields += "," + fixed_number(value, 12);
+  }
+  return fields;
+}
+
 }  // namespace
 
 std::string end_points_csv(const std::vector<AttemptOutcome>& outcomes) {
-  std::string text = "model,attempt,x,y,theta\n";
+  std::string text =
+      "model,attempt,x,y,theta,estimate_x,estimate_y,estimate_theta,cov_xx,cov_xy,cov_yy,cov_thetatheta\n";
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     for (std::size_t attempt = 0; attempt < outcomes.size(); ++attempt) {
       const auto& drive = outcomes[attempt].at(i);
@@ -49,7 +63,7 @@ std::string end_points_csv(const std::vector<AttemptOutcome>& outcomes) {
       const Pose& end = *drive->end;
       text += std::string(candidates.at(i).key) + "," + std::to_string(attempt) + "," +
               fixed_number(end.x_m, 6) + "," + fixed_number(end.y_m, 6) + "," +
-              fixed_number(end.theta_rad, 6) + "\n";
+              fixed_number(end.theta_rad, 6) + estimate_fields(drive->estimate) + "\n";
     }
   }
   return text;

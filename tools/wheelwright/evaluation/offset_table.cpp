@@ -48,12 +48,14 @@ std::vector<OffsetRow> offset_rows(const std::vector<AttemptOutcome>& outcomes, 
   std::vector<OffsetRow> rows;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (!outcomes.front().at(i)) continue;
-    OffsetRow row{candidates.at(i), outcomes.size(), 0, std::nullopt, {}, std::nullopt};
+    OffsetRow row{candidates.at(i), outcomes.size(), 0, std::nullopt, {}, std::nullopt, std::nullopt};
     std::vector<double> offsets_m;
     for (const AttemptOutcome& outcome : outcomes) {
       const DriveOutcome& drive = *outcome.at(i);
       if (drive.end) {
         offsets_m.push_back(std::hypot(drive.end->x_m, drive.end->y_m));
+        if (const auto inside = inside_ellipse95(drive))
+          row.inside_ellipse95 = row.inside_ellipse95.value_or(0) + (*inside ? 1 : 0);
       } else if (row.first_failure.empty()) {
         row.first_failure = drive.failure;
       }
@@ -72,18 +74,20 @@ bool all_met(const std::vector<OffsetRow>& rows) {
 
 void print_offset_table(std::ostream& out, const std::vector<OffsetRow>& rows) {
   const auto line = [&](const std::string& title, const std::string& mean, const std::string& deviation,
-                        const std::string& published, const std::string& met) {
+                        const std::string& published, const std::string& met, const std::string& inside) {
     out << std::left << std::setw(29) << title << std::setw(23) << mean << std::setw(23) << deviation
-        << std::setw(17) << published << met << "\n";
+        << std::setw(17) << published << std::setw(6) << met << inside << "\n";
   };
-  line("model", "mean offset [m]", "std. deviation [m]", "published [m]", "met");
+  line("model", "mean offset [m]", "std. deviation [m]", "published [m]", "met", "in 95 % ellipse");
   for (const OffsetRow& row : rows) {
     const std::string mean = row.offset ? with_interval(row.offset->mean_m, row.offset->mean_ci95_m) : "-";
     const std::string deviation =
         row.offset ? with_interval(row.offset->standard_deviation_m, row.offset->standard_deviation_ci95_m)
                    : "-";
     line(std::string(row.candidate.title), mean, deviation, published_text(row),
-         !row.met ? "-" : (*row.met ? "yes" : "no"));
+         !row.met ? "-" : (*row.met ? "yes" : "no"),
+         row.inside_ellipse95 ? std::to_string(*row.inside_ellipse95) + " of " + std::to_string(row.finished)
+                              : "-");
   }
   for (const OffsetRow& row : rows) {
     if (row.finished == row.attempts) continue;
@@ -103,6 +107,7 @@ ordered_json offset_json(const std::vector<OffsetRow>& rows) {
         model["standard_deviation"] = to_json(*offset.standard_deviation_m, offset.standard_deviation_ci95_m);
       }
     }
+    if (row.inside_ellipse95) model["inside_ellipse95"] = *row.inside_ellipse95;
     if (!row.first_failure.empty()) model["first_failure"] = row.first_failure;
     if (row.candidate.published) {
       model["published"] = {{"mean_offset_m", row.candidate.published->mean_m},

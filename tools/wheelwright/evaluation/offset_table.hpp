@@ -26,6 +26,9 @@ struct OffsetRow {
   std::optional<OffsetStatistics> offset;  // over those that finished, if any did
   std::string first_failure;               // why the first of the others did not
   std::optional<bool> met;                 // absent where nothing was published
+  // Of those that finished, so many ended within the 95 % ellipse of what steered them; absent where it
+  // states none.
+  std::optional<std::size_t> inside_ellipse95;
 };
 
 // One row per candidate that was not left out. `outcomes` holds at least one attempt.

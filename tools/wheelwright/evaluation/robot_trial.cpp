@@ -1,9 +1,11 @@
 #include "tools/wheelwright/evaluation/robot_trial.hpp"
 
+#include <Eigen/Cholesky>
 #include <chrono>
 #include <numbers>
 
 #include "model/log/sign_corrected_travel.hpp"
+#include "model/uncertainty/pose_uncertainty.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -36,7 +38,22 @@ bool is_driving(const SensorFrame& frame) {
          activity == Activity::commanded_drive;
 }
 
+std::optional<EndEstimate> end_estimate(const PoseRecord& last, PoseSource source) {
+  if (is_sensorless(source)) return EndEstimate{last.predicted, last.predicted_covariance};
+  if (source == PoseSource::hybrid && last.hybrid)
+    return EndEstimate{last.hybrid->pose, last.hybrid->covariance};
+  return std::nullopt;
+}
+
 }  // namespace
+
+std::optional<bool> inside_ellipse95(const DriveOutcome& outcome) {
+  if (!outcome.end || !outcome.estimate) return std::nullopt;
+  const EndEstimate& estimate = *outcome.estimate;
+  const Eigen::Vector2d off(outcome.end->x_m - estimate.pose.x_m, outcome.end->y_m - estimate.pose.y_m);
+  const Eigen::Matrix2d covariance = estimate.covariance.topLeftCorner<2, 2>();
+  return off.dot(covariance.ldlt().solve(off)) <= chi_square95_of_two;
+}
 
 RobotTrial::RobotTrial(const SimulationConfig& robot, const RobotLimits& limits,
                        const roomba::LinkConfig& link, simulation::Noise chance)
@@ -115,7 +132,9 @@ DriveOutcome RobotTrial::drive(const Route& route, PoseSource source, const Mayb
   SimulatedRobot robot = put_down(robot_.room);
   const auto result = daemon::run_virtually(run, robot);
   if (!result.finished || !result.true_pose_at_route_start) return {std::nullopt, reason_of(result)};
-  return {between(*result.true_pose_at_route_start, result.true_poses.back()), {}};
+  return {between(*result.true_pose_at_route_start, result.true_poses.back()),
+          {},
+          end_estimate(result.records.back(), source)};
 }
 
 tl::expected<DriveLog, std::string> RobotTrial::record(const Mission& mission, const RobotModel& model,

@@ -5,6 +5,7 @@
 // counters, and all noise. What it is made of stays.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -26,11 +27,21 @@ namespace wheelwright::tools {
 // Or why there is none, in one line.
 using MaybeModel = tl::expected<RobotModel, std::string>;
 
+// Where the robot says that it ended, by what steered it, and how sure it is.
+struct EndEstimate {
+  Pose pose;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  // of x, y, theta
+};
+
 // How one drive ended.
 struct DriveOutcome {
   std::optional<Pose> end;  // truly, as seen from where the route was begun; absent if it did not get there
-  std::string failure;      // then: why
+  std::string failure{};    // then: why
+  std::optional<EndEstimate> estimate{};  // absent for odometry, which states no uncertainty
 };
+
+// Whether the robot ended within the 95 % ellipse around its estimate; absent where there is none.
+std::optional<bool> inside_ellipse95(const DriveOutcome& outcome);
 
 // An outside measurement of the pose, as by motion capture: white noise on each reading.
 struct ReferenceNoise {

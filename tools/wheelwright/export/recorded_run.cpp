@@ -116,6 +116,7 @@ class PoseRows {
     tick.predicted_m_s = wheels(predicted_.at(row));
     tick.measured_m_s = wheels(measured_.at(row));
     tick.covariance = covariance_.at(row);
+    tick.model_covariance = model_covariance_.at(row);
     tick.events = text(row, events_);
     if (!activity_) return;
     if (!tick.state) tick.state.emplace().activity = text(row, activity_);
@@ -141,6 +142,9 @@ class PoseRows {
   Group<6> covariance_{table_,
                        {"hybrid_cov_xx", "hybrid_cov_xy", "hybrid_cov_yy", "hybrid_cov_xtheta",
                         "hybrid_cov_ytheta", "hybrid_cov_thetatheta"}};
+  Group<6> model_covariance_{table_,
+                             {"model_cov_xx", "model_cov_xy", "model_cov_yy", "model_cov_xtheta",
+                              "model_cov_ytheta", "model_cov_thetatheta"}};
   Group<1> visited_{table_, {"checkpoints_visited"}};
   Group<1> due_{table_, {"recalibration_due"}};
   std::optional<std::size_t> activity_ = table_.find("activity");

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "config/load/text_format.hpp"
+#include "model/uncertainty/pose_uncertainty.hpp"
 #include "tools/wheelwright/page/html.hpp"
 #include "tools/wheelwright/page/plot.hpp"
 #include "tools/wheelwright/report/true_path.hpp"
@@ -37,6 +39,26 @@ PlotPoints path(const Ticks& ticks, Pick pick) {
   return points;
 }
 
+// Of the position by the model alone where the drive ended; nothing where the model states no uncertainty.
+PlotPoints end_ellipse(const Ticks& ticks) {
+  if (ticks.empty() || !ticks.back().model || !ticks.back().model_covariance) return {};
+  const auto& [xx, xy, yy, x_theta, y_theta, theta_theta] = *ticks.back().model_covariance;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  covariance.topLeftCorner<2, 2>() << xx, xy, xy, yy;
+  const PositionEllipse ellipse = position_ellipse95(covariance);
+  if (ellipse.major_m <= 0.0) return {};
+  const Pose middle{ticks.back().model->x_m, ticks.back().model->y_m, ellipse.direction_rad};
+  constexpr int corners = 60;
+  PlotPoints points;
+  for (int i = 0; i <= corners; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / corners;
+    const Pose at =
+        compose(middle, {ellipse.major_m * std::cos(angle), ellipse.minor_m * std::sin(angle), 0.0});
+    points.push_back({at.x_m, at.y_m});
+  }
+  return points;
+}
+
 Plot poses_plot(const RunMaterial& run, const Ticks& ticks, const PlotPoints& truth) {
   const bool has_route = run.config && run.config->route;
   Plot plot(has_route ? "The route as each source of the pose has it; numbers are checkpoints."
@@ -59,6 +81,7 @@ Plot poses_plot(const RunMaterial& run, const Ticks& ticks, const PlotPoints& tr
   if (has_reference)
     plot.line("reference", Ink::text, path(ticks, [](const auto& tick) { return tick.reference; }));
   plot.line("true path", Ink::text, truth);
+  plot.line("model, 95 % ellipse of the end", Ink::accent, end_ellipse(ticks), 2);
   return plot;
 }
 
@@ -119,11 +142,17 @@ std::optional<double> heading_apart(const std::optional<Pose>& one, const std::o
   return wrap_angle(one->theta_rad - other->theta_rad);
 }
 
+std::optional<double> radius95(const std::optional<std::array<double, 6>>& values) {
+  if (!values) return std::nullopt;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  covariance.topLeftCorner<2, 2>() << (*values)[0], (*values)[1], (*values)[1], (*values)[2];
+  return position_radius95_m(covariance);
+}
+
 std::vector<Plot> residual_plots(const Ticks& ticks) {
   Plot position(
       "Model against the encoders: distance between the pose from commands alone and the other sources. "
-      "Dashed: "
-      "how far off the filter holds itself for possible (95 %).");
+      "Dashed: how far off filter and model may be (95 %).");
   Plot heading("The same for the heading: model minus the other source.");
   position.axes("time [s]", "distance [mm]").height(260);
   heading.axes("time [s]", "heading [mrad]").height(260);
@@ -131,15 +160,9 @@ std::vector<Plot> residual_plots(const Ticks& ticks) {
                 apart(ticks, [](const auto& tick) { return position_apart(tick.model, tick.odometry); }));
   position.line("hybrid", Ink::third,
                 apart(ticks, [](const auto& tick) { return position_apart(tick.model, tick.hybrid); }));
-  position.line("", Ink::third,
-                apart(ticks,
-                      [](const auto& tick) -> std::optional<double> {
-                        constexpr double of_two_dimensions = 2.45;  // 95 % of a round normal distribution
-                        if (!tick.covariance) return std::nullopt;
-                        return of_two_dimensions *
-                               std::sqrt(0.5 * ((*tick.covariance)[0] + (*tick.covariance)[2]));
-                      }),
-                2);
+  position.line("", Ink::third, apart(ticks, [](const auto& tick) { return radius95(tick.covariance); }), 2);
+  position.line("", Ink::accent,
+                apart(ticks, [](const auto& tick) { return radius95(tick.model_covariance); }), 2);
   heading.line("odometry", Ink::other,
                apart(ticks, [](const auto& tick) { return heading_apart(tick.model, tick.odometry); }));
   heading.line("hybrid", Ink::third,

@@ -92,7 +92,7 @@ TEST_CASE("What a run keeps of its configuration reads back the same, route incl
       "calibration: {when: never, adapt: false, type: arma, response: {repetitions: 0, alternate_direction: "
       "false},\n"
       "  random_drive: {duration_s: 40, radius_m: 0.4, ahead_m: -0.2, seed: 77, order: auto}}\n"
-      "run:\n  pose_source: odometry\n  at_end: stay\n"
+      "run:\n  pose_source: odometry\n  largest_uncertainty_m: 0.25\n  at_end: stay\n"
       "  route: {name: there, speed: 0.1, checkpoints: [[0.5, 0.25], [0, 0]]}\n"
       "real_time: {policy: off}\n"));
   const std::string text = config::daemon_config_to_yaml(config);
@@ -100,6 +100,7 @@ TEST_CASE("What a run keeps of its configuration reads back the same, route incl
   CHECK(config::daemon_config_to_yaml(back) == text);
   CHECK(back.robot_name == "a \"quoted\" robot");
   CHECK(back.link.encoder_order == roomba::EncoderOrder::right_is_43);
+  CHECK(back.largest_uncertainty_m == 0.25);
   CHECK(back.limits.command_step_m_s == config.limits.command_step_m_s);
   CHECK_FALSE(back.adapt);
   CHECK(back.random_drive.seed == 77);

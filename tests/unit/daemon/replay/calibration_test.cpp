@@ -1,4 +1,5 @@
 // The whole calibration on the virtual clock, judged by what only the simulator knows.
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -122,4 +123,19 @@ TEST_CASE("A calibration on a machine that is often late ends with a refusal, an
   REQUIRE(result.refusal);
   CHECK_THAT(result.refusal->reason, ContainsSubstring("the machine was too busy"));
   CHECK(robot.truth().wheels_at_rest);
+}
+
+TEST_CASE("A route that the new model cannot hold is refused after the calibration, and the model is kept") {
+  simulation::SimulatedRobot robot(test::robot_in_room("default", "box", 1));
+  daemon::VirtualRunConfig config = calibration_only();
+  config.mission.route = Route{"there and back", 0.2, 0.02, {{1.0, 0.0}, {0.0, 0.0}}};
+  config.mission.largest_uncertainty_m = 0.005;
+  const auto result = daemon::run_virtually(config, robot);
+  CHECK_FALSE(result.finished);
+  CHECK(result.model);
+  REQUIRE(result.refusal);
+  CHECK_THAT(result.refusal->reason, ContainsSubstring("run.largest_uncertainty_m is 0.005"));
+  CHECK(robot.truth().wheels_at_rest);
+  CHECK(std::none_of(result.records.begin(), result.records.end(),
+                     [](const PoseRecord& record) { return record.command.activity == Activity::route; }));
 }

@@ -54,6 +54,20 @@ TEST_CASE("The hybrid source is refused where the model has no encoder scale") {
   CHECK(refusal(PoseSource::fir, model).empty());
 }
 
+TEST_CASE("A route that the model cannot hold within the limit is refused before the robot is armed") {
+  config::DaemonConfig config;
+  config.route = Route{"far", 0.2, 0.02, {{5.0, 0.0}}};
+  config.largest_uncertainty_m = 0.02;
+  RobotModel model = model_of(ModelType::fir);
+  model.linear_part.left.from_left = model.linear_part.right.from_right = {0.0, 0.5, 0.5};
+  model.linear_part.left.from_right = model.linear_part.right.from_left = {0.0, 0.0, 0.0};
+  CHECK_THROWS_WITH(
+      daemon::make_plan(config, model),
+      ContainsSubstring("model.yaml: route 'far' cannot be held by the model alone: at checkpoint 1"));
+  config.largest_uncertainty_m = 2.0;
+  CHECK_NOTHROW(daemon::make_plan(config, model));
+}
+
 TEST_CASE("Given commands need no model and calibrate only where that is always done") {
   config::DaemonConfig config;
   config.commanded_drive = CommandedDrive{"x", {{0.0, {0.1, 0.1}}}, 1.0};

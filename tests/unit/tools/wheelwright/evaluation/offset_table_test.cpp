@@ -20,8 +20,8 @@ std::vector<AttemptOutcome> attempts_that_end(double factor_of_published, std::s
       const auto& published = tools::candidates.at(i).published;
       const double offset_m = factor_of_published * (published ? published->mean_m : 0.1);
       const double direction = static_cast<double>(attempt);
-      outcomes[attempt].at(i) =
-          tools::DriveOutcome{Pose{offset_m * std::cos(direction), offset_m * std::sin(direction), 0.0}, {}};
+      outcomes[attempt].at(i) = tools::DriveOutcome{
+          Pose{offset_m * std::cos(direction), offset_m * std::sin(direction), 0.0}, {}, {}};
     }
   }
   return outcomes;
@@ -41,7 +41,7 @@ TEST_CASE("A published row is met within 30 % of its mean offset and not beyond"
 
 TEST_CASE("A row with an attempt that did not come to its end is not met, and says why") {
   auto outcomes = attempts_that_end(1.0, 4);
-  outcomes[2].front() = tools::DriveOutcome{std::nullopt, "stopped: bump"};
+  outcomes[2].front() = tools::DriveOutcome{std::nullopt, "stopped: bump", {}};
   const auto rows = tools::offset_rows(outcomes, 1);
   CHECK(rows.front().finished == 3);
   CHECK(rows.front().met == false);
@@ -62,7 +62,7 @@ TEST_CASE("The table shows each model with its intervals beside the published ro
 
 TEST_CASE("A table of attempts that all failed has dashes and no numbers") {
   std::vector<AttemptOutcome> outcomes(2);
-  for (auto& outcome : outcomes) outcome.fill(tools::DriveOutcome{std::nullopt, "stopped: bump"});
+  for (auto& outcome : outcomes) outcome.fill(tools::DriveOutcome{std::nullopt, "stopped: bump", {}});
   const auto rows = tools::offset_rows(outcomes, 1);
   CHECK_FALSE(rows.front().offset);
   CHECK_FALSE(tools::offset_json(rows)["odometry"].contains("mean_offset"));
@@ -91,8 +91,8 @@ TEST_CASE("A candidate that was left out has no row") {
 
 TEST_CASE("End points are listed by model and attempt, without those that failed") {
   auto outcomes = attempts_that_end(1.0, 2);
-  outcomes[0].front() = tools::DriveOutcome{std::nullopt, "stopped: bump"};
+  outcomes[0].front() = tools::DriveOutcome{std::nullopt, "stopped: bump", {}};
   const std::string csv = tools::end_points_csv(outcomes);
-  CHECK(csv.starts_with("model,attempt,x,y,theta\nodometry,1,"));
-  CHECK_THAT(csv, ContainsSubstring("\nfir,0,0.332000,0.000000,0.000000\n"));
+  CHECK(csv.starts_with("model,attempt,x,y,theta,estimate_x,"));
+  CHECK_THAT(csv, ContainsSubstring("\nfir,0,0.332000,0.000000,0.000000,"));
 }

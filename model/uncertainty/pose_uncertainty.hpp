@@ -1,0 +1,73 @@
+// How far the pose of a drive from the model alone may be off: the covariance of x, y and heading.
+//
+// Errors of parameters are the same in every period. What one of them does to the pose is the difference
+// d_k between two simulations of the same commands, of the model and of the model with that parameter moved
+// by one standard deviation (moved_models.hpp), so that effects count with all their bends:
+//
+//   P = sum_k d_k d_k' + N
+//
+// N is carried along the linearised motion (filter/pose_with_covariance.hpp). It has the random walk of the
+// wheels' travel against the model, slip that grows with the way, the moment at which the robot takes up a
+// command, anywhere within its refresh period, and, where the model does not hold it, the mismatch of the
+// wheels.
+//
+// P is in the frame of the pose. It says nothing of what no parameter of the model stands for: another
+// floor, a push, an effect that was not found.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "model/filter/filter_noise.hpp"
+#include "model/filter/pose_with_covariance.hpp"
+#include "model/geometry/pose.hpp"
+#include "model/simulation/model_simulation.hpp"
+#include "model/simulation/robot_model.hpp"
+
+namespace wheelwright {
+
+// Allocates when it is made and never after.
+class PoseUncertainty {
+ public:
+  explicit PoseUncertainty(const RobotModel& model);
+
+  // Moves on by one period with this command in force. `motion` is that of the model itself over the period.
+  void step(const WheelPair& command_m_s, const ModelSimulation::Motion& motion);
+
+  // The robot is known to rest at this pose.
+  void reset(const Pose& pose);
+  // The robot is known to be at this pose; its motion stays.
+  void set_pose(const Pose& pose);
+  // Goes on in the place of another model of the same robot, from `pose`: what was uncertain stays so.
+  void take_over(const PoseUncertainty& before, const Pose& pose);
+
+  // `pose` is the model's own.
+  Eigen::Matrix3d covariance(const Pose& pose) const;
+
+ private:
+  TravelVariance noise_of(const WheelPair& command_m_s, const WheelPair& floor_m_s) const;
+
+  double period_s_;
+  FilterNoise noise_;
+  std::vector<ModelSimulation> moved_;
+  PoseWithCovariance with_noise_;  // the pose of the model itself
+  WheelPair command_m_s_;          // of the period before
+};
+
+// 95 % point of chi squared with two degrees of freedom: -2 ln 0.05.
+inline constexpr double chi_square95_of_two = 5.991464547107979;
+
+// The 95 % ellipse of a position: in 95 of 100 drives the robot is within it.
+struct PositionEllipse {
+  double major_m = 0.0;  // half axes
+  double minor_m = 0.0;
+  double direction_rad = 0.0;  // of the major axis
+};
+PositionEllipse position_ellipse95(const Eigen::Matrix3d& covariance);
+
+// The radius around the pose within which the robot is in 95 of 100 drives, to 0.2 %: a cubic in the ratio of
+// the two deviations (R. W. Leenhouts, "On the computation of bi-normal radial error", Navigation 32 (1985)
+// 16-28).
+double position_radius95_m(const Eigen::Matrix3d& covariance);
+
+}  // namespace wheelwright
