@@ -93,7 +93,8 @@ Run::Run(const config::DaemonConfig& config, const ProcessOptions& options, Serv
              plan_.model ? std::make_unique<DrivingModel>(*plan_.model) : nullptr),
       calibrator_(config, plan_, folder_, session_, *wiring_),
       log_(config, folder_, plan_.limits.metres_per_tick, *wiring_, board_),
-      live_view_(config, session_, *wiring_) {
+      live_view_(config, session_, *wiring_),
+      watch_(config, folder_) {
   keep_inputs();
 }
 
@@ -126,6 +127,11 @@ RunOutcome Run::drive(const sigset_t& signals) {
   print_within(
       summary_patience, STDOUT_FILENO,
       summary(config_, outcome, calibrator_.report(), logs, session_, real_time_, wiring_->dropped.load()));
+  if (config_.at_end == config::AtEnd::exit && logs.last_driven_record &&
+      (outcome.cause == EndCause::done || outcome.cause == EndCause::run_stopped)) {
+    watch_.drive_ended(logs.recalibration_due);
+    watch_.wait(signals);
+  }
   const bool complete = logs.errors.empty() && !calibrator_.report().file_error;
   if (outcome.cause == EndCause::done && !complete) outcome.cause = EndCause::files_lost;
   return outcome;
@@ -146,7 +152,7 @@ void Run::start_all() {
 
 RunOutcome Run::supervise(const sigset_t& signals) {
   try {
-    return Supervisor({config_, options_, session_, guardian_, *wiring_, board_, real_time_, folder_},
+    return Supervisor({config_, options_, session_, guardian_, *wiring_, board_, real_time_, folder_, watch_},
                       service_)
         .run(signals);
   } catch (const std::exception& error) {

@@ -20,6 +20,7 @@
 #include "daemon/threads/log_thread.hpp"
 #include "daemon/threads/real_time.hpp"
 #include "daemon/threads/ring_client.hpp"
+#include "daemon/watch/model_watch.hpp"
 #include "daemon/wiring/plan.hpp"
 #include "daemon/wiring/status_board.hpp"
 #include "daemon/wiring/wiring.hpp"
@@ -70,6 +71,7 @@ class Run {
   StatusBoard board_;
   LogThread log_;
   telemetry::LiveView live_view_;
+  ModelWatch watch_;
   std::vector<std::string> inputs_lost_;  // why, each
   std::atomic<int> scheduled_{0};         // the loop: 0 not yet, 1 goes, -1 may not
   std::atomic<bool> loop_ended_{false};

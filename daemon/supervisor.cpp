@@ -135,14 +135,27 @@ void Supervisor::arm() {
   parts_.session.request_arm();
 }
 
+// Where the process ends with its run, the run itself sees to it.
+void Supervisor::watch_model() {
+  const bool moves_now = moves();
+  if (moved_ && !moves_now && parts_.config.at_end == config::AtEnd::stay) {
+    const auto latest = parts_.board.latest();
+    parts_.watch.drive_ended(latest && latest->record.hybrid && latest->record.hybrid->recalibration_due);
+  }
+  moved_ = moves_now;
+  parts_.watch.look();
+}
+
 void Supervisor::tell(Clock::time_point now) {
   service_.notifier.feed(parts_.session.counts().ticks);
   if (parts_.wiring.robot_answers.load()) service_.notifier.ready();
   if (now - told_ < tell_every) return;
   told_ = now;
+  watch_model();
   if (now - started_ > long_enough) service_.restarts.lasted();
-  const StatusView view{parts_.config,     parts_.session,        parts_.real_time,
-                        parts_.run_folder, parts_.board.latest(), parts_.wiring.robot_answers.load()};
+  const StatusView view{parts_.config,        parts_.session,        parts_.real_time,
+                        parts_.run_folder,    parts_.board.latest(), parts_.wiring.robot_answers.load(),
+                        parts_.watch.answer()};
   service_.notifier.status(status_line(view));
   if (parts_.options.status_file.empty()) return;
   const auto error =

@@ -15,6 +15,7 @@
 #include "daemon/service/exit_status.hpp"
 #include "daemon/telemetry/status_file.hpp"
 #include "daemon/threads/real_time.hpp"
+#include "daemon/watch/model_watch.hpp"
 #include "daemon/wiring/status_board.hpp"
 #include "daemon/wiring/wiring.hpp"
 #include "drivers/roomba/session.hpp"
@@ -40,6 +41,7 @@ struct Supervised {
   const StatusBoard& board;
   const RealTimeStatus& real_time;
   std::filesystem::path run_folder;
+  ModelWatch& watch;
 };
 
 class Supervisor {
@@ -61,6 +63,7 @@ class Supervisor {
   bool moves() const;
   void arm_when_ready();
   void tell(Clock::time_point now);
+  void watch_model();
 
   Supervised parts_;
   Service& service_;
@@ -69,6 +72,7 @@ class Supervisor {
   Clock::time_point told_{};
   bool armed_once_ = false;
   bool status_failed_ = false;
+  bool moved_ = false;  // when it was looked at last
 };
 
 }  // namespace wheelwright::daemon

@@ -198,6 +198,15 @@ void read_run(YamlReader& file, DaemonConfig& config) {
   run->finish();
 }
 
+void read_gap(YamlReader& file, DaemonConfig& config) {
+  auto section = file.section("gap");
+  if (!section) return;
+  config.gap_watch = section->choice<GapWatch>(
+      "watch", {{"off", GapWatch::off}, {"when_due", GapWatch::when_due}, {"after_run", GapWatch::after_run}},
+      config.gap_watch);
+  section->finish();
+}
+
 void read_real_time(YamlReader& file, DaemonConfig& config) {
   auto section = file.section("real_time");
   if (!section) return;
@@ -262,6 +271,7 @@ DaemonConfig load_daemon_config(const std::filesystem::path& path) {
   read_limits(file, config);
   read_calibration(file, config);
   read_run(file, config);
+  read_gap(file, config);
   read_real_time(file, config);
   read_live_view(file, config);
   file.finish();

@@ -38,6 +38,13 @@ struct LiveViewConfig {
   std::filesystem::path truth;        // of a simulated robot, to be shown beside; empty: unknown
 };
 
+// When the gap workflow looks at the recorded drives for what the model lacks (daemon/watch/model_watch.hpp).
+enum class GapWatch : std::uint8_t {
+  off,
+  when_due,   // after a drive in which the filter found that a calibration is due
+  after_run,  // after each drive
+};
+
 enum class AtEnd : std::uint8_t {
   exit,  // the process ends with the run
   stay,  // it keeps the link and waits to be armed again
@@ -66,6 +73,7 @@ struct DaemonConfig {
   AtEnd at_end = AtEnd::exit;
   std::filesystem::path log_folder = "runs";
   bool mcap_log = false;  // an MCAP file beside the CSV logs
+  GapWatch gap_watch = GapWatch::off;
   RealTimeConfig real_time;
   LiveViewConfig live_view;
 };

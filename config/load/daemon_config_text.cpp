@@ -34,6 +34,11 @@ std::string name_of(CalibrateWhen when) {
   return when == CalibrateWhen::never ? "never" : "if_needed";
 }
 
+std::string name_of(GapWatch watch) {
+  if (watch == GapWatch::off) return "off";
+  return watch == GapWatch::when_due ? "when_due" : "after_run";
+}
+
 std::string name_of(RealTimePolicy policy) {
   if (policy == RealTimePolicy::require) return "require";
   return policy == RealTimePolicy::off ? "off" : "prefer";
@@ -136,6 +141,8 @@ void add_run(Yaml& yaml, const DaemonConfig& config) {
   yaml.word("at_end", config.at_end == AtEnd::exit ? "exit" : "stay");
   yaml.text("log_folder", config.log_folder.string());
   yaml.flag("mcap", config.mcap_log);
+  yaml.section("gap");
+  yaml.word("watch", name_of(config.gap_watch));
   yaml.section("real_time");
   yaml.word("policy", name_of(config.real_time.policy));
   yaml.number("priority", config.real_time.priority);

@@ -92,6 +92,7 @@ std::string status_json(const StatusView& view) {
                            {"phase", phase_of(view)},
                            {"run_folder", view.run_folder.string()},
                            {"loop", loop_json(view)}};
+  status["watch"] = view.watch.empty() ? nlohmann::json() : nlohmann::json(view.watch);
   if (view.latest) {
     const SensorFrame& frame = view.latest->frame;
     status["stop"] = frame.stop == StopReason::none ? nullptr : nlohmann::json(name_of(frame.stop));

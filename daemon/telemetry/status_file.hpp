@@ -25,6 +25,7 @@ struct StatusView {
   std::filesystem::path run_folder;
   std::optional<LogEntry> latest;
   bool robot_answers = false;
+  std::string watch{};  // what the watch over the model said at last
 };
 
 // What the robot does, in words: "waiting for the robot", "standing", "route", ..., "stopped: bump".
@@ -37,7 +38,8 @@ std::string status_line(const StatusView& view);
 // model_version, pose {x_m, y_m, theta_rad, by}, battery_v, run_folder, and loop {system, period_s, ticks,
 // overruns, skipped_periods, commands_late, replies_asked, replies_sound, lateness_us {p50, p99, p999,
 // largest, histogram
-// [[upper edge, wake-ups], ...]}}. What is not known is null.
+// [[upper edge, wake-ups], ...]}}, watch (what the watch over the model said at last). What is not known is
+// null.
 std::string status_json(const StatusView& view);
 
 // Removes a status file that this process wrote, and nothing else.
