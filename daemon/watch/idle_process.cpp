@@ -20,9 +20,11 @@ constexpr int cannot_start = 127;
 void become_idle(int said, const IdleProcessLimits& limits) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   ::setpgid(0, 0);
-  sched_param parameters{};
-  ::sched_setscheduler(0, SCHED_IDLE, &parameters);
-  ::setpriority(PRIO_PROCESS, 0, lowest_priority);
+  if (limits.lowest_priority) {
+    sched_param parameters{};
+    ::sched_setscheduler(0, SCHED_IDLE, &parameters);
+    ::setpriority(PRIO_PROCESS, 0, lowest_priority);
+  }
   const rlimit memory{limits.memory_bytes, limits.memory_bytes};
   ::setrlimit(RLIMIT_DATA, &memory);
   sigset_t none;

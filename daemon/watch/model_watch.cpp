@@ -66,7 +66,7 @@ void ModelWatch::begin() {
   std::vector<std::string> arguments{"gap", "--model",       config_.model_file.string(),
                                      "-o",  folder.string(), "--train"};
   for (const fs::path& drive : drives_) arguments.push_back(drive.string());
-  search_ = std::make_unique<IdleProcess>(workflow_program(), arguments, folder / "messages.txt");
+  search_ = std::make_unique<IdleProcess>(workflow_program(), arguments, folder / "messages.txt", limits_);
   spdlog::info("gap.watch: looks at {} {} for what the model lacks", drives_.size(),
                drives_.size() == 1 ? "drive" : "drives");
 }

@@ -24,8 +24,9 @@ namespace wheelwright::daemon {
 class ModelWatch {
  public:
   // Both outlive the watch.
-  ModelWatch(const config::DaemonConfig& config, const std::filesystem::path& run_folder)
-      : config_(config), run_folder_(run_folder) {}
+  ModelWatch(const config::DaemonConfig& config, const std::filesystem::path& run_folder,
+             const IdleProcessLimits& limits = {})
+      : config_(config), run_folder_(run_folder), limits_(limits) {}
 
   // A drive has ended. Begins where the configuration (gap.watch) wants it, and a former search has ended.
   void drive_ended(bool recalibration_due);
@@ -45,6 +46,7 @@ class ModelWatch {
 
   const config::DaemonConfig& config_;
   const std::filesystem::path& run_folder_;
+  IdleProcessLimits limits_;
   std::unique_ptr<IdleProcess> search_;
   std::vector<std::filesystem::path> drives_;
   std::string answer_;
