@@ -1,0 +1,85 @@
+#include "tools/wheelwright/export/patch/mujoco_patch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tools/wheelwright/export/patch/mujoco_drive.hpp"
+#include "tools/wheelwright/export/patch/xml_numbers.hpp"
+
+namespace wheelwright::tools {
+namespace {
+
+struct Side {
+  const MujocoWheel& wheel;
+  const MujocoSide& given;
+  Part joint_part;
+  Part actuator_part;
+  Part wheel_part;
+};
+
+// A gear far from it means controls of another unit than those that were given.
+void check_gear(const XmlFile& file, const Side& side, const std::vector<PlacedNumber>& numbers,
+                double control_per_rad_s) {
+  constexpr double largest_change = 1.5;
+  double right = control_per_rad_s;
+  for (const PlacedNumber& number : numbers) {
+    if (number.part == side.actuator_part && number.key == "gear") right = number.figures.front().value;
+  }
+  const double ratio = side.given.gear / right;
+  if (ratio > 1.0 / largest_change && ratio < largest_change) return;
+  file.fail(side.wheel.actuator,
+            "has gear " + short_number(side.given.gear) + ", so that its control is not the wheel's speed" +
+                " in rad/s; add --control-per-speed " + short_number(side.given.gear) +
+                " (control per rad/s of the wheel), or set the gear to " + short_number(right));
+}
+
+std::vector<PlacedNumber> with_key(const std::vector<PlacedNumber>& numbers, const std::string& key) {
+  std::vector<PlacedNumber> own;
+  std::ranges::copy_if(numbers, std::back_inserter(own),
+                       [&key](const PlacedNumber& number) { return number.key == key; });
+  return own;
+}
+
+void put_geometry(XmlNumbers& file, const Side& side, const MujocoDrive& drive,
+                  const std::vector<PlacedNumber>& numbers) {
+  const auto own = numbers_of(numbers, side.wheel_part);
+  const std::string body = "body of joint " + side.wheel.joint_name;
+  if (drive.no_separation.empty()) {
+    file.set_attributes(side.wheel.body, body, with_key(own, "pos"));
+  } else {
+    file.leave(body, with_key(own, "pos"), drive.no_separation);
+  }
+  if (side.wheel.no_radius.empty()) {
+    file.set_attributes(side.wheel.geom, "geom of joint " + side.wheel.joint_name, with_key(own, "size"));
+  } else {
+    file.leave("geom of joint " + side.wheel.joint_name, with_key(own, "size"), side.wheel.no_radius);
+  }
+}
+
+}  // namespace
+
+Patch patch_mujoco(const PatchedFile& file, const RobotModel& model, const WheelGeometry& wheel,
+                   const MujocoChoice& choice, const PatchNames& names) {
+  const XmlFile xml(file);
+  const MujocoDrive drive = find_mujoco_drive(xml, names);
+  const MujocoTarget target{.left = side_of(xml, drive.left),
+                            .right = side_of(xml, drive.right),
+                            .timestep_s = drive.timestep_s,
+                            .control_per_rad_s = choice.control_per_rad_s,
+                            .knows_delay = choice.knows_delay};
+  const ModelNumbers all = mujoco_numbers(model, wheel, target);
+  XmlNumbers patched(xml);
+  for (const Side& side :
+       {Side{drive.left, target.left, Part::left_joint, Part::left_actuator, Part::left_wheel},
+        Side{drive.right, target.right, Part::right_joint, Part::right_actuator, Part::right_wheel}}) {
+    check_gear(xml, side, all.numbers, choice.control_per_rad_s);
+    put_geometry(patched, side, drive, all.numbers);
+    patched.set_attributes(side.wheel.joint, "joint " + side.wheel.joint_name,
+                           numbers_of(all.numbers, side.joint_part));
+    patched.set_attributes(side.wheel.actuator, "actuator " + side.wheel.actuator_name,
+                           numbers_of(all.numbers, side.actuator_part));
+  }
+  return {patched.text(), patched.changes(), all.unsaid};
+}
+
+}  // namespace wheelwright::tools
