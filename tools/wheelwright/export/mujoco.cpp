@@ -97,16 +97,19 @@ void add_range(std::vector<PlacedNumber>& numbers, const DrivenWheel& side, cons
 
 void add_delay(std::vector<PlacedNumber>& numbers, const DrivenWheel& side, const Figure& delay_s,
                double timestep_s) {
-  const bool some = delay_s.value >= least_delay_s;
-  if (!some && !side.given.has_delay) return;
-  numbers.push_back(measured(side.actuator, "delay", {some ? delay_s : Figure{}}, "s",
+  if (delay_s.value < least_delay_s) {
+    if (side.given.has_delay) numbers.push_back(constant(side.actuator, "delay", 0.0, "s"));
+    return;
+  }
+  // MuJoCo draws a line between two controls of which the first should hold: half a timestep early.
+  const Figure later_s = shifted(delay_s, 0.5 * timestep_s);
+  numbers.push_back(measured(side.actuator, "delay", {later_s}, "s",
                              "needs MuJoCo 3.5; dead time of the linear part " +
                                  config::fixed_number(side.response.dead_time_s, 4) +
-                                 " s: " + remark_of(delay_s)));
-  if (!some) return;
-  // As many as the delay has steps, and one more for the upper end of its interval to fit.
+                                 " s, and half a timestep: " + remark_of(later_s)));
+  // As many as the delay has steps; with fewer MuJoCo cuts it short. One more, and the interval's upper end.
   const double longest_s =
-      delay_s.interval ? std::max(delay_s.interval->upper, delay_s.value) : delay_s.value;
+      later_s.interval ? std::max(later_s.interval->upper, later_s.value) : later_s.value;
   numbers.push_back(constant(side.actuator, "nsample", std::ceil(longest_s / timestep_s) + 1.0, "1"));
   numbers.push_back(keyword(side.actuator, "interp", "linear"));
 }
