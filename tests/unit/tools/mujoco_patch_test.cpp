@@ -170,7 +170,8 @@ TEST_CASE("Which wheels are meant is found by their names, or has to be said") {
       replaced(robot, "<velocity name=\"left\"  joint='left_hinge' kv='7'/>", "<velocity joint='a' kv='7'/>"),
       "name=\"left_hinge\"", "name=\"a\"");
   refused(nameless, {},
-          "name the wheel's joint by --left-joint; it has velocity of joint a, velocity of joint");
+          "its actuators: velocity of joint a, velocity of joint right_hinge; give the joint one, or name it "
+          "by --left-joint");
   const PatchCase patched("mujoco_patch_named", test::model_with_effects(), nameless);
   CHECK(patched.run("mujoco", with(wheel, {"--left-joint", "a"})).status == ExitStatus::done);
   refused(nameless, {"--left-joint", "b"}, "has 0 actuators of joint b");
@@ -181,7 +182,7 @@ TEST_CASE("An MJCF file without the place for the numbers is left as it is, and 
   refused(replaced(robot, "name=\"left_hinge\"", "name=\"other\""), {},
           "drives joint left_hinge, which this file does not have");
   refused(replaced(replaced(robot, "<velocity name=\"left\"", "<motor name=\"left\""), "kv='7'", ""), {},
-          "has 0 <velocity> or <general> actuators of a left wheel");
+          "has 0 <velocity> or <general> actuators of a joint that is called left");
   refused(replaced(robot, "kv='7'", "kv='${gain}'"), {}, "xacro");
   refused(replaced(robot, "kv='7'", "kv='7' kv='8'"), {}, "has kv twice");
   refused("<sdf/>", {}, ":1: <sdf> is not <mujoco>");

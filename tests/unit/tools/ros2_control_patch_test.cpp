@@ -27,7 +27,7 @@ const std::string controller =
     "    right_wheel_names: [\"right\"]\n"
     "    wheel_separation: 0.24      # by tape\n"
     "    wheel_radius: 0.036\n"
-    "    pose_covariance_diagonal: [0.001, 0.001, 0.0,\n"
+    "    pose_covariance_diagonal: [0.001, 0.001, 0.5,\n"
     "                               0.0, 0.0, 0.01]\n"
     "    linear:\n"
     "      x:\n"
@@ -138,11 +138,40 @@ TEST_CASE("Keys with dots, windows line ends and comments of another model are m
   CHECK_THAT(patched.run("ros2_control", radius).out, ContainsSubstring("nothing to change"));
 }
 
+TEST_CASE(
+    "A limit that is tighter than the robot's own is kept and told, as what the model says nothing of is") {
+  const std::string tight = replaced(controller, "max_velocity: 1.0", "max_velocity: 0.1");
+  const PatchCase patched("ros2_patch_tight", with_drift(), tight + "\n" + smoother);
+  const auto outcome = patched.run("ros2_control", radius);
+  INFO(outcome.err << outcome.out);
+  REQUIRE(outcome.status == ExitStatus::done);
+  CHECK_THAT(outcome.out, ContainsSubstring("max_velocity: kept at 0.1; tighter than the robot's own 0.4"));
+  CHECK_THAT(outcome.out,
+             ContainsSubstring("max_velocity: changed from [0.5, 0.0, 2.5] to [0.4, 0.0, 2.5]; tighter"));
+  CHECK_THAT(patched.text(),
+             ContainsSubstring("max_velocity: 0.1  # wheelwright: the robot reaches 0.4: 95 % interval"));
+  const YAML::Node base = YAML::Load(patched.text())["base"]["ros__parameters"];
+  CHECK_THAT(base["pose_covariance_diagonal"][2].as<double>(), WithinAbs(0.5, 1e-12));
+  CHECK_THAT(base["pose_covariance_diagonal"][4].as<double>(), WithinAbs(0.0, 1e-12));
+  CHECK_THAT(patched.run("ros2_control", radius).out, ContainsSubstring("nothing to change"));
+}
+
+TEST_CASE("A key that is added stands as its neighbours do, with dots or in levels") {
+  const PatchCase patched("ros2_patch_flat", with_drift(),
+                          replaced(controller, "    linear:\n      x:\n        max_velocity: 1.0\n",
+                                   "    linear.x.max_jerk: 1.0\n"));
+  REQUIRE(patched.run("ros2_control", radius).status == ExitStatus::done);
+  CHECK_THAT(patched.text(), ContainsSubstring("\n    linear.x.min_velocity: -0.4\n"));
+  CHECK_THAT(patched.text(),
+             ContainsSubstring("\n    angular:\n      z:\n        has_velocity_limits: true\n"));
+  CHECK_THAT(patched.run("ros2_control", radius).out, ContainsSubstring("nothing to change"));
+}
+
 TEST_CASE("A YAML file without the place for the numbers is left as it is, and told what it lacks") {
   refused(
       "a:\n  ros__parameters:\n    b: 1\n", {},
       "has no diff_drive_controller (ros__parameters with wheel_separation); nodes with ros__parameters: a");
-  refused(controller, {"--controller", "other"}, "has no diff_drive_controller of the name other");
+  refused(controller, {"--within", "other"}, "has no diff_drive_controller of the name other");
   refused(controller + "\n" + replaced(controller.substr(controller.find("base:\n")), "base", "second"), {},
           "has several nodes that may be the diff_drive_controller (base at row 9, second at row");
   refused(replaced(controller, "0.24 ", "\"0.24\""), {}, ":11: '0.24' is no plain number");
@@ -159,7 +188,7 @@ TEST_CASE("With several controllers the one that is named is patched alone") {
   const std::string second = replaced(controller.substr(controller.find("base:\n")), "base", "second");
   const PatchCase patched("ros2_patch_named", with_drift(), controller + "\n" + second);
   auto options = radius;
-  options.insert(options.end(), {"--controller", "base"});
+  options.insert(options.end(), {"--within", "base"});
   const auto outcome = patched.run("ros2_control", options);
   INFO(outcome.err << outcome.out);
   REQUIRE(outcome.status == ExitStatus::done);

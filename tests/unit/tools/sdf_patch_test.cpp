@@ -127,9 +127,25 @@ TEST_CASE("An SDF file without the place for the numbers is left as it is, and t
   refused(without(sdf, "name=\"left_hinge\""), inertia, "has no joint left_hinge in <model name=\"robot\">");
   refused(without(sdf, "      <left_joint>left_hinge</left_joint>\n"), inertia, "has no <left_joint>");
   refused(sdf.substr(0, sdf.find(plugin)) + plugin + sdf.substr(sdf.find(plugin)), radius,
-          "has 2 DiffDrive plugins (rows 15, 22)");
+          "has 2 DiffDrive plugins (of model robot at row 15, robot at row 22); name the model by --within");
   refused(without(sdf, " 0.24 "), radius, "<wheel_separation> holds no number");
   refused("<mujoco/>", radius, "<mujoco> is neither <sdf> nor <robot>");
+}
+
+TEST_CASE("With several robots whose joints are called alike the model that is named is meant") {
+  std::string both = sdf;
+  std::string second = sdf.substr(sdf.find("  <model"), sdf.find("</sdf>") - sdf.find("  <model"));
+  second.replace(second.find("name=\"robot\""), 12, "name=\"other\"");
+  both.insert(both.find("</sdf>"), second);
+  const PatchCase patched("sdf_patch_models", test::model_with_effects(), both);
+  auto options = inertia;
+  options.insert(options.end(), {"--within", "robot"});
+  const auto outcome = patched.run("sdf", options);
+  INFO(outcome.err << outcome.out);
+  REQUIRE(outcome.status == ExitStatus::done);
+  CHECK_THAT(patched.text(), ContainsSubstring(second));
+  refused(both, radius, "(of model robot at row 15, other at row");
+  refused(both, {"--wheel-radius", "0.036", "--within", "third"}, "has no DiffDrive plugin of what is named");
 }
 
 TEST_CASE("With several DiffDrive plugins the one of the joints that are named is meant") {

@@ -54,12 +54,12 @@ void check_together(const ModelExport& options, const std::string& target) {
             "--ranges writes a table, and --patch changes a file; give one of them");
   refuse_if(options.target == ModelTarget::c && !options.patch.empty(),
             target + " takes no --patch: its header is a file of its own; give it another by -o");
-  refuse_if(options.patch.empty() && (of_joints || !options.names.controller.empty()),
-            "--left-joint, --right-joint and --controller name things of a file; add --patch");
+  refuse_if(options.patch.empty() && (of_joints || !options.names.within.empty()),
+            "--left-joint, --right-joint and --within name things of a file; add --patch");
   refuse_if(options.target == ModelTarget::ros2_control && of_joints,
-            target + " takes no joints; name the node by --controller");
-  refuse_if(options.target != ModelTarget::ros2_control && !options.names.controller.empty(),
-            target + " takes no --controller; name the wheels' joints by --left-joint and --right-joint");
+            target + " takes no joints; name the node by --within");
+  refuse_if(options.target == ModelTarget::mujoco && !options.names.within.empty(),
+            target + " takes no --within; name the wheels' joints by --left-joint and --right-joint");
   refuse_if(options.target != ModelTarget::mujoco && (options.control_per_rad_s || options.without_delay),
             target + " takes neither --control-per-speed nor --without-delay: they are MuJoCo's");
 }
@@ -193,8 +193,9 @@ void add_model_options(CLI::App& command, ModelExport& options) {
   command.add_option("--left-joint", options.names.left_joint,
                      "With --patch: joint of the left wheel; else as the file's names say");
   command.add_option("--right-joint", options.names.right_joint, "With --patch: joint of the right wheel");
-  command.add_option("--controller", options.names.controller,
-                     "With --patch and --to ros2_control: name of the node, where there are several");
+  command.add_option(
+      "--within", options.names.within,
+      "With --patch and --to sdf or ros2_control: the model, or the node of ROS, where there are several");
   command
       .add_option("--control-per-speed", options.control_per_rad_s,
                   "With --to mujoco: control per speed of a wheel, 1/(rad/s); default 1")

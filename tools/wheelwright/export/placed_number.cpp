@@ -21,6 +21,13 @@ PlacedNumber constant(Part part, const std::string& key, double value, const std
   return measured(part, key, {Figure{value, {}, ""}}, unit, "");
 }
 
+PlacedNumber limit(Part part, const std::string& key, std::vector<Figure> figures, const std::string& unit,
+                   const std::string& remark) {
+  PlacedNumber number = measured(part, key, std::move(figures), unit, remark);
+  number.is_limit = true;
+  return number;
+}
+
 PlacedNumber one_of_list(PlacedNumber number, std::size_t at) {
   number.at = at;
   return number;

@@ -31,6 +31,9 @@ struct PlacedNumber {
   std::string remark;             // for a comment; empty for what the format itself demands
   std::string word;               // in the place of figures, as "true"
   std::optional<std::size_t> at;  // the one of a list that it is; the rest of the list stays
+  std::vector<std::size_t>
+      unknown;            // elements of a list that the model says nothing of: a file keeps its own
+  bool is_limit = false;  // of the robot: a file may have a tighter one, which it keeps
 };
 
 struct ModelNumbers {
@@ -45,6 +48,9 @@ PlacedNumber measured(Part part, const std::string& key, std::vector<Figure> fig
 PlacedNumber constant(Part part, const std::string& key, double value, const std::string& unit);
 // The one at `at` of a list, of which the rest stays as it is in a file.
 PlacedNumber one_of_list(PlacedNumber number, std::size_t at);
+// A limit of what the robot can do.
+PlacedNumber limit(Part part, const std::string& key, std::vector<Figure> figures, const std::string& unit,
+                   const std::string& remark);
 PlacedNumber keyword(Part part, const std::string& key, const std::string& word);
 
 // Its values as text, one for each element of a list.

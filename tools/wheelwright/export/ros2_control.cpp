@@ -44,10 +44,10 @@ void add_limits(std::vector<PlacedNumber>& numbers, const std::string& axis, con
   const auto add_both = [&](const std::string& quantity, const std::optional<Figure>& figure,
                             const std::string& of) {
     if (!figure) return;
-    numbers.push_back(keyword(Part::controller, axis + ".has_" + quantity + "_limits", "true"));
-    numbers.push_back(
-        measured(Part::controller, axis + ".max_" + quantity, {*figure}, of, remark_of(*figure)));
-    numbers.push_back(measured(Part::controller, axis + ".min_" + quantity, {scaled(*figure, -1.0)}, of, ""));
+    const std::string end = "_" + quantity;
+    numbers.push_back(keyword(Part::controller, axis + ".has" + end + "_limits", "true"));
+    numbers.push_back(limit(Part::controller, axis + ".max" + end, {*figure}, of, remark_of(*figure)));
+    numbers.push_back(limit(Part::controller, axis + ".min" + end, {scaled(*figure, -1.0)}, of, ""));
   };
   add_both("velocity", speed, unit + "/s");
   add_both("acceleration", change, unit + "/s^2");
@@ -61,26 +61,36 @@ void add_covariance(std::vector<PlacedNumber>& numbers, const RobotModel& model)
   const Figure none{};
   const Figure along{(left + right) / 4.0, {}, ""};
   const Figure turn{(left + right) / std::pow(model.core.wheel_base_m, 2), {}, ""};
-  numbers.push_back(measured(Part::controller, "pose_covariance_diagonal",
-                             {along, along, none, none, none, turn}, "m^2,m^2,m^2,rad^2,rad^2,rad^2",
-                             "gained in one second, as the wheels' drift was measured; across, as along"));
+  PlacedNumber covariance =
+      measured(Part::controller, "pose_covariance_diagonal", {along, along, none, none, none, turn},
+               "m^2,m^2,m^2,rad^2,rad^2,rad^2",
+               "x, y and yaw: gained in one second, as the wheels' drift was measured; across, as along");
+  covariance.unknown = {2, 3, 4};
+  numbers.push_back(std::move(covariance));
+}
+
+// Along x, and turning on the spot; there is no y.
+PlacedNumber triple(const std::string& key, const Figure& along, double turn_per_speed,
+                    const std::string& unit) {
+  PlacedNumber number = measured(Part::smoother, key, {along, Figure{}, scaled(along, turn_per_speed)},
+                                 "m/" + unit + ",m/" + unit + ",rad/" + unit, "x: " + remark_of(along));
+  number.unknown = {1};
+  return number;
 }
 
 void add_smoother(std::vector<PlacedNumber>& numbers, const DriveFigures& figures, double turn_per_speed) {
-  const auto add_triple = [&](const std::string& key, const Figure& along, const std::string& unit) {
-    numbers.push_back(measured(Part::smoother, key, {along, Figure{}, scaled(along, turn_per_speed)}, unit,
-                               "x: " + remark_of(along)));
+  const auto add_limits = [&](const std::string& most, const std::string& least,
+                              const std::optional<Figure>& along, const std::string& unit) {
+    if (!along) return;
+    for (const auto& [key, figure] : {std::pair{most, *along}, std::pair{least, scaled(*along, -1.0)}}) {
+      numbers.push_back(triple(key, figure, turn_per_speed, unit));
+      numbers.back().is_limit = true;
+    }
   };
-  if (figures.largest_speed_m_s) {
-    add_triple("max_velocity", *figures.largest_speed_m_s, "m/s,m/s,rad/s");
-    add_triple("min_velocity", scaled(*figures.largest_speed_m_s, -1.0), "m/s,m/s,rad/s");
-  }
-  if (figures.largest_change_m_s2) {
-    add_triple("max_accel", *figures.largest_change_m_s2, "m/s^2,m/s^2,rad/s^2");
-    add_triple("max_decel", scaled(*figures.largest_change_m_s2, -1.0), "m/s^2,m/s^2,rad/s^2");
-  }
+  add_limits("max_velocity", "min_velocity", figures.largest_speed_m_s, "s");
+  add_limits("max_accel", "max_decel", figures.largest_change_m_s2, "s^2");
   if (figures.smallest_command_m_s)
-    add_triple("deadband_velocity", *figures.smallest_command_m_s, "m/s,m/s,rad/s");
+    numbers.push_back(triple("deadband_velocity", *figures.smallest_command_m_s, turn_per_speed, "s"));
 }
 
 std::string head(const RobotModel& model, const ModelNumbers& all) {

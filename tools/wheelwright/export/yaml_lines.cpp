@@ -10,7 +10,9 @@ std::string with_point(std::string number) {
   return number;
 }
 
-std::vector<std::string> levels_of(const std::string& key) {
+std::vector<std::string> levels_of(const YamlLine& line) {
+  if (line.is_flat) return {line.key};
+  const std::string& key = line.key;
   std::vector<std::string> levels;
   std::size_t begin = 0;
   for (std::size_t dot = key.find('.'); dot != std::string::npos; dot = key.find('.', begin)) {
@@ -34,7 +36,7 @@ YamlLine yaml_line(const PlacedNumber& number) {
   std::string text = values.front();
   for (std::size_t i = 1; i < values.size(); ++i) text += ", " + values[i];
   if (values.size() > 1) text = "[" + text + "]";
-  return {number.key, std::move(text), number.remark};
+  return {number.key, std::move(text), number.remark, false};
 }
 
 std::string yaml_lines(const std::vector<YamlLine>& lines, const std::string& indent, const std::string& step,
@@ -42,7 +44,7 @@ std::string yaml_lines(const std::vector<YamlLine>& lines, const std::string& in
   std::string text;
   std::vector<std::string> open;
   for (const YamlLine& line : lines) {
-    const std::vector<std::string> levels = levels_of(line.key);
+    const std::vector<std::string> levels = levels_of(line);
     const std::size_t above = levels.size() - 1;
     const auto end = levels.begin() + static_cast<std::ptrdiff_t>(above);
     const auto differs = std::mismatch(open.begin(), open.end(), levels.begin(), end).second;

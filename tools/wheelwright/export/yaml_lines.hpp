@@ -15,7 +15,8 @@ inline constexpr std::string_view yaml_remark_mark = "# wheelwright:";
 struct YamlLine {
   std::string key;  // with a dot before each level below
   std::string value;
-  std::string remark;  // of the comment; may be empty
+  std::string remark;    // of the comment; may be empty
+  bool is_flat = false;  // its dots are no levels
 };
 
 YamlLine yaml_line(const PlacedNumber& number);

@@ -13,6 +13,7 @@
 namespace wheelwright::tools {
 namespace {
 
+using pugi::xml_attribute;
 using pugi::xml_node;
 
 std::string lower_case(std::string text) {
@@ -26,7 +27,7 @@ std::string name_of(xml_node element) {
 }
 
 struct Elements {
-  std::vector<xml_node> actuators;  // that drive a joint
+  std::vector<xml_node> actuators;
   std::vector<xml_node> joints;
   std::vector<xml_node> options;
   bool includes = false;
@@ -40,7 +41,7 @@ Elements elements_of(const XmlFile& file) {
   Elements all;
   XmlFile::for_each(file.root(), [&all](xml_node element) {
     const std::string_view name = element.name();
-    if (is_inside(element, "actuator") && element.attribute("joint")) all.actuators.push_back(element);
+    if (is_inside(element, "actuator")) all.actuators.push_back(element);
     if (name == "joint" && is_inside(element, "body")) all.joints.push_back(element);
     if (name == "option") all.options.push_back(element);
     if (name == "include") all.includes = true;
@@ -50,14 +51,15 @@ Elements elements_of(const XmlFile& file) {
 
 bool can_be_driven(xml_node actuator) {
   const std::string_view kind = actuator.name();
-  return kind == "velocity" || kind == "general";
+  return actuator.attribute("joint") && (kind == "velocity" || kind == "general");
 }
 
 std::string list_of(const std::vector<xml_node>& actuators) {
   std::string text;
   for (const xml_node one : actuators) {
-    text += (text.empty() ? "" : ", ") + std::string(one.name()) + " of joint " +
-            config::excerpt(one.attribute("joint").value());
+    const xml_attribute joint = one.attribute("joint");
+    text += (text.empty() ? "" : ", ") + std::string(one.name()) +
+            (joint ? " of joint " + config::excerpt(joint.value()) : " " + config::excerpt(name_of(one)));
   }
   return text.empty() ? "none" : text;
 }
@@ -93,8 +95,10 @@ xml_node only_actuator(const XmlFile& file, const Elements& all, const std::stri
     file.fail("has " + std::to_string(found.size()) + " actuators of joint " + config::excerpt(wanted_joint) +
               ", but must have one; it has " + list_of(all.actuators) + hint);
   }
-  file.fail("has " + std::to_string(found.size()) + " <velocity> or <general> actuators of a " + side +
-            " wheel; name the wheel's joint by " + option + "; it has " + list_of(all.actuators) + hint);
+  file.fail("has " + std::to_string(found.size()) +
+            " <velocity> or <general> actuators of a joint that is called " + side +
+            ", but must have one; its actuators: " + list_of(all.actuators) +
+            "; give the joint one, or name it by " + option + hint);
 }
 
 xml_node joint_named(const XmlFile& file, const Elements& all, xml_node actuator) {

@@ -13,7 +13,7 @@ namespace wheelwright::tools {
 struct PatchNames {
   std::string left_joint;
   std::string right_joint;
-  std::string controller;
+  std::string within;  // an SDF model, or a node of ROS
 };
 
 struct NumberChange {
@@ -23,6 +23,7 @@ struct NumberChange {
   std::string after;
   std::string reason;  // why the file has no place for it; empty where it has one
   PlacedNumber number;
+  std::string kept_within;  // the robot's own limit, where the file has a tighter one
 
   bool is_unsaid() const { return !reason.empty(); }
 };

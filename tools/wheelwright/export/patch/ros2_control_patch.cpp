@@ -41,8 +41,10 @@ bool is_smoother(const RosNode& node) {
 }
 
 std::string names_of(const YamlNumbers& file, const std::vector<RosNode>& nodes) {
+  constexpr std::size_t most = 8;
   std::string text;
   for (const RosNode& node : nodes) {
+    if (&node == nodes.data() + most) return text + " and " + std::to_string(nodes.size() - most) + " more";
     text += (text.empty() ? "" : ", ") + config::excerpt(node.name) + " at row " +
             std::to_string(file.row(node.parameters));
   }
@@ -59,7 +61,7 @@ std::vector<RosNode> only(const YamlNumbers& file, const std::vector<RosNode>& n
   });
   if (found.size() > 1) {
     file.fail("has several nodes that may be the " + what + " (" + names_of(file, found) + "); " +
-              (what == "velocity smoother" ? "leave one of them" : "name one by --controller"));
+              (what == "velocity smoother" ? "leave one of them" : "name one by --within"));
   }
   return found;
 }
@@ -71,12 +73,12 @@ Patch patch_ros2_control(const PatchedFile& file, const RobotModel& model, doubl
   YamlNumbers patched(file);
   std::vector<RosNode> nodes;
   collect(patched.root(), nodes);
-  const auto controller = only(patched, nodes, is_controller, "diff_drive_controller", names.controller);
+  const auto controller = only(patched, nodes, is_controller, "diff_drive_controller", names.within);
   const auto smoother = only(patched, nodes, is_smoother, "velocity smoother", "");
-  if (controller.empty() && (smoother.empty() || !names.controller.empty())) {
+  if (controller.empty() && (smoother.empty() || !names.within.empty())) {
     patched.fail("has no diff_drive_controller " +
-                 (names.controller.empty() ? std::string("(ros__parameters with wheel_separation)")
-                                           : "of the name " + config::excerpt(names.controller)) +
+                 (names.within.empty() ? std::string("(ros__parameters with wheel_separation)")
+                                       : "of the name " + config::excerpt(names.within)) +
                  "; nodes with ros__parameters: " + names_of(patched, nodes) +
                  "; give it one, as `export` without --patch writes it");
   }

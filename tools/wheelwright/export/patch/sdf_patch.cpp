@@ -37,19 +37,27 @@ bool drives(const XmlFile& file, xml_node plugin, const std::string& element, co
                              [&](xml_node one) { return text_in(file, one) == joint; });
 }
 
+std::string model_of(xml_node plugin) {
+  return plugin.parent().attribute("name").value();
+}
+
 std::vector<xml_node> plugins_of(const XmlFile& file, const PatchNames& names) {
   std::vector<xml_node> plugins;
   XmlFile::for_each(file.root(), [&](xml_node element) {
-    if (is_diff_drive(element) && drives(file, element, "left_joint", names.left_joint) &&
+    if (is_diff_drive(element) && (names.within.empty() || names.within == model_of(element)) &&
+        drives(file, element, "left_joint", names.left_joint) &&
         drives(file, element, "right_joint", names.right_joint))
       plugins.push_back(element);
   });
   return plugins;
 }
 
-std::string rows_of(const XmlFile& file, const std::vector<xml_node>& elements) {
+std::string models_of(const XmlFile& file, const std::vector<xml_node>& plugins) {
   std::string text;
-  for (const xml_node one : elements) text += (text.empty() ? "" : ", ") + std::to_string(file.row(one));
+  for (const xml_node one : plugins) {
+    text += (text.empty() ? "" : ", ") + config::excerpt(model_of(one)) + " at row " +
+            std::to_string(file.row(one));
+  }
   return text;
 }
 
@@ -57,14 +65,16 @@ std::string rows_of(const XmlFile& file, const std::vector<xml_node>& elements) 
 xml_node find_plugin(const XmlFile& file, const PatchNames& names, bool is_urdf) {
   const std::vector<xml_node> plugins = plugins_of(file, names);
   if (plugins.size() > 1) {
-    file.fail("has " + std::to_string(plugins.size()) + " DiffDrive plugins (rows " + rows_of(file, plugins) +
-              "); name the joints of one by --left-joint and --right-joint");
+    file.fail("has " + std::to_string(plugins.size()) + " DiffDrive plugins (of model " +
+              models_of(file, plugins) +
+              "); name the model by --within, or its joints by --left-joint and --right-joint");
   }
   if (plugins.empty() && is_urdf) return {};
   if (plugins.empty()) {
     file.fail("has no DiffDrive plugin" +
-              (names.left_joint.empty() && names.right_joint.empty() ? std::string()
-                                                                     : " of the joints that are named") +
+              (names.left_joint.empty() && names.right_joint.empty() && names.within.empty()
+                   ? std::string()
+                   : " of what is named") +
               "; give the robot's <model> a " + std::string(plugin_example));
   }
   if (plugins.front().child("wheel_diameter") || plugins.front().child("wheelSeparation")) {

@@ -82,6 +82,12 @@ std::vector<Token> tokens_of(std::string_view text, std::size_t offset, std::siz
   }
 }
 
+bool is_tighter(std::string_view one, std::string_view than) {
+  const auto first = number_in(one);
+  const auto second = number_in(than);
+  return first && second && *first * *second > 0.0 && std::abs(*first) < std::abs(*second);
+}
+
 bool says_the_same(std::string_view one, std::string_view other) {
   if (one == other) return true;
   constexpr double nine_digits = 1e-8;

@@ -55,6 +55,9 @@ struct Token {
 };
 std::vector<Token> tokens_of(std::string_view text, std::size_t offset, std::size_t length);
 
+// A number of the same sign, nearer to zero.
+bool is_tighter(std::string_view one, std::string_view than);
+
 // The same number, as far as nine digits say, or the same word.
 bool says_the_same(std::string_view one, std::string_view other);
 

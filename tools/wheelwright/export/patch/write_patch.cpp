@@ -47,15 +47,20 @@ std::string write_backup(const PatchedFile& file) {
 std::string status_of(const NumberChange& change) {
   if (change.is_unsaid()) return "unsaid";
   if (!change.before) return "added";
-  return *change.before == change.after ? "already_so" : "changed";
+  if (*change.before != change.after) return "changed";
+  return change.kept_within.empty() ? "already_so" : "kept";
 }
 
 std::string sentence(const NumberChange& change) {
   const std::string place = config::printable(change.place);
   if (change.is_unsaid()) return place + ": " + change.after + " cannot be said here: " + change.reason;
   if (!change.before) return place + ": added " + change.after;
-  if (*change.before == change.after) return place + ": already " + config::excerpt(change.after);
-  return place + ": changed from " + config::excerpt(*change.before) + " to " + change.after;
+  const std::string kept =
+      change.kept_within.empty() ? "" : "; tighter than the robot's own " + change.kept_within;
+  const std::string after = config::excerpt(change.after);
+  if (*change.before != change.after)
+    return place + ": changed from " + config::excerpt(*change.before) + " to " + after + kept;
+  return place + (kept.empty() ? ": already " : ": kept at ") + after + kept;
 }
 
 void print(std::ostream& out, const PatchedFile& file, const Patch& patch) {
@@ -73,6 +78,7 @@ nlohmann::ordered_json to_json(const NumberChange& change) {
   if (change.row > 0) json["row"] = change.row;
   if (change.before) json["before"] = *change.before;
   json["after"] = change.after;
+  if (!change.kept_within.empty()) json["kept_within"] = change.kept_within;
   if (!change.number.remark.empty()) json["remark"] = change.number.remark;
   if (change.is_unsaid()) json["reason"] = change.reason;
   return json;

@@ -120,12 +120,14 @@ Token XmlFile::text_of(pugi::xml_node element) const {
 }
 
 std::optional<Token> XmlFile::remark_before(pugi::xml_node element) const {
-  const pugi::xml_node before = element.previous_sibling();
-  if (before.type() != pugi::node_comment) return std::nullopt;
-  const std::string_view comment = before.value();
-  const std::size_t begin = comment.find_first_not_of(" \t\r\n");
-  if (begin == std::string_view::npos || !comment.substr(begin).starts_with(remark_mark)) return std::nullopt;
-  return Token{offset_of(before.value()), comment.size()};
+  for (pugi::xml_node before = element.previous_sibling(); before.type() == pugi::node_comment;
+       before = before.previous_sibling()) {
+    const std::string_view comment = before.value();
+    const std::size_t begin = comment.find_first_not_of(" \t\r\n");
+    if (begin != std::string_view::npos && comment.substr(begin).starts_with(remark_mark))
+      return Token{offset_of(before.value()), comment.size()};
+  }
+  return std::nullopt;
 }
 
 std::string tag_text(pugi::xml_node element) {

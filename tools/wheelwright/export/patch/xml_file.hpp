@@ -44,7 +44,7 @@ class XmlFile {
   Token value_of(pugi::xml_node element, const std::string& attribute) const;
   // The text between the tags, without blanks around it. Fails where there is none, or anything else.
   Token text_of(pugi::xml_node element) const;
-  // Of the comment right before the element, if it is one of ours: what stands between its marks.
+  // Of our comment among those right before the element: what stands between its marks.
   std::optional<Token> remark_before(pugi::xml_node element) const;
 
  private:

@@ -40,7 +40,7 @@ std::string with_sign_of(std::string_view before, const PlacedNumber& number) {
 
 void XmlNumbers::note(const std::string& thing, const PlacedNumber& number, std::size_t row,
                       std::optional<std::string> before, std::string after) {
-  changes_.push_back({thing + " " + number.key, row, std::move(before), std::move(after), {}, number});
+  changes_.push_back({thing + " " + number.key, row, std::move(before), std::move(after), {}, number, {}});
 }
 
 void XmlNumbers::set_attribute(pugi::xml_node element, const std::string& thing, const PlacedNumber& number) {
@@ -153,7 +153,7 @@ void XmlNumbers::add_empty_element(pugi::xml_node parent, const std::string& nam
 void XmlNumbers::leave(const std::string& thing, const std::vector<PlacedNumber>& numbers,
                        const std::string& reason) {
   for (const PlacedNumber& number : numbers)
-    changes_.push_back({thing + " " + number.key, 0, std::nullopt, value_text(number), reason, number});
+    changes_.push_back({thing + " " + number.key, 0, std::nullopt, value_text(number), reason, number, {}});
 }
 
 }  // namespace wheelwright::tools

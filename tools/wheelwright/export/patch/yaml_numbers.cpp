@@ -19,6 +19,16 @@ std::string shown(const YAML::Node& node) {
   return "[" + text + "]";
 }
 
+// Whether the mapping has other keys of the same levels in one word, as "linear.x.max_jerk".
+bool has_flat_sibling(const YAML::Node& mapping, const std::string& key) {
+  const std::size_t dot = key.rfind('.');
+  if (dot == std::string::npos) return false;
+  const std::string levels = key.substr(0, dot + 1);
+  return std::ranges::any_of(mapping, [&](const auto& entry) {
+    return entry.first.IsScalar() && entry.first.Scalar().starts_with(levels);
+  });
+}
+
 }  // namespace
 
 YamlNumbers::YamlNumbers(const PatchedFile& file) : name_(file.name), text_(file.text), edits_(text_) {
@@ -79,9 +89,13 @@ std::size_t YamlNumbers::offset_of(const YAML::Node& scalar) const {
   fail(scalar, "'" + config::excerpt(scalar.Scalar()) + "' is no plain number; write it without quotes");
 }
 
-void YamlNumbers::set_scalar(const YAML::Node& scalar, const std::string& value) {
+// What stands there afterwards.
+std::string YamlNumbers::set_scalar(const YAML::Node& scalar, const std::string& value, bool is_limit) {
   const std::size_t offset = offset_of(scalar);
-  if (!says_the_same(scalar.Scalar(), value)) edits_.replace(offset, scalar.Scalar().size(), value);
+  const std::string& before = scalar.Scalar();
+  if (says_the_same(before, value) || (is_limit && is_tighter(before, value))) return before;
+  edits_.replace(offset, before.size(), value);
+  return value;
 }
 
 void YamlNumbers::set_value(const std::string& thing, const YAML::Node& node, const PlacedNumber& number) {
@@ -91,23 +105,30 @@ void YamlNumbers::set_value(const std::string& thing, const YAML::Node& node, co
     fail(node, number.key + " must be " +
                    (is_list ? "a list of " + std::to_string(values.size()) + " numbers" : "one value"));
   }
-  std::string after;
-  std::size_t first = 0;
+  NumberChange change{thing + " " + number.key, row(node), shown(node), "", {}, number, {}};
+  bool is_kept = false;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const YAML::Node scalar = is_list ? node[i] : node;
     if (!scalar.IsScalar()) fail(node, number.key + " must be a list of numbers");
-    set_scalar(scalar, values[i]);
-    if (i == 0) first = offset_of(scalar);
-    after += (i == 0 ? "" : ", ") + (says_the_same(scalar.Scalar(), values[i]) ? scalar.Scalar() : values[i]);
+    const bool is_known = std::ranges::find(number.unknown, i) == number.unknown.end();
+    const std::string after = is_known ? set_scalar(scalar, values[i], number.is_limit) : scalar.Scalar();
+    is_kept = is_kept || (is_known && !says_the_same(after, values[i]));
+    change.after += (i == 0 ? "" : ", ") + after;
   }
-  changes_.push_back(
-      {thing + " " + number.key, row(node), shown(node), is_list ? "[" + after + "]" : after, {}, number});
-  if (!number.remark.empty()) remarks_[line_begin(text_, first)].emplace_back(number.key, number.remark);
+  if (is_list) change.after = "[" + change.after + "]";
+  if (is_kept) change.kept_within = yaml_line(number).value;
+  if (!number.remark.empty()) {
+    const std::size_t line = line_begin(text_, offset_of(is_list ? node[0] : node));
+    remarks_[line].emplace_back(
+        number.key, (is_kept ? "the robot reaches " + change.kept_within + ": " : "") + number.remark);
+  }
+  changes_.push_back(std::move(change));
 }
 
 void YamlNumbers::add(std::vector<Addition>& additions, const Place& place, const PlacedNumber& number) {
   YamlLine line = yaml_line(number);
   line.key = place.rest;
+  line.is_flat = has_flat_sibling(place.mapping, place.rest);
   const auto same =
       std::ranges::find_if(additions, [&](const Addition& one) { return one.mapping.is(place.mapping); });
   if (same == additions.end()) {
@@ -149,8 +170,13 @@ void YamlNumbers::set(const YAML::Node& parameters, const std::string& thing,
       continue;
     }
     add(additions, place, number);
-    changes_.push_back(
-        {thing + " " + number.key, row(place.mapping), std::nullopt, yaml_line(number).value, {}, number});
+    changes_.push_back({thing + " " + number.key,
+                        row(place.mapping),
+                        std::nullopt,
+                        yaml_line(number).value,
+                        {},
+                        number,
+                        {}});
   }
   for (const Addition& addition : additions) {
     std::size_t behind = 0;
@@ -164,7 +190,8 @@ void YamlNumbers::set(const YAML::Node& parameters, const std::string& thing,
 void YamlNumbers::leave(const std::string& thing, const std::vector<PlacedNumber>& numbers,
                         const std::string& reason) {
   for (const PlacedNumber& number : numbers)
-    changes_.push_back({thing + " " + number.key, 0, std::nullopt, yaml_line(number).value, reason, number});
+    changes_.push_back(
+        {thing + " " + number.key, 0, std::nullopt, yaml_line(number).value, reason, number, {}});
 }
 
 // Our comment is the last of its line, behind one of the file's own.

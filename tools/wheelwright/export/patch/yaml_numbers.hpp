@@ -51,7 +51,7 @@ class YamlNumbers {
   Place find(const YAML::Node& parameters, const std::string& key) const;
   YAML::Node child(const YAML::Node& mapping, const std::string& key) const;
   std::size_t offset_of(const YAML::Node& scalar) const;
-  void set_scalar(const YAML::Node& scalar, const std::string& value);
+  std::string set_scalar(const YAML::Node& scalar, const std::string& value, bool is_limit);
   void set_value(const std::string& thing, const YAML::Node& node, const PlacedNumber& number);
   void add(std::vector<Addition>& additions, const Place& place, const PlacedNumber& number);
   void insert(const Addition& addition, std::size_t behind);
