@@ -182,20 +182,20 @@ std::string geometry(const std::vector<PlacedNumber>& numbers, const DrivenWheel
 
 std::string attributes(const std::vector<PlacedNumber>& numbers) {
   std::string text;
-  for (const PlacedNumber& number : numbers) text += xml_attribute(number.key, value_text(number));
+  for (const PlacedNumber& number : numbers) text += attribute_text(number.key, value_text(number));
   return text;
 }
 
 std::string joint(const std::vector<PlacedNumber>& numbers, const DrivenWheel& side) {
   const auto own = numbers_of(numbers, side.joint);
-  return xml_remarks("", own) + "<joint" + xml_attribute("name", side.name + "_wheel_joint") +
-         xml_attribute("type", "hinge") + xml_attribute("axis", "0 1 0") + attributes(own) + "/>\n";
+  return xml_remarks("", own) + "<joint" + attribute_text("name", side.name + "_wheel_joint") +
+         attribute_text("type", "hinge") + attribute_text("axis", "0 1 0") + attributes(own) + "/>\n";
 }
 
 std::string actuator(const std::vector<PlacedNumber>& numbers, const DrivenWheel& side) {
   const auto own = numbers_of(numbers, side.actuator);
-  return xml_remarks("  ", own) + "  <general" + xml_attribute("name", side.name + "_wheel") +
-         xml_attribute("joint", side.name + "_wheel_joint") + attributes(own) + "/>\n";
+  return xml_remarks("  ", own) + "  <general" + attribute_text("name", side.name + "_wheel") +
+         attribute_text("joint", side.name + "_wheel_joint") + attributes(own) + "/>\n";
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ std::string xml_remarks(const std::string& indent, const std::vector<PlacedNumbe
   return indent + "<!-- " + std::string(remark_mark) + " " + in_xml_comment(remarks) + " -->\n";
 }
 
-std::string xml_attribute(const std::string& name, const std::string& value) {
+std::string attribute_text(const std::string& name, const std::string& value) {
   return " " + name + "=\"" + value + "\"";
 }
 

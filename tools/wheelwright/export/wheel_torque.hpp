@@ -41,6 +41,6 @@ inline constexpr std::string_view remark_mark = "wheelwright:";
 std::string xml_remarks(const std::string& indent, const std::vector<PlacedNumber>& numbers);
 
 // ` name="value"`.
-std::string xml_attribute(const std::string& name, const std::string& value);
+std::string attribute_text(const std::string& name, const std::string& value);
 
 }  // namespace wheelwright::tools

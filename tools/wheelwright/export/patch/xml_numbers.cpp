@@ -47,7 +47,7 @@ void XmlNumbers::set_attribute(pugi::xml_node element, const std::string& thing,
   const std::string_view text = file_.text();
   const std::size_t row = file_.row(element);
   if (!element.attribute(number.key.c_str())) {
-    edits_.insert(file_.attributes_end(element), xml_attribute(number.key, value_text(number)));
+    edits_.insert(file_.attributes_end(element), attribute_text(number.key, value_text(number)));
     note(thing, number, row, std::nullopt, value_text(number));
     return;
   }
@@ -144,7 +144,7 @@ void XmlNumbers::add_empty_element(pugi::xml_node parent, const std::string& nam
   std::string text = remarks.empty() ? "" : margin.line_break + comment_of(remarks);
   text += margin.line_break + "<" + name;
   for (const PlacedNumber& number : numbers) {
-    text += xml_attribute(number.key, value_text(number));
+    text += attribute_text(number.key, value_text(number));
     note(thing, number, file_.row(parent), std::nullopt, value_text(number));
   }
   edits_.insert(file_.content_begin(parent), text + "/>");
