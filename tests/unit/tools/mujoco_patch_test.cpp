@@ -5,6 +5,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/exported_model.hpp"
 #include "tests/support/patch_case.hpp"
+#include "tools/wheelwright/json_text.hpp"
 
 using namespace wheelwright;
 using test::PatchCase;
@@ -135,6 +136,22 @@ TEST_CASE("With an output the patched file itself stays, and nobody else's file 
   CHECK_THAT(again.err, ContainsSubstring("is there already"));
 }
 
+TEST_CASE("As JSON a patch says of each number where it is, what it was and is, and how well it is known") {
+  const PatchCase patched("mujoco_patch_json", test::model_with_effects(), robot);
+  const auto json = tools::parse_json(patched.run("mujoco", with(wheel, {"--json"})).out);
+  CHECK(json["changed"] == true);
+  CHECK_THAT(json["backup"].get<std::string>(), ContainsSubstring("robot.bak"));
+  CHECK(json["unsaid"].size() == 2);
+  const auto numbers = json["numbers"];
+  const auto friction = std::ranges::find_if(
+      numbers, [](const auto& number) { return number["place"] == "joint left_hinge frictionloss"; });
+  REQUIRE(friction != numbers.end());
+  CHECK((*friction)["status"] == "added");
+  CHECK((*friction)["row"] == 8);
+  CHECK((*friction)["unit"] == "N m");
+  CHECK((*friction)["ci95"][0] < (*friction)["ci95"][1]);
+}
+
 TEST_CASE("Lines that end by CR LF, attributes in lines of their own, and all in one line are kept so") {
   std::string windows;
   for (const char letter : robot) windows += letter == '\n' ? std::string("\r\n") : std::string(1, letter);
@@ -157,7 +174,7 @@ TEST_CASE("A general actuator keeps its gear, and gets the torque that it needs 
                                                 "<general name=\"left\" joint=\"left_hinge\" gear=\"50\"/>"),
                                        "<velocity name=\"right\" joint=\"right_hinge\" kv=\"7\"/>",
                                        "<general name=\"right\" joint=\"right_hinge\" gear=\"50\"/>");
-  refused(general, {}, "add --control-per-speed 50");
+  refused(general, {}, "at a control of 50, not of 1.11111111; add --control-per-speed 50");
   const PatchCase patched("mujoco_patch_gear", test::linear_model(), general);
   const auto outcome = patched.run("mujoco", with(wheel, {"--control-per-speed", "50"}));
   INFO(outcome.err << outcome.out);

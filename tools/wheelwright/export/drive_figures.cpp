@@ -40,9 +40,9 @@ Figure product(const Figure& one, const Figure& other) {
 
 // A fit's standard error as an interval.
 Figure gain_figure(double gain, const std::optional<WheelFit>& fit, double DcGain::*own,
-                   const std::string& side) {
+                   const std::string& from) {
   constexpr double half_width = 1.96;
-  Figure figure{gain, {}, side + " gain of the linear part"};
+  Figure figure{gain, {}, from};
   const double error = fit ? fit->gain_standard_error.*own : 0.0;
   if (error > 0.0) figure.interval = {gain - half_width * error, gain + half_width * error};
   return figure;
@@ -103,6 +103,10 @@ std::string source_of(const RobotModel& model, const AddedEffect& effect) {
   return full_name(effect.setting) + (date.empty() ? "" : " of " + config::printable(date));
 }
 
+std::string linear_part(const RobotModel& model) {
+  return "the linear part" + (model.created.empty() ? "" : " of " + config::printable(model.created));
+}
+
 DriveFigures drive_figures(const RobotModel& model) {
   DriveFigures figures;
   figures.wheel_separation_m = model.core.wheel_base_m;
@@ -110,8 +114,10 @@ DriveFigures drive_figures(const RobotModel& model) {
   figures.left_radius_multiplier.value = 1.0;
   figures.right_radius_multiplier.value = 1.0;
   figures.gain = {dc_gain(model.core.left).from_left, dc_gain(model.core.right).from_right};
-  figures.left_gain = gain_figure(figures.gain.left, model.left_fit, &DcGain::from_left, "left");
-  figures.right_gain = gain_figure(figures.gain.right, model.right_fit, &DcGain::from_right, "right");
+  figures.left_gain = gain_figure(figures.gain.left, model.left_fit, &DcGain::from_left,
+                                  "left gain of " + linear_part(model));
+  figures.right_gain = gain_figure(figures.gain.right, model.right_fit, &DcGain::from_right,
+                                   "right gain of " + linear_part(model));
   figures.left_response = first_order_response(model.core, true);
   figures.right_response = first_order_response(model.core, false);
   for (const AddedEffect& effect : model.effects) {

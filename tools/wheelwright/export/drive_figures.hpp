@@ -40,6 +40,9 @@ DriveFigures drive_figures(const RobotModel& model);
 // "coulomb_friction of 2026-01-02".
 std::string source_of(const RobotModel& model, const AddedEffect& effect);
 
+// "the linear part of 2026-01-02".
+std::string linear_part(const RobotModel& model);
+
 // "1.02", and for a comment: "95 % interval 1.01 to 1.03; effective_track of 2026-01-02".
 std::string value_of(const Figure& figure);
 std::string remark_of(const Figure& figure);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "config/load/text_format.hpp"
+#include "tools/wheelwright/export/xml_text.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -103,10 +104,11 @@ void add_delay(std::vector<PlacedNumber>& numbers, const DrivenWheel& side, cons
   }
   // MuJoCo draws a line between two controls of which the first should hold: half a timestep early.
   const Figure later_s = shifted(delay_s, 0.5 * timestep_s);
+  const std::string beyond = delay_s.from.empty() ? "" : ", and beyond it: " + remark_of(later_s);
   numbers.push_back(measured(side.actuator, "delay", {later_s}, "s",
-                             "needs MuJoCo 3.5; dead time of the linear part " +
+                             "needs MuJoCo 3.5; dead time " +
                                  config::fixed_number(side.response.dead_time_s, 4) +
-                                 " s, and half a timestep: " + remark_of(later_s)));
+                                 " s of the linear part and half a timestep" + beyond));
   // As many as the delay has steps; with fewer MuJoCo cuts it short. One more, and the interval's upper end.
   const double longest_s =
       later_s.interval ? std::max(later_s.interval->upper, later_s.value) : later_s.value;
@@ -156,7 +158,7 @@ void add_wheel(std::vector<PlacedNumber>& numbers, const DrivenWheel& side, cons
   if (figures.largest_speed_m_s)
     add_range(numbers, side, *figures.largest_speed_m_s, target.control_per_rad_s / wheel.radius_m);
   if (!target.knows_delay) return;
-  const Figure beyond_s = figures.delay_s.value_or(Figure{0.0, {}, "linear part"});
+  const Figure beyond_s = figures.delay_s.value_or(Figure{});
   add_delay(numbers, side, shifted(beyond_s, side.response.dead_time_s), target.timestep_s);
 }
 

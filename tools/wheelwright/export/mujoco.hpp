@@ -7,10 +7,11 @@ namespace wheelwright::tools {
 
 // What has to be known of a wheel in a file.
 struct MujocoSide {
-  bool is_velocity = false;  // <velocity>, which has one gain for control and speed; else <general>
-  double gear = 1.0;         // of a <general>, which keeps it; a <velocity> says the gain by it
-  bool has_delay = false;    // already, so that a delay of 0 has to be said too
-  bool takes_radius = true;  // so that what the motor speeds up grows with its square
+  bool is_velocity = false;        // <velocity>, which has one gain for control and speed; else <general>
+  double control_per_rad_s = 1.0;  // of the wheel, as its gear and gains are now
+  double gear = 1.0;               // of a <general>, which keeps it; a <velocity> says the gain by it
+  bool has_delay = false;          // already, so that a delay of 0 has to be said too
+  bool takes_radius = true;        // so that what the motor speeds up grows with its square
 };
 
 struct MujocoTarget {

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "config/load/text_format.hpp"
+#include "tools/wheelwright/export/xml_text.hpp"
 
 namespace wheelwright::tools {
 namespace {

@@ -132,17 +132,20 @@ void find_geom(MujocoWheel& wheel) {
   }
 }
 
-std::optional<double> y_of(const XmlFile& file, xml_node body) {
-  if (!body.attribute("pos")) return std::nullopt;
-  const Token pos = file.value_of(body, "pos");
-  const auto tokens = tokens_of(file.text(), pos.offset, pos.length);
-  if (tokens.size() != 3) return std::nullopt;
-  return std::strtod(std::string(file.text().substr(tokens[1].offset, tokens[1].length)).c_str(), nullptr);
+// One number of a list; nothing where it is not there.
+std::optional<double> number_in(const XmlFile& file, xml_node element, const std::string& attribute,
+                                std::size_t place) {
+  if (!element.attribute(attribute.c_str())) return std::nullopt;
+  const Token list = file.value_of(element, attribute);
+  const auto tokens = tokens_of(file.text(), list.offset, list.length);
+  if (place >= tokens.size()) return std::nullopt;
+  const std::string number(file.text().substr(tokens[place].offset, tokens[place].length));
+  return std::strtod(number.c_str(), nullptr);
 }
 
 std::string why_no_separation(const XmlFile& file, const MujocoDrive& drive) {
-  const auto left = y_of(file, drive.left.body);
-  const auto right = y_of(file, drive.right.body);
+  const auto left = number_in(file, drive.left.body, "pos", 1);
+  const auto right = number_in(file, drive.right.body, "pos", 1);
   constexpr double alike = 0.01;
   if (drive.left.body.parent() != drive.right.body.parent() || !left || !right)
     return "the wheels' bodies do not both have their pos in one body";
@@ -204,11 +207,13 @@ MujocoSide side_of(const XmlFile& file, const MujocoWheel& wheel) {
   found.is_velocity = std::string_view(actuator.name()) == "velocity";
   found.has_delay = static_cast<bool>(actuator.attribute("delay"));
   found.takes_radius = wheel.no_radius.empty();
-  if (actuator.attribute("gear")) {
-    file.value_of(actuator, "gear");
-    found.gear = actuator.attribute("gear").as_double();
-    if (!(std::abs(found.gear) > 0.0)) file.fail(actuator, "has a gear of 0; give it another");
-  }
+  if (actuator.attribute("gear")) found.gear = number_in(file, actuator, "gear", 0).value_or(0.0);
+  if (!(std::abs(found.gear) > 0.0))
+    file.fail(actuator, "has a gear that is no number, or 0; give it another");
+  const auto gain = number_in(file, actuator, "gainprm", 0);
+  const auto bias = number_in(file, actuator, "biasprm", 2);
+  const bool has_gains = !found.is_velocity && gain && bias && *gain * *bias != 0.0;
+  found.control_per_rad_s = has_gains ? -*bias * found.gear / *gain : found.gear;
   return found;
 }
 

@@ -1,7 +1,7 @@
 #include "tools/wheelwright/export/patch/mujoco_patch.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 
 #include "tools/wheelwright/export/patch/mujoco_drive.hpp"
 #include "tools/wheelwright/export/patch/xml_numbers.hpp"
@@ -15,22 +15,18 @@ struct Side {
   Part joint_part;
   Part actuator_part;
   Part wheel_part;
+  double gain;
 };
 
-// A gear far from it means controls of another unit than those that were given.
-void check_gear(const XmlFile& file, const Side& side, const std::vector<PlacedNumber>& numbers,
-                double control_per_rad_s) {
+// What is far from it means controls of another unit than was given.
+void check_control(const XmlFile& file, const Side& side, double right) {
   constexpr double largest_change = 1.5;
-  double right = control_per_rad_s;
-  for (const PlacedNumber& number : numbers) {
-    if (number.part == side.actuator_part && number.key == "gear") right = number.figures.front().value;
-  }
-  const double ratio = side.given.gear / right;
-  if (ratio > 1.0 / largest_change && ratio < largest_change) return;
-  file.fail(side.wheel.actuator,
-            "has gear " + short_number(side.given.gear) + ", so that its control is not the wheel's speed" +
-                " in rad/s; add --control-per-speed " + short_number(side.given.gear) +
-                " (control per rad/s of the wheel), or set the gear to " + short_number(right));
+  const double now = side.given.control_per_rad_s;
+  if (now / right > 1.0 / largest_change && now / right < largest_change) return;
+  file.fail(side.wheel.actuator, "turns its wheel with 1 rad/s at a control of " + short_number(now) +
+                                     ", not of " + short_number(right) + "; add --control-per-speed " +
+                                     short_number(now) +
+                                     " where controls are so, or mend its gear or its gains");
 }
 
 std::vector<PlacedNumber> with_key(const std::vector<PlacedNumber>& numbers, const std::string& key) {
@@ -68,11 +64,13 @@ Patch patch_mujoco(const PatchedFile& file, const RobotModel& model, const Wheel
                             .control_per_rad_s = choice.control_per_rad_s,
                             .knows_delay = choice.knows_delay};
   const ModelNumbers all = mujoco_numbers(model, wheel, target);
+  const WheelPair gain = drive_figures(model).gain;
   XmlNumbers patched(xml);
   for (const Side& side :
-       {Side{drive.left, target.left, Part::left_joint, Part::left_actuator, Part::left_wheel},
-        Side{drive.right, target.right, Part::right_joint, Part::right_actuator, Part::right_wheel}}) {
-    check_gear(xml, side, all.numbers, choice.control_per_rad_s);
+       {Side{drive.left, target.left, Part::left_joint, Part::left_actuator, Part::left_wheel, gain.left},
+        Side{drive.right, target.right, Part::right_joint, Part::right_actuator, Part::right_wheel,
+             gain.right}}) {
+    check_control(xml, side, choice.control_per_rad_s / side.gain);
     put_geometry(patched, side, drive, all.numbers);
     patched.set_attributes(side.wheel.joint, "joint " + side.wheel.joint_name,
                            numbers_of(all.numbers, side.joint_part));

@@ -79,6 +79,11 @@ nlohmann::ordered_json to_json(const NumberChange& change) {
   if (change.before) json["before"] = *change.before;
   json["after"] = change.after;
   if (!change.kept_within.empty()) json["kept_within"] = change.kept_within;
+  if (change.number.figures.size() == 1 && change.number.figures.front().interval) {
+    const auto& interval = *change.number.figures.front().interval;
+    json["ci95"] = {interval.lower, interval.upper};
+  }
+  if (!change.number.unit.empty()) json["unit"] = change.number.unit;
   if (!change.number.remark.empty()) json["remark"] = change.number.remark;
   if (change.is_unsaid()) json["reason"] = change.reason;
   return json;

@@ -5,7 +5,7 @@
 
 #include "config/load/printable_text.hpp"
 #include "tools/wheelwright/commands.hpp"
-#include "tools/wheelwright/export/wheel_torque.hpp"
+#include "tools/wheelwright/export/xml_text.hpp"
 
 namespace wheelwright::tools {
 namespace {

@@ -1,8 +1,7 @@
 #include "tools/wheelwright/export/patch/xml_numbers.hpp"
+#include "tools/wheelwright/export/xml_text.hpp"
 
 #include <algorithm>
-
-#include "tools/wheelwright/export/wheel_torque.hpp"
 
 namespace wheelwright::tools {
 namespace {
