@@ -5,7 +5,7 @@
 namespace wheelwright::config {
 namespace {
 
-constexpr std::string_view digits = "0123456789";
+constexpr std::string_view decimal_digits = "0123456789";
 
 struct Figures {
   bool is_plain = false;  // digits with at most a sign and a point
@@ -15,7 +15,7 @@ struct Figures {
 };
 
 std::size_t count_digits(std::string_view text) {
-  const auto end = text.find_first_not_of(digits);
+  const auto end = text.find_first_not_of(decimal_digits);
   return end == std::string_view::npos ? text.size() : end;
 }
 

@@ -37,6 +37,7 @@ enum class OutputKind {
   ros2_control,
   sdf,
   mujoco,
+  ranges,  // of `wheelwright export --ranges`
 };
 
 struct OutputFile {

@@ -91,6 +91,8 @@ bool is_of_kind(OutputKind kind, string_view head) {
       return head.starts_with("<!-- wheelwright_sdf:");
     case OutputKind::mujoco:
       return head.starts_with("<!-- wheelwright_mujoco:");
+    case OutputKind::ranges:
+      return has_line(head, "wheelwright_ranges:");
   }
   return false;
 }

@@ -107,6 +107,13 @@ std::string printable_lines(std::string_view text) {
   return result;
 }
 
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    if (!take_character(text).is_utf8) return false;
+  }
+  return true;
+}
+
 std::string excerpt(std::string_view text) {
   return printable(text, longest_excerpt);
 }

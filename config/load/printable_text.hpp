@@ -21,6 +21,8 @@ std::string printable(std::string_view text, std::size_t longest = longest_messa
 // Line breaks and tabulators stay, and so does the length.
 std::string printable_lines(std::string_view text);
 
+bool is_utf8(std::string_view text);
+
 // As much of it as a message quotes.
 std::string excerpt(std::string_view text);
 

@@ -14,7 +14,7 @@
 namespace wheelwright::daemon {
 namespace {
 
-double microseconds(std::chrono::nanoseconds time) {
+double as_microseconds(std::chrono::nanoseconds time) {
   return 1e-3 * static_cast<double>(time.count());
 }
 
@@ -112,11 +112,11 @@ LatenessRecord lateness_record(const roomba::LatenessHistogram& lateness, const 
   record.overruns = count_of(counts.overruns);
   record.skipped_periods = count_of(counts.skipped_periods);
   record.commands_late = count_of(counts.commands_late);
-  record.largest_us = microseconds(lateness.largest());
+  record.largest_us = as_microseconds(lateness.largest());
   for (std::size_t bin = 0; bin < roomba::LatenessHistogram::bins; ++bin) {
     if (lateness.in_bin(bin) == 0) continue;
     const auto edge = std::min(roomba::LatenessHistogram::upper_edge(bin), lateness.largest());
-    record.bins.push_back({microseconds(edge), lateness.in_bin(bin)});
+    record.bins.push_back({as_microseconds(edge), lateness.in_bin(bin)});
   }
   return record;
 }

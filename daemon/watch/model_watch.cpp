@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr long look_every_ns = 100'000'000;
+constexpr long poll_period_ns = 100'000'000;
 constexpr std::string_view folder_name = "gap";
 
 // Installed or built, the command stands beside the daemon.
@@ -138,7 +138,7 @@ void ModelWatch::take_up(const RobotModel& before, const RobotModel& after, cons
 }
 
 void ModelWatch::wait(const sigset_t& signals) {
-  const timespec patience{0, look_every_ns};
+  const timespec patience{0, poll_period_ns};
   while (search_) {
     if (::sigtimedwait(&signals, nullptr, &patience) > 0) {
       search_.reset();

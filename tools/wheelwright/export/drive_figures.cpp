@@ -12,11 +12,6 @@ namespace {
 
 using Map = std::function<double(double)>;
 
-std::string source_of(const RobotModel& model, const AddedEffect& effect) {
-  const std::string& date = effect.created.empty() ? model.created : effect.created;
-  return full_name(effect.setting) + (date.empty() ? "" : " of " + config::printable(date));
-}
-
 // One parameter of an effect, through a monotonic map.
 Figure figure_of(const RobotModel& model, const AddedEffect& effect, std::size_t parameter, const Map& map) {
   Figure figure{map(effect.setting.parameters[parameter]), {}, source_of(model, effect)};
@@ -43,21 +38,14 @@ Figure product(const Figure& one, const Figure& other) {
   return both;
 }
 
-// The time by which the step response is late on average.
-double lag_s(const LinearModel& linear_part, bool left) {
-  constexpr std::size_t longest = 2000;
-  const TwistResponse response = twist_response(linear_part, longest);
-  const auto& v = left ? response.v_from_left : response.v_from_right;
-  const auto& w = left ? response.w_from_left : response.w_from_right;
-  double sum = 0.0;
-  double moment = 0.0;
-  for (std::size_t k = 0; k < longest; ++k) {
-    const WheelPair speed = wheels_of_twist({v[k], w[k]}, linear_part.wheel_base_m);
-    const double own = left ? speed.left : speed.right;
-    sum += own;
-    moment += own * static_cast<double>(k);
-  }
-  return sum == 0.0 ? 0.0 : linear_part.period_s * moment / sum;
+// A fit's standard error as an interval.
+Figure gain_figure(double gain, const std::optional<WheelFit>& fit, double DcGain::*own,
+                   const std::string& from) {
+  constexpr double half_width = 1.96;
+  Figure figure{gain, {}, from};
+  const double error = fit ? fit->gain_standard_error.*own : 0.0;
+  if (error > 0.0) figure.interval = {gain - half_width * error, gain + half_width * error};
+  return figure;
 }
 
 // Of two that limit, the tighter one.
@@ -92,6 +80,7 @@ void add_limit(const RobotModel& model, const AddedEffect& effect, DriveFigures&
   const auto to_speed = [of_speed](double value) { return of_speed * value; };
   const auto to_command = [gain](double value) { return value / gain; };
   const std::string& name = effect.setting.name;
+  if (name == "transport_delay") figures.delay_s = figure_of(model, effect, 0, same);
   if (name == "saturation") take(figures.largest_speed_m_s, figure_of(model, effect, 0, to_speed), true);
   if (name == "rate_limit") take(figures.largest_change_m_s2, figure_of(model, effect, 0, to_speed), true);
   if (name == "dead_zone") take(figures.smallest_command_m_s, figure_of(model, effect, 0, same), false);
@@ -109,6 +98,15 @@ void add_limit(const RobotModel& model, const AddedEffect& effect, DriveFigures&
 
 }  // namespace
 
+std::string source_of(const RobotModel& model, const AddedEffect& effect) {
+  const std::string& date = effect.created.empty() ? model.created : effect.created;
+  return full_name(effect.setting) + (date.empty() ? "" : " of " + config::printable(date));
+}
+
+std::string linear_part(const RobotModel& model) {
+  return "the linear part" + (model.created.empty() ? "" : " of " + config::printable(model.created));
+}
+
 DriveFigures drive_figures(const RobotModel& model) {
   DriveFigures figures;
   figures.wheel_separation_m = model.linear_part.wheel_base_m;
@@ -116,7 +114,12 @@ DriveFigures drive_figures(const RobotModel& model) {
   figures.left_radius_multiplier.value = 1.0;
   figures.right_radius_multiplier.value = 1.0;
   figures.gain = {dc_gain(model.linear_part.left).from_left, dc_gain(model.linear_part.right).from_right};
-  figures.lag_s = {lag_s(model.linear_part, true), lag_s(model.linear_part, false)};
+  figures.left_gain = gain_figure(figures.gain.left, model.left_fit, &DcGain::from_left,
+                                  "left gain of " + linear_part(model));
+  figures.right_gain = gain_figure(figures.gain.right, model.right_fit, &DcGain::from_right,
+                                   "right gain of " + linear_part(model));
+  figures.left_response = first_order_response(model.linear_part, true);
+  figures.right_response = first_order_response(model.linear_part, false);
   for (const AddedEffect& effect : model.effects) {
     add_scale(model, effect, figures);
     add_limit(model, effect, figures);
@@ -133,6 +136,22 @@ std::string remark_of(const Figure& figure) {
   if (!figure.interval) return "no interval; " + figure.from;
   return "95 % interval " + short_number(figure.interval->lower) + " to " +
          short_number(figure.interval->upper) + "; " + figure.from;
+}
+
+Figure shifted(Figure figure, double by) {
+  figure.value += by;
+  if (figure.interval) figure.interval = {figure.interval->lower + by, figure.interval->upper + by};
+  return figure;
+}
+
+Figure mean_of(const Figure& one, const Figure& other) {
+  Figure mean{0.5 * (one.value + other.value), {}, one.from};
+  if (other.from != one.from) mean.from += (one.from.empty() || other.from.empty() ? "" : ", ") + other.from;
+  if (!one.interval && !other.interval) return mean;
+  const ParameterInterval first = one.interval.value_or(ParameterInterval{one.value, one.value});
+  const ParameterInterval second = other.interval.value_or(ParameterInterval{other.value, other.value});
+  mean.interval = {0.5 * (first.lower + second.lower), 0.5 * (first.upper + second.upper)};
+  return mean;
 }
 
 Figure scaled(const Figure& figure, double factor) {

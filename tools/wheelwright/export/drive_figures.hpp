@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tools/wheelwright/export/first_order_response.hpp"
 #include "tools/wheelwright/export/model_text.hpp"
 
 namespace wheelwright::tools {
@@ -22,8 +23,12 @@ struct DriveFigures {
   Figure separation_multiplier;     // what turning shows, relative to it
   Figure left_radius_multiplier;    // what a wheel rolls, relative to what is counted
   Figure right_radius_multiplier;
-  WheelPair gain;                              // speed of a wheel per command
-  WheelPair lag_s;                             // mean delay of the linear part
+  WheelPair gain;    // speed of a wheel per command
+  Figure left_gain;  // the same, with what the fit says of it
+  Figure right_gain;
+  FirstOrderResponse left_response;  // of the linear part
+  FirstOrderResponse right_response;
+  std::optional<Figure> delay_s;               // beyond that of the linear part
   std::optional<Figure> largest_speed_m_s;     // of a wheel
   std::optional<Figure> largest_change_m_s2;   // of a wheel's speed
   std::optional<Figure> smallest_command_m_s;  // that moves a wheel
@@ -32,12 +37,20 @@ struct DriveFigures {
 
 DriveFigures drive_figures(const RobotModel& model);
 
+// "coulomb_friction of 2026-01-02".
+std::string source_of(const RobotModel& model, const AddedEffect& effect);
+
+// "the linear part of 2026-01-02".
+std::string linear_part(const RobotModel& model);
+
 // "1.02", and for a comment: "95 % interval 1.01 to 1.03; effective_track of 2026-01-02".
 std::string value_of(const Figure& figure);
 std::string remark_of(const Figure& figure);
 
-// Times a constant.
+// Times a constant; plus a constant; and the mean of two that may share their effects.
 Figure scaled(const Figure& figure, double factor);
+Figure shifted(Figure figure, double by);
+Figure mean_of(const Figure& one, const Figure& other);
 
 // Why an effect has no place in a format.
 struct UnsaidReason {

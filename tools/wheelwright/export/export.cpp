@@ -107,7 +107,8 @@ Action add_export(CLI::App& app) {
   command->add_flag("--json", options->json, "The files that were written, as JSON");
   command->footer(
       "Example: wheelwright export runs/2026-11-21T06-48-44Z --mcap run.mcap\n"
-      "         wheelwright export robot.yaml --to c -o robot.h");
+      "         wheelwright export robot.yaml --to c -o robot.h\n"
+      "         wheelwright export robot.yaml --to sdf --wheel-radius 0.036 --patch robot.sdf");
   return [options](Streams streams) { return run_export(*options, streams); };
 }
 

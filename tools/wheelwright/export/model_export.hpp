@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tools/wheelwright/common/commands.hpp"
+#include "tools/wheelwright/export/patch/patch.hpp"
 
 namespace wheelwright::tools {
 
@@ -15,9 +16,15 @@ struct ModelExport {
   std::string output;  // standard output where it is empty
   std::optional<double> wheel_radius_m;
   std::optional<double> wheel_inertia_kg_m2;
+  std::string patch;  // a file of somebody else's that takes the numbers
+  PatchNames names;
+  std::optional<double> control_per_rad_s;
+  bool without_delay = false;
+  bool ranges = false;
 
   bool is_asked_for() const {
-    return target != ModelTarget::none || !output.empty() || wheel_radius_m || wheel_inertia_kg_m2;
+    return target != ModelTarget::none || !output.empty() || wheel_radius_m || wheel_inertia_kg_m2 ||
+           !patch.empty() || ranges;
   }
 };
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "config/load/text_format.hpp"
-#include "tools/wheelwright/export/drive_figures.hpp"
+#include "tools/wheelwright/export/yaml_lines.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -36,107 +38,122 @@ constexpr std::array<UnsaidReason, 18> ros2_reasons{{
     {"yaw_bias", "there is no constant turn rate to add"},
 }};
 
-std::string line(const std::string& indent, const std::string& key, const std::string& value,
-                 const std::string& remark) {
-  return indent + key + ": " + value + (remark.empty() ? "" : "  # " + remark) + "\n";
-}
-
-// Readers of YAML take a number without a point for an integer or a text.
-std::string real(double value) {
-  std::string text = short_number(value);
-  if (text.find('.') == std::string::npos) text.insert(std::min(text.find('e'), text.size()), ".0");
-  return text;
-}
-
-std::string limits(const std::string& axis, const std::string& part, const std::optional<Figure>& speed,
-                   const std::optional<Figure>& change) {
-  if (!speed && !change) return "";
-  const std::string indent = "        ";
-  std::string text = "    " + axis + ":\n      " + part + ":\n";
-  const auto add = [&](const std::string& quantity, const std::optional<Figure>& figure) {
+// Along `axis`, as "linear.x".
+void add_limits(std::vector<PlacedNumber>& numbers, const std::string& axis, const std::string& unit,
+                const std::optional<Figure>& speed, const std::optional<Figure>& change) {
+  const auto add_both = [&](const std::string& quantity, const std::optional<Figure>& figure,
+                            const std::string& of) {
     if (!figure) return;
-    text += line(indent, "has_" + quantity + "_limits", "true", "");
-    text += line(indent, "max_" + quantity, real(figure->value), remark_of(*figure));
-    text += line(indent, "min_" + quantity, real(-figure->value), "");
+    const std::string end = "_" + quantity;
+    numbers.push_back(keyword(Part::controller, axis + ".has" + end + "_limits", "true"));
+    numbers.push_back(limit(Part::controller, axis + ".max" + end, {*figure}, of, remark_of(*figure)));
+    numbers.push_back(limit(Part::controller, axis + ".min" + end, {scaled(*figure, -1.0)}, of, ""));
   };
-  add("velocity", speed);
-  add("acceleration", change);
-  return text;
+  add_both("velocity", speed, unit + "/s");
+  add_both("acceleration", change, unit + "/s^2");
 }
 
-std::string triple(double x, double theta) {
-  return "[" + real(x) + ", 0.0, " + real(theta) + "]";
-}
-
-// The walk of the wheels' way, in one second.
-std::string covariance(const RobotModel& model) {
-  if (!model.left_fit || !model.right_fit) {
-    return "    # pose_covariance_diagonal: the model file holds no drift of the wheels' way (fit --type fir "
-           "measures it)\n";
-  }
+// What odometry gains in one second: the walk of the wheels' way; across, as along.
+void add_covariance(std::vector<PlacedNumber>& numbers, const RobotModel& model) {
+  if (!model.left_fit || !model.right_fit) return;
   const double left = std::pow(model.left_fit->drift_m_per_sqrt_s, 2);
   const double right = std::pow(model.right_fit->drift_m_per_sqrt_s, 2);
-  const std::string along = real((left + right) / 4.0);
-  const std::string turn = real((left + right) / std::pow(model.linear_part.wheel_base_m, 2));
-  return "    # What odometry gains in one second, as the wheels' drift was measured; across, as along.\n" +
-         line("    ", "pose_covariance_diagonal",
-              "[" + along + ", " + along + ", 0.0, 0.0, 0.0, " + turn + "]", "");
+  const Figure none{};
+  const Figure along{(left + right) / 4.0, {}, ""};
+  const Figure turn{(left + right) / std::pow(model.linear_part.wheel_base_m, 2), {}, ""};
+  PlacedNumber covariance =
+      measured(Part::controller, "pose_covariance_diagonal", {along, along, none, none, none, turn},
+               "m^2,m^2,m^2,rad^2,rad^2,rad^2",
+               "x, y and yaw: gained in one second, as the wheels' drift was measured; across, as along");
+  covariance.unknown = {2, 3, 4};
+  numbers.push_back(std::move(covariance));
 }
 
-std::string smoother(const DriveFigures& figures, double turn_per_speed) {
-  if (!figures.largest_speed_m_s && !figures.largest_change_m_s2 && !figures.smallest_command_m_s) return "";
-  std::string text = "velocity_smoother:\n  ros__parameters:\n";
-  const auto add = [&](const std::string& key, const Figure& along) {
-    text += line("    ", key, triple(along.value, along.value * turn_per_speed), "x: " + remark_of(along));
+// Along x, and turning on the spot; there is no y.
+PlacedNumber triple(const std::string& key, const Figure& along, double turn_per_speed,
+                    const std::string& unit) {
+  PlacedNumber number = measured(Part::smoother, key, {along, Figure{}, scaled(along, turn_per_speed)},
+                                 "m/" + unit + ",m/" + unit + ",rad/" + unit, "x: " + remark_of(along));
+  number.unknown = {1};
+  return number;
+}
+
+void add_smoother(std::vector<PlacedNumber>& numbers, const DriveFigures& figures, double turn_per_speed) {
+  const auto add_limits = [&](const std::string& most, const std::string& least,
+                              const std::optional<Figure>& along, const std::string& unit) {
+    if (!along) return;
+    for (const auto& [key, figure] : {std::pair{most, *along}, std::pair{least, scaled(*along, -1.0)}}) {
+      numbers.push_back(triple(key, figure, turn_per_speed, unit));
+      numbers.back().is_limit = true;
+    }
   };
-  if (figures.largest_speed_m_s) {
-    add("max_velocity", *figures.largest_speed_m_s);
-    add("min_velocity", scaled(*figures.largest_speed_m_s, -1.0));
-  }
-  if (figures.largest_change_m_s2) {
-    add("max_accel", *figures.largest_change_m_s2);
-    add("max_decel", scaled(*figures.largest_change_m_s2, -1.0));
-  }
-  if (figures.smallest_command_m_s) add("deadband_velocity", *figures.smallest_command_m_s);
-  return text;
+  add_limits("max_velocity", "min_velocity", figures.largest_speed_m_s, "s");
+  add_limits("max_accel", "max_decel", figures.largest_change_m_s2, "s^2");
+  if (figures.smallest_command_m_s)
+    numbers.push_back(triple("deadband_velocity", *figures.smallest_command_m_s, turn_per_speed, "s"));
 }
 
-std::string head(const RobotModel& model, const DriveFigures& figures, const std::vector<Unsaid>& unsaid) {
+std::string head(const RobotModel& model, const ModelNumbers& all) {
   std::string text = "# wheelwright_ros2_control: 1\n# " + origin_of(model) +
-                     "\n# diff_drive_controller of ros2_control, and velocity_smoother of Nav2.\n"
-                     "# Of the linear part there is no place for its gain (left " +
-                     short_number(figures.gain.left) + ", right " + short_number(figures.gain.right) +
-                     ") and its delay (" + config::fixed_number(figures.lag_s.left, 3) + " s, " +
-                     config::fixed_number(figures.lag_s.right, 3) + " s).\n";
-  for (const auto& [effect, reason] : unsaid)
+                     "\n# diff_drive_controller of ros2_control, and velocity_smoother of Nav2.\n# " +
+                     all.notes + "\n";
+  for (const auto& [effect, reason] : all.unsaid)
     text += "# " + effect + ": cannot be said in this format: " + reason + "\n";
   return text;
 }
 
+std::string node(const std::string& name, const std::vector<PlacedNumber>& numbers) {
+  if (numbers.empty()) return "";
+  std::vector<YamlLine> lines;
+  std::ranges::transform(numbers, std::back_inserter(lines), yaml_line);
+  return name + ":\n  ros__parameters:\n" + yaml_lines(lines, "    ", "  ", "\n");
+}
+
 }  // namespace
 
-ModelText to_ros2_control(const RobotModel& model, double wheel_radius_m) {
+ModelNumbers ros2_control_numbers(const RobotModel& model, double wheel_radius_m) {
   const DriveFigures figures = drive_figures(model);
-  std::vector<Unsaid> unsaid = unsaid_of(model, ros2_put, ros2_reasons);
   // Turning on the spot, wheels of that speed turn the robot by so much.
   const double turn_per_speed = 2.0 / (figures.wheel_separation_m * figures.separation_multiplier.value);
   const auto turning = [turn_per_speed](const std::optional<Figure>& figure) {
     return figure ? std::optional(scaled(*figure, turn_per_speed)) : std::nullopt;
   };
-  std::string text = head(model, figures, unsaid) + "diff_drive_controller:\n  ros__parameters:\n";
-  const auto add = [&text](const std::string& key, const Figure& figure) {
-    text += line("    ", key, real(figure.value), remark_of(figure));
+  ModelNumbers result;
+  const auto add_controller = [&result](const std::string& key, const Figure& figure, const std::string& unit,
+                                        const std::string& remark) {
+    result.numbers.push_back(measured(Part::controller, key, {figure}, unit, remark));
   };
-  text += line("    ", "wheel_separation", real(figures.wheel_separation_m), "as the logs give it");
-  text += line("    ", "wheel_radius", real(wheel_radius_m), "as it was given");
-  add("wheel_separation_multiplier", figures.separation_multiplier);
-  add("left_wheel_radius_multiplier", figures.left_radius_multiplier);
-  add("right_wheel_radius_multiplier", figures.right_radius_multiplier);
-  text += covariance(model);
-  text += limits("linear", "x", figures.largest_speed_m_s, figures.largest_change_m_s2);
-  text += limits("angular", "z", turning(figures.largest_speed_m_s), turning(figures.largest_change_m_s2));
-  text += smoother(figures, turn_per_speed);
-  return {std::move(text), std::move(unsaid)};
+  add_controller("wheel_separation", Figure{figures.wheel_separation_m, {}, ""}, "m", "as the logs give it");
+  add_controller("wheel_radius", Figure{wheel_radius_m, {}, ""}, "m", "as it was given");
+  for (const auto& [key, multiplier] :
+       {std::pair{"wheel_separation_multiplier", figures.separation_multiplier},
+        std::pair{"left_wheel_radius_multiplier", figures.left_radius_multiplier},
+        std::pair{"right_wheel_radius_multiplier", figures.right_radius_multiplier}}) {
+    add_controller(key, multiplier, "1", remark_of(multiplier));
+  }
+  add_covariance(result.numbers, model);
+  add_limits(result.numbers, "linear.x", "m", figures.largest_speed_m_s, figures.largest_change_m_s2);
+  add_limits(result.numbers, "angular.z", "rad", turning(figures.largest_speed_m_s),
+             turning(figures.largest_change_m_s2));
+  add_smoother(result.numbers, figures, turn_per_speed);
+  result.unsaid = unsaid_of(model, ros2_put, ros2_reasons);
+  result.notes = "Of the linear part there is no place for its gain (left " +
+                 short_number(figures.gain.left) + ", right " + short_number(figures.gain.right) +
+                 ") and its delay (" + config::fixed_number(figures.left_response.mean_delay_s, 3) + " s, " +
+                 config::fixed_number(figures.right_response.mean_delay_s, 3) + " s)." +
+                 (model.left_fit && model.right_fit
+                      ? ""
+                      : " The model file holds no drift of the wheels' way for pose_covariance_diagonal (fit "
+                        "--type fir measures it).");
+  return result;
+}
+
+ModelText to_ros2_control(const RobotModel& model, double wheel_radius_m) {
+  ModelNumbers all = ros2_control_numbers(model, wheel_radius_m);
+  std::string text = head(model, all) +
+                     node("diff_drive_controller", numbers_of(all.numbers, Part::controller)) +
+                     node("velocity_smoother", numbers_of(all.numbers, Part::smoother));
+  return {std::move(text), std::move(all.unsaid)};
 }
 
 }  // namespace wheelwright::tools

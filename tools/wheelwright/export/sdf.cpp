@@ -1,9 +1,9 @@
 #include "tools/wheelwright/export/sdf.hpp"
 
-#include <algorithm>
 #include <array>
 
 #include "config/load/text_format.hpp"
+#include "tools/wheelwright/export/xml_text.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -40,70 +40,90 @@ constexpr std::array<UnsaidReason, 22> sdf_reasons{{
     {"yaw_bias", "the plugin adds no turn rate"},
 }};
 
-std::string element(const std::string& indent, const std::string& name, double value) {
-  return indent + "<" + name + ">" + short_number(value) + "</" + name + ">\n";
+void add_limits(std::vector<PlacedNumber>& numbers, const std::string& quantity, const std::string& unit,
+                const Figure& figure) {
+  numbers.push_back(measured(Part::drive_plugin, "max_" + quantity, {figure}, unit, remark_of(figure)));
+  numbers.push_back(measured(Part::drive_plugin, "min_" + quantity, {scaled(figure, -1.0)}, unit, ""));
 }
 
-// Of forward motion or of turning on the spot.
-std::string limits(const std::string& quantity, const Figure& figure) {
-  return xml_remark("  ", quantity, figure) + element("  ", "max_" + quantity, figure.value) +
-         element("  ", "min_" + quantity, -figure.value);
+// Of forward motion and of turning on the spot.
+void add_limits(std::vector<PlacedNumber>& numbers, const std::string& quantity, const std::string& per,
+                const std::optional<Figure>& figure, double separation_m) {
+  if (!figure) return;
+  add_limits(numbers, "linear_" + quantity, "m/" + per, *figure);
+  add_limits(numbers, "angular_" + quantity, "rad/" + per, scaled(*figure, 2.0 / separation_m));
 }
 
-std::string limits(const std::string& quantity, const Figure& figure, double separation_m) {
-  return limits("linear_" + quantity, figure) +
-         limits("angular_" + quantity, scaled(figure, 2.0 / separation_m));
-}
-
-std::string plugin(const DriveFigures& figures, const WheelGeometry& wheel) {
+void add_plugin(std::vector<PlacedNumber>& numbers, const DriveFigures& figures, const WheelGeometry& wheel) {
   const Figure separation_m = scaled(figures.separation_multiplier, figures.wheel_separation_m);
   const Figure left_m = scaled(figures.left_radius_multiplier, wheel.radius_m);
   const Figure right_m = scaled(figures.right_radius_multiplier, wheel.radius_m);
-  std::string text =
-      "<plugin filename=\"gz-sim-diff-drive-system\" name=\"gz::sim::systems::DiffDrive\">\n"
-      "  <left_joint>left_wheel_joint</left_joint>\n  <right_joint>right_wheel_joint</right_joint>\n" +
-      xml_remark("  ", "given " + short_number(figures.wheel_separation_m) + " m", separation_m) +
-      element("  ", "wheel_separation", separation_m.value) +
-      xml_remark("  ", "the mean; left " + value_of(left_m) + " m", left_m) +
-      xml_remark("  ", "right " + value_of(right_m) + " m", right_m) +
-      element("  ", "wheel_radius", 0.5 * (left_m.value + right_m.value));
-  if (figures.largest_speed_m_s) text += limits("velocity", *figures.largest_speed_m_s, separation_m.value);
-  if (figures.largest_change_m_s2)
-    text += limits("acceleration", *figures.largest_change_m_s2, separation_m.value);
-  return text + "</plugin>\n";
+  const Figure mean_m = mean_of(left_m, right_m);
+  numbers.push_back(
+      measured(Part::drive_plugin, "wheel_separation", {separation_m}, "m",
+               "given " + short_number(figures.wheel_separation_m) + " m: " + remark_of(separation_m)));
+  numbers.push_back(measured(Part::drive_plugin, "wheel_radius", {mean_m}, "m",
+                             "the mean of left " + value_of(left_m) + " m and right " + value_of(right_m) +
+                                 " m: " + remark_of(mean_m)));
+  add_limits(numbers, "velocity", "s", figures.largest_speed_m_s, separation_m.value);
+  add_limits(numbers, "acceleration", "s^2", figures.largest_change_m_s2, separation_m.value);
 }
 
-std::string joint(const std::string& side, double lag_s, const DriveFigures& figures,
-                  const WheelGeometry& wheel) {
-  const auto torque = wheel_torque(figures, lag_s, wheel);
-  if (!torque) return "";
-  std::string text = "<!-- Into <axis> of " + side +
-                     "_wheel_joint, for a joint that is driven by torque: lag " +
-                     config::fixed_number(lag_s, 3) + " s. -->\n<dynamics>\n" +
-                     element("  ", "damping", torque->damping_n_m_s);
-  if (figures.friction_loss_m_s) {
-    text += xml_remark("  ", "of a speed loss of " + value_of(*figures.friction_loss_m_s) + " m/s",
-                       scaled(*figures.friction_loss_m_s, torque->damping_n_m_s / wheel.radius_m)) +
-            element("  ", "friction", torque->friction_n_m);
+void add_joint(std::vector<PlacedNumber>& numbers, Part joint, const WheelTorque& torque, double lag_s) {
+  numbers.push_back(
+      measured(joint, "damping", {Figure{torque.damping_n_m_s, {}, ""}}, "N m/(rad/s)",
+               "for a joint that is driven by torque: lag " + config::fixed_number(lag_s, 3) + " s"));
+  numbers.push_back(measured(joint, "friction", {torque.friction_n_m}, "N m", torque.friction_remark));
+}
+
+std::string elements(const std::vector<PlacedNumber>& numbers) {
+  std::string text;
+  for (const PlacedNumber& number : numbers) {
+    text += xml_remarks("  ", {number}) + "  <" + number.key + ">" + value_text(number) + "</" + number.key +
+            ">\n";
   }
-  return text + "</dynamics>\n";
+  return text;
+}
+
+std::string dynamics(const std::vector<PlacedNumber>& numbers, const std::string& side) {
+  if (numbers.empty()) return "";
+  return "<!-- Into <axis> of " + side + "_wheel_joint. -->\n<dynamics>\n" + elements(numbers) +
+         "</dynamics>\n";
 }
 
 }  // namespace
 
-ModelText to_sdf(const RobotModel& model, const WheelGeometry& wheel) {
+ModelNumbers sdf_numbers(const RobotModel& model, const WheelGeometry& wheel) {
   const DriveFigures figures = drive_figures(model);
-  const std::string left = joint("left", figures.lag_s.left, figures, wheel);
-  const std::string right = joint("right", figures.lag_s.right, figures, wheel);
-  const bool torques = !left.empty() && !right.empty();
-  std::vector<Unsaid> unsaid =
+  const double left_s = figures.left_response.mean_delay_s;
+  const double right_s = figures.right_response.mean_delay_s;
+  const auto left = wheel_torque(figures, left_s, wheel);
+  const auto right = wheel_torque(figures, right_s, wheel);
+  const bool torques = left && right;
+  ModelNumbers result;
+  add_plugin(result.numbers, figures, wheel);
+  if (torques) {
+    add_joint(result.numbers, Part::left_joint, *left, left_s);
+    add_joint(result.numbers, Part::right_joint, *right, right_s);
+  }
+  result.unsaid =
       torques ? unsaid_of(model, sdf_put_with_torque, sdf_reasons) : unsaid_of(model, sdf_put, sdf_reasons);
-  const std::string notes =
-      "Of the linear part the plugin has no place for its gain (left " + short_number(figures.gain.left) +
-      ", right " + short_number(figures.gain.right) + ")" +
-      (torques ? "." : " and its delay; dynamics of the joints take the inertia of a wheel.");
-  return {xml_head("wheelwright_sdf", model, notes, unsaid) + plugin(figures, wheel) + left + right,
-          std::move(unsaid)};
+  result.notes = "Of the linear part the plugin has no place for its gain (left " +
+                 short_number(figures.gain.left) + ", right " + short_number(figures.gain.right) + ")" +
+                 (torques ? "." : " and its delay; dynamics of the joints take the inertia of a wheel.");
+  return result;
+}
+
+ModelText to_sdf(const RobotModel& model, const WheelGeometry& wheel) {
+  ModelNumbers all = sdf_numbers(model, wheel);
+  const auto of = [&all](Part part) { return numbers_of(all.numbers, part); };
+  return {
+      xml_head("wheelwright_sdf", model, all) +
+          "<plugin filename=\"gz-sim-diff-drive-system\" name=\"gz::sim::systems::DiffDrive\">\n"
+          "  <left_joint>left_wheel_joint</left_joint>\n  <right_joint>right_wheel_joint</right_joint>\n" +
+          elements(of(Part::drive_plugin)) + "</plugin>\n" + dynamics(of(Part::left_joint), "left") +
+          dynamics(of(Part::right_joint), "right"),
+      std::move(all.unsaid)};
 }
 
 }  // namespace wheelwright::tools

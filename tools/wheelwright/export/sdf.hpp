@@ -5,6 +5,9 @@
 
 namespace wheelwright::tools {
 
+// Those of the joints with an inertia only.
+ModelNumbers sdf_numbers(const RobotModel& model, const WheelGeometry& wheel);
+
 ModelText to_sdf(const RobotModel& model, const WheelGeometry& wheel);
 
 }  // namespace wheelwright::tools

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "tools/wheelwright/export/drive_figures.hpp"
+#include "tools/wheelwright/export/placed_number.hpp"
 
 namespace wheelwright::tools {
 
@@ -20,21 +20,12 @@ struct WheelGeometry {
 
 struct WheelTorque {
   double damping_n_m_s = 0.0;  // N m per rad/s
-  double friction_n_m = 0.0;
+  Figure friction_n_m;
+  std::string friction_remark;
 };
 
 // Nothing without an inertia, or where the linear part answers at once.
 std::optional<WheelTorque> wheel_torque(const DriveFigures& figures, double lag_s,
                                         const WheelGeometry& wheel);
-
-// A text that may stand in an XML comment.
-std::string in_xml_comment(std::string text);
-
-// The first comment of a fragment: its kind, the origin, `notes`, and what is unsaid.
-std::string xml_head(const std::string& kind, const RobotModel& model, const std::string& notes,
-                     const std::vector<Unsaid>& unsaid);
-
-// The comment on one figure, in a line of its own.
-std::string xml_remark(const std::string& indent, const std::string& what, const Figure& figure);
 
 }  // namespace wheelwright::tools

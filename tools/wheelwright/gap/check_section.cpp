@@ -15,7 +15,7 @@ namespace {
 using config::fixed_number;
 using Rows = std::vector<std::vector<std::string>>;
 
-constexpr std::size_t max_rows = 6;
+constexpr std::size_t max_statistics_shown = 6;
 
 std::string p_text(double p_value) {
   if (p_value < 1e-4) return "p < 0.0001";
@@ -82,7 +82,7 @@ std::string check_section(const gap::GapAnalysis& analysis) {
   if (check.statistics.empty()) return "";
   Rows rows;
   for (const auto& statistic : check.statistics) {
-    if (rows.size() == max_rows) break;
+    if (rows.size() == max_statistics_shown) break;
     rows.push_back({statistic.name, p_text(statistic.p_value), statistic.visible ? "yes" : "no"});
   }
   std::string text = html::element("h2", "Is the model enough?");

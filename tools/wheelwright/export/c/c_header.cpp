@@ -253,6 +253,12 @@ static inline int wheelwright_commands_for(const wheelwright_model* m, double v,
 
 }  // namespace
 
+std::vector<CParameters> c_parameter_arrays(const RobotModel& model) {
+  std::vector<CParameters> arrays;
+  for (const Placed& placed : arrange(model).placed) arrays.push_back({placed.numbers, placed.effect});
+  return arrays;
+}
+
 ModelText to_c(const RobotModel& model) {
   Header header = arrange(model);
   std::string text = head(model, header) +

@@ -5,6 +5,7 @@
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -12,6 +13,7 @@
 #include "config/load/model_file.hpp"
 #include "model/effects/library/effect_library.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/exported_model.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/wheelwright_command.hpp"
 #include "tools/wheelwright/export/drive_figures.hpp"
@@ -20,6 +22,7 @@
 #include "tools/wheelwright/export/sdf.hpp"
 
 using namespace wheelwright;
+using test::linear_model;
 using test::wheelwright_command;
 using tools::ExitStatus;
 using tools::ModelText;
@@ -28,36 +31,6 @@ namespace {
 
 constexpr double radius_m = 0.036;
 constexpr double inertia_kg_m2 = 0.002;
-
-// Wheels that settle at 0.9 and 1.1 of their commands.
-RobotModel linear_model() {
-  RobotModel model;
-  model.robot = "a -- robot */";
-  model.created = "2026-01-02T03:04:05Z";
-  model.linear_part = {
-      ModelType::arma, 0.018, 0.25, {{0.0, 0.18}, {0.0, 0.0}, {0.8}}, {{0.0, 0.0}, {0.0, 0.22}, {0.8}}};
-  return model;
-}
-
-void add(RobotModel& model, const std::string& name, const std::string& variant,
-         std::vector<double> parameters) {
-  std::vector<ParameterInterval> intervals;
-  for (const double value : parameters) intervals.push_back({value - 0.001, value + 0.002});
-  model.effects.push_back(
-      {{name, variant, std::move(parameters)}, intervals, {}, "2026-02-03T00:00:00Z", {}, {}});
-}
-
-RobotModel with_effects() {
-  RobotModel model = linear_model();
-  add(model, "effective_track", "", {0.01});
-  add(model, "distance_scale", "", {0.02});
-  add(model, "wheel_scale_mismatch", "left_wheel", {0.04});
-  add(model, "saturation", "speed", {0.4, 0.0, 0.0});
-  add(model, "rate_limit", "speed", {0.8, 0.0});
-  add(model, "dead_zone", "", {0.03, 1.0});
-  add(model, "coulomb_friction", "", {0.012, 0.1});
-  return model;
-}
 
 AddedEffect anyhow(const EffectInfo& info, const EffectVariant& variant) {
   AddedEffect effect;
@@ -123,7 +96,7 @@ TEST_CASE(
 
 TEST_CASE(
     "ros2_control and Nav2 get their parameters as numbers that YAML reads, each with interval and date") {
-  const std::string text = tools::to_ros2_control(with_effects(), radius_m).text;
+  const std::string text = tools::to_ros2_control(test::model_with_effects(), radius_m).text;
   INFO(text);
   const YAML::Node both = YAML::Load(text);
   const YAML::Node drive = both["diff_drive_controller"]["ros__parameters"];
@@ -140,7 +113,8 @@ TEST_CASE(
   CHECK_THAT(smoother["deadband_velocity"][0].as<double>(), WithinAbs(0.03, 1e-8));
   CHECK(smoother["deadband_velocity"].size() == 3);
   CHECK_THAT(smoother["max_decel"][0].as<double>(), WithinAbs(-0.8, 1e-8));
-  CHECK(text.find("wheel_separation_multiplier: 1.04  # 95 % interval 1.036 to 1.048; effective_track of "
+  CHECK(text.find("wheel_separation_multiplier: 1.04  # wheelwright: 95 % interval 1.036 to 1.048; "
+                  "effective_track of "
                   "2026-02-03T00:00:00Z\n") != std::string::npos);
 }
 
@@ -161,7 +135,7 @@ TEST_CASE(
 }
 
 TEST_CASE("Gazebo's plugin gets the geometry and limits of the model, in sound XML") {
-  const std::string text = tools::to_sdf(with_effects(), {radius_m, inertia_kg_m2}).text;
+  const std::string text = tools::to_sdf(test::model_with_effects(), {radius_m, inertia_kg_m2}).text;
   INFO(text);
   CHECK(comments_are_sound(text));
   const auto tree = parse_xml(text);
@@ -175,12 +149,12 @@ TEST_CASE("Gazebo's plugin gets the geometry and limits of the model, in sound X
   const auto& dynamics = tree.get_child("dynamics");
   CHECK_THAT(dynamics.get<double>("friction") / dynamics.get<double>("damping") * radius_m,
              WithinAbs(0.012, 1e-8));
-  CHECK(tools::to_sdf(with_effects(), {radius_m, {}}).text.find("export it with the inertia of a wheel") !=
-        std::string::npos);
+  CHECK(tools::to_sdf(test::model_with_effects(), {radius_m, {}})
+            .text.find("export it with the inertia of a wheel") != std::string::npos);
 }
 
 TEST_CASE("MuJoCo's actuator settles where the model does, friction and all") {
-  const std::string text = tools::to_mujoco(with_effects(), {radius_m, inertia_kg_m2}).text;
+  const std::string text = tools::to_mujoco(test::model_with_effects(), {radius_m, inertia_kg_m2}).text;
   INFO(text);
   CHECK(comments_are_sound(text));
   const auto tree = parse_xml(text);
@@ -191,13 +165,32 @@ TEST_CASE("MuJoCo's actuator settles where the model does, friction and all") {
   const double command_m_s = 0.2;
   const double torque = left.get<double>("gainprm") * command_m_s / radius_m - friction;
   CHECK_THAT(torque / damping * radius_m, WithinAbs(0.9 * command_m_s - 0.012, 1e-8));
-  // One period of delay, and four of the pole at 0.8.
-  CHECK_THAT(inertia_kg_m2 / damping, WithinAbs(5.0 * 0.018, 1e-6));
+  // One period and four of the pole at 0.8 are its mean delay, of which the pole's time constant is lag.
+  // The wheel is smaller than given, and with it what its motor speeds up.
+  const double lag_s = inertia_kg_m2 * std::pow(1.02 * 0.96, 2) / damping;
+  CHECK_THAT(lag_s, WithinAbs(-0.018 / std::log(0.8), 0.001));
+  CHECK_THAT(left.get<double>("delay") - 0.001 + lag_s, WithinAbs(5.0 * 0.018, 1e-6));
+  CHECK(left.get<double>("nsample") * 0.002 >= left.get<double>("delay"));
   CHECK_THAT(second_of_three(left.get<std::string>("ctrlrange"), 1) * 0.9 * radius_m, WithinAbs(0.4, 1e-8));
 }
 
+TEST_CASE("An actuator of a MuJoCo that knows no delay gets it as lag, and is told what it lacks") {
+  RobotModel model = linear_model();
+  test::add_effect(model, "transport_delay", "", {0.05});
+  const auto delay_of = [](const ModelText& text) {
+    return parse_xml(text.text).get_child("actuator.general.<xmlattr>").get_optional<double>("delay");
+  };
+  const tools::WheelGeometry wheel{radius_m, inertia_kg_m2};
+  CHECK(delay_of(tools::to_mujoco(model, wheel)).value_or(0.0) > 0.05);
+  tools::MujocoTarget before_3_5;
+  before_3_5.knows_delay = false;
+  const ModelText older = tools::to_mujoco(model, wheel, before_3_5);
+  CHECK_FALSE(delay_of(older));
+  CHECK_THAT(older.text, ContainsSubstring("transport_delay: cannot be said in this format"));
+}
+
 TEST_CASE("Whoever exports a model without what its target needs is told so in one line") {
-  const std::string model = saved(with_effects());
+  const std::string model = saved(test::model_with_effects());
   const auto refused = [&](const std::vector<std::string>& options, const std::string& what) {
     std::vector<std::string> arguments{"export", model};
     arguments.insert(arguments.end(), options.begin(), options.end());
@@ -219,7 +212,7 @@ TEST_CASE("Whoever exports a model without what its target needs is told so in o
 }
 
 TEST_CASE("An exported model replaces its former self, and no file of another kind") {
-  const std::string model = saved(with_effects());
+  const std::string model = saved(test::model_with_effects());
   const auto out = (test::temporary_folder() / "model_export_test.out").string();
   const std::vector<std::string> to_c{"export", model, "--to", "c", "-o", out};
   const std::vector<std::string> to_sdf{"export", model, "--to", "sdf", "--wheel-radius", "0.036", "-o", out};
