@@ -127,14 +127,23 @@ RunOutcome Run::drive(const sigset_t& signals) {
   print_within(
       summary_patience, STDOUT_FILENO,
       summary(config_, outcome, calibrator_.report(), logs, session_, real_time_, wiring_->dropped.load()));
-  if (config_.at_end == config::AtEnd::exit && logs.last_driven_record &&
-      (outcome.cause == EndCause::done || outcome.cause == EndCause::run_stopped)) {
-    watch_.drive_ended(logs.recalibration_due);
-    watch_.wait(signals);
-  }
+  watch_after(outcome, logs, signals);
   const bool complete = logs.errors.empty() && !calibrator_.report().file_error;
   if (outcome.cause == EndCause::done && !complete) outcome.cause = EndCause::files_lost;
   return outcome;
+}
+
+// Where the process ends with its run. A service that stays beyond its run is taken for one that hangs.
+void Run::watch_after(const RunOutcome& outcome, const LogReport& logs, const sigset_t& signals) {
+  const bool ended = outcome.cause == EndCause::done || outcome.cause == EndCause::run_stopped;
+  if (config_.at_end == config::AtEnd::stay || !ended || !logs.last_driven_record) return;
+  if (options_.as_service) {
+    if (config_.gap_watch != config::GapWatch::off)
+      spdlog::warn("gap.watch: a service looks at its drives with run.at_end 'stay' only");
+    return;
+  }
+  watch_.drive_ended(logs.recalibration_due);
+  watch_.wait(signals);
 }
 
 void Run::start_all() {

@@ -46,6 +46,7 @@ class Run {
   void start_loop();
   void tell_how_it_is_set_up();
   void start_threads();
+  void watch_after(const RunOutcome& outcome, const LogReport& logs, const sigset_t& signals);
   void start_all();
   RunOutcome supervise(const sigset_t& signals);
   void end_loop();

@@ -27,6 +27,9 @@ void become_idle(int said, const IdleProcessLimits& limits) {
   }
   const rlimit memory{limits.memory_bytes, limits.memory_bytes};
   ::setrlimit(RLIMIT_DATA, &memory);
+  // Where memory runs out, this process goes before the daemon does.
+  const int score = ::open("/proc/self/oom_score_adj", O_WRONLY);
+  [[maybe_unused]] const ssize_t written = score < 0 ? 0 : ::write(score, "900", 3);
   sigset_t none;
   ::sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);

@@ -93,6 +93,8 @@ void print(std::ostream& out, const json& status) {
   if (status.contains("battery_v") && !status["battery_v"].is_null()) {
     table.row("battery") << std::setprecision(1) << status["battery_v"].get<double>() << " V\n";
   }
+  if (status.contains("watch") && !status["watch"].is_null())
+    table.row("watch over the model") << config::printable(status["watch"].get<std::string>()) << "\n";
   print_loop(table, status.at("loop"));
   table.row("logs") << config::printable(text("run_folder")) << "\n";
 }
