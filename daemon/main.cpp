@@ -46,7 +46,7 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--lateness", options.lateness_file,
                  "write a histogram of the sensor loop's wake-up lateness at the end");
   app.add_flag("--service", options.as_service,
-               "as a service: causes of the end told apart by exit status (sysexits.h), messages to the "
+               "as a service: each cause of the end has its exit status (sysexits.h), messages to the "
                "journal, the robot waited for");
   auto* check = app.add_flag("--check", options.only_check, "only check the configuration");
   app.add_flag("--rest", options.only_rest, "only put the robot's wheels to rest")->excludes(check);

@@ -123,9 +123,9 @@ EndCause run_process(const ProcessOptions& options) {
       note_end(service.restarts, outcome);
       return outcome.cause;
     }
-    spdlog::info("{}: loaded anew", options.config_file.string());
+    spdlog::info("{}: loaded again", options.config_file.string());
     config = std::move(*outcome.reload);
-    service.hold = "the configuration was loaded anew";
+    service.hold = "the configuration was loaded again";
   }
 }
 

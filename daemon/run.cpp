@@ -72,7 +72,7 @@ std::thread start_thread(const char* name, Wiring& wiring, std::function<void()>
 
 std::string ending_of(const RunOutcome& outcome) {
   if (outcome.finished()) return finished;
-  return outcome.reload ? "the configuration is loaded anew" : "stopped, " + outcome.stopped;
+  return outcome.reload ? "the configuration is loaded again" : "stopped, " + outcome.stopped;
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ std::optional<RunOutcome> Supervisor::reload() {
     return std::nullopt;
   }
   try {
-    RunOutcome outcome{EndCause::asked, "the configuration is loaded anew", {}, false};
+    RunOutcome outcome{EndCause::asked, "the configuration is loaded again", {}, false};
     outcome.reload = load_configuration(parts_.options);
     make_plan(*outcome.reload, known_model(*outcome.reload));
     return outcome;

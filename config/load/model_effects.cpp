@@ -102,7 +102,7 @@ std::vector<AddedEffect> read_effects(YamlReader& file) {
 std::string effects_to_yaml(const std::vector<AddedEffect>& effects) {
   if (effects.empty()) return "";
   std::string text =
-      "\n# What the linear core lacks, in the order in which it acts; 'wheelwright effects' explains each.\n"
+      "\n# What the linear part lacks, in the order in which it acts; 'wheelwright effects' explains each.\n"
       "effects:\n";
   for (const auto& effect : effects) text += effect_to_yaml(effect);
   return text;

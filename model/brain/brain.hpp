@@ -41,8 +41,8 @@ struct PoseRecord {
   Eigen::Matrix3d predicted_covariance = Eigen::Matrix3d::Zero();
   Pose odometry;
   WheelPair measured_speed_m_s;
-  std::optional<HybridOutput>
-      hybrid;                       // where the model knows the encoder scale; at the instant of `odometry`
+  // Where the model knows the encoder scale; at the instant of `odometry`.
+  std::optional<HybridOutput> hybrid;
   std::uint16_t visited = 0;        // checkpoints
   std::uint16_t model_version = 1;  // of the model that was driven by (Brain::exchange_model)
   bool valid = false;               // the sensors of this tick were received

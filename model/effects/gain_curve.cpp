@@ -32,7 +32,7 @@ EffectInfo gain_curve() {
   return {"gain_curve",
           "gain bends with command size",
           "Motor drivers and firmware tables that give less (or more) for large commands in proportion. "
-          "'command': of what the motor is told, 'speed': of what the wheel does, behind its lag.",
+          "'command': of the motor's command, 'speed': of what the wheel does, behind its lag.",
           {{"command", EffectStage::command}, {"speed", EffectStage::wheel}},
           {{"curvature", "s/m", "relative loss of gain per m/s of command", -3.0, 3.0, {0.1}},
            {"cubic",

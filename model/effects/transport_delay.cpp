@@ -45,7 +45,7 @@ EffectInfo transport_delay() {
       {{"", EffectStage::command}},
       {{"delay",
         "s",
-        "time that passes before a command acts, beyond the core's",
+        "time that passes before a command acts, beyond that of the linear part",
         0.0,
         3.0,
         {0.01, 0.02, 0.036, 0.054, 0.08, 0.11, 0.15, 0.2, 0.3, 0.42, 0.57, 0.75, 1.0, 1.35, 1.8, 2.4},

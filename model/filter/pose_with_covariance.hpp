@@ -22,8 +22,8 @@ struct TravelVariance {
 // Standard deviations, as fractions.
 struct SystematicErrors {
   double scale = 0.0;  // of the travel of both wheels
-  double wheel_mismatch =
-      0.0;  // of the right wheel's radius over the left one's, each wheel having half of it
+  // Of the right wheel's radius over the left one's, each wheel having half of it.
+  double wheel_mismatch = 0.0;
 };
 
 class PoseWithCovariance {

@@ -95,7 +95,7 @@ std::optional<Refusal> find_missing_excitation(std::span<const DriveLog> logs) {
     return Refusal{"the right wheel was never driven; add a run that drives it"};
   if (is_lacking(0.5 * (left + right) - mixed, 1.0, -1.0)) {
     return Refusal{
-        "both wheels were always commanded alike, so their effects cannot be told apart; add a run that "
+        "both wheels were always commanded alike, so their effects cannot be distinguished; add a run that "
         "turns"};
   }
   if (is_lacking(0.5 * (left + right) + mixed, 1.0, 1.0)) {

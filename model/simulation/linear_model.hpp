@@ -1,4 +1,4 @@
-// The linear core of a robot's model: commands of both wheels in, speeds of both wheels out (eq. 1 of the
+// The linear part of a robot's model: commands of both wheels in, speeds of both wheels out (eq. 1 of the
 // source paper).
 //
 // For each wheel, with u the commands, y its speed and k counting periods,

@@ -76,7 +76,7 @@ TEST_CASE("A better model takes over while the robot drives, no command is late,
   }
   const auto model = wheelwright::config::load_model(adapted_file);
   CHECK_THAT(model.source.back(), ContainsSubstring("run " + run.filename().string() + ", version 2"));
-  CHECK_THAT(wheelwright::dc_gain(model.core.left).from_left, WithinAbs(1.0, 0.05));
+  CHECK_THAT(wheelwright::dc_gain(model.linear_part.left).from_left, WithinAbs(1.0, 0.05));
 
   ChildProcess replay({WHEELWRIGHT, "replay", (run / "drive_log.csv").string()}, run / "replay");
   CHECK(replay.wait(120s) == 0);

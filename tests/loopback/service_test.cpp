@@ -83,7 +83,7 @@ TEST_CASE("The watchdog is fed at least twice in its time, and starves once the 
 }
 
 TEST_CASE(
-    "A changed configuration is loaded anew under a robot that stands, a mistake or a drive refuses it") {
+    "A changed configuration is loaded again under a robot that stands, a mistake or a drive refuses it") {
   ServiceBench bench;
   const auto robot = bench.start_robot("perfect");
   const auto config = bench.configure({.run = stays, .route = "[[3, 0]]"});
@@ -100,7 +100,7 @@ TEST_CASE(
   CHECK(daemon->says("not reloaded: " + config.string() + ":" + std::to_string(wrong_line) + ":1", 2s));
   std::ofstream(config) << good << "robot: {name: renamed}\n";
   daemon->signal(SIGHUP);
-  CHECK(daemon->says("loaded anew", 3s));
+  CHECK(daemon->says("loaded again", 3s));
   REQUIRE(eventually(5s, [&] { return bench.runs().size() == 2; }));
   std::this_thread::sleep_for(1s);
   daemon->signal(SIGUSR1);

@@ -138,7 +138,7 @@ std::string gains_in_words(const TrialModel& model) {
              " than it drives";
   }
   if (!words.empty())
-    words += " by the same commands; these logs do not tell why, and the linear core holds it.";
+    words += " by the same commands; these logs do not tell why, and the linear part holds it.";
   return words;
 }
 
@@ -220,12 +220,12 @@ bool data_decide(GapAnalysis& analysis, const RunSet& train, const Testability& 
       largest > 0.005
           ? "The logs hold no encoder counts, and no reference poses often enough to show how the wheels "
             "answer; record counts, or a pose at least once a second."
-          : "The robot was never told to move in these runs.";
+          : "The robot was never commanded to move in these runs.";
   for (const EffectInfo* info : testability.candidate_effects) {
     if (is_decoy(*info)) continue;
     analysis.not_testable.push_back({info->name, largest > 0.005
                                                      ? "no encoder counts and too few reference poses"
-                                                     : "the robot was never told to move"});
+                                                     : "the robot was never commanded to move"});
   }
   return true;
 }

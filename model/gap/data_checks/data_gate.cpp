@@ -86,7 +86,7 @@ void leave_out_holes(GateState& gate) {
   for (const auto& hole : find_holes(gate.result.log)) {
     const bool anew = counter_was_reset(gate, hole);
     gate.fault(hole.row, "no rows for " + in_digits(hole.duration_s, 4) + " s" +
-                             (anew ? ", and the counts begin anew behind them" : "") +
+                             (anew ? ", and the counters were reset in it" : "") +
                              "; the first second behind them was left out");
     gate.result.faults.back().distorts = anew;
     const double known_s = samples[hole.row].t_s + forgetting_s;

@@ -46,7 +46,7 @@ std::vector<double> cross_coupling_weights(const LinearPartShape& shape, const d
   return weights;
 }
 
-// As parameters of a core of that crossing.
+// As parameters of a linear part of that cross coupling.
 void add_cross_coupling_weights(std::vector<double>& linear_part, CrossCoupling cross_coupling,
                                 const std::vector<double>& weights) {
   linear_part.insert(linear_part.end(), weights.begin(),

@@ -100,7 +100,8 @@ struct TrialModel {
   // The effect to which a parameter belongs, or nothing for the linear part's.
   const ParameterInfo* parameter_info(std::size_t index) const;
   bool stable() const;
-  // The same model with a core of one more pole, `pole`, and one more weight, which hides it for a start.
+  // The same model with a linear part of one more pole, `pole`, and one more weight, which hides it for a
+  // start.
   TrialModel with_higher_order(double pole = 0.0) const;
   // The same model with a linear part that is crossed, by as much as before for a start.
   TrialModel with_cross_coupling(CrossCoupling cross_coupling) const;

@@ -15,8 +15,8 @@ struct Candidate {
   TrialEffect effect;
   double train_nats = 0.0;    // gain of log likelihood over the model without it
   double heldout_nats = 0.0;  // the same on the held-out runs, with nothing fitted there
-  double autocorrelation_factor =
-      1.0;             // by which correlation of what is left makes these gains look too large
+  // By which correlation of the residuals makes these gains look too large.
+  double autocorrelation_factor = 1.0;
   double score = 0.0;  // both gains, deflated, less the price of the parameters, beside the best one's
   Fit fit;
   std::size_t behind = 0;  // so many of the fit's effects act behind it

@@ -19,8 +19,8 @@ struct GapSearch {
   Fit final;                                 // with all that was accepted, in the order in which it was found
   std::vector<ParameterInterval> intervals;  // of the parameters of its effects, 95 %
   std::vector<SelectionStep> selection_steps;  // in the order of the search; the last one ended it
-  std::vector<SelectionStep>
-      checks;  // for each accepted effect: the model without it, and who would take its place
+  // For each accepted effect: the model without it, and who would take its place.
+  std::vector<SelectionStep> checks;
   std::vector<WheelPair> train_rolled_m;  // what was found of where each run's wheels stood at its start
   std::vector<WheelPair> heldout_rolled_m;
   Screening last_look;  // from `final`: what is absent, and how clearly it would have shown

@@ -34,7 +34,7 @@ std::optional<std::string> why_not(const HiddenEffect& effect, const GapCaseSpec
   if (needs.ticks && !ticks) return "no encoder counts";
   if (needs.reference && !reference) return "no reference poses";
   if (needs.both && !reference) return "counts alone know nothing of the floor";
-  if (needs.both && !ticks) return "of poses alone the linear core takes it up";
+  if (needs.both && !ticks) return "of poses alone the linear part takes it up";
   if (needs.many_poses && !many_poses && !(ticks && moves_encoders)) return "too few reference poses";
   if (needs.reversals && !reversals) return "no reversal";
   if (needs.turns && !turns) return "no turn";

@@ -22,7 +22,7 @@ struct Needs {
   bool reference = false;  // poses from outside: wheels and encoders know nothing of it
   bool reversals = false;
   bool turns = false;
-  bool both = false;        // counts and poses side by side: of poses alone a linear core takes it up
+  bool both = false;        // counts and poses side by side: of poses alone a linear part takes it up
   bool many_poses = false;  // more of them than the first and the last
   bool speeds = false;      // more than one speed
   bool turns_it = false;    // beside counts, a gyro shows it as poses do

@@ -102,7 +102,7 @@ Action add_export(CLI::App& app) {
                                      {"reference", WhichPose::reference}}))
       ->default_str("best");
   command->add_option("--during", options->choice.during,
-                      "With --tum: only of this activity, as 'route'; poses begin anew there");
+                      "With --tum: only of this activity, as 'route'; poses start at zero there");
   add_model_options(*command, options->model);
   command->add_flag("--json", options->json, "The files that were written, as JSON");
   command->footer(

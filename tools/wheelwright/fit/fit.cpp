@@ -249,7 +249,8 @@ Action add_fit(CLI::App& app) {
                       "Largest wheel command that the robot takes, m/s; larger ones are refused as garbage");
   command->add_flag("--json", options->json, "What the fit says of itself as JSON, in m/s and m");
   command->footer(
-      "A run is cut where rows are missing. What held commands show of steps and of a bent curve is told.\n"
+      "A run is cut where rows are missing. Steps and a bend of the speed curve that held commands show are "
+      "reported.\n"
       "Exit status: 0 a model was written, 1 the data cannot show one, 2 bad usage or bad logs.\n"
       "Example: wheelwright fit run1.csv run2.csv -o robot.yaml");
   return [options](Streams streams) { return run_fit(*options, streams); };

@@ -152,7 +152,7 @@ ExitStatus run_effects(const EffectsOptions& options, Streams streams) {
 Action add_effects(CLI::App& app) {
   const auto options = std::make_shared<EffectsOptions>();
   CLI::App* command =
-      app.add_subcommand("effects", "The effects that a model can hold beside its linear core");
+      app.add_subcommand("effects", "The effects that a model can hold beside its linear part");
   command->add_option("NAME", options->name, "Only this one, in full");
   command->add_flag("--json", options->json, "As JSON");
   command->footer("Example: wheelwright effects backlash");

@@ -54,12 +54,12 @@ std::string figures_section(const gap::GapAnalysis& analysis, const std::vector<
   return html::element("h2", analysis.tail_held_out ? "The run, simulated"
                              : analysis.untouched   ? "Untouched runs, simulated"
                                                     : "Held-out runs, simulated") +
-         html::element("p",
-                       std::string("From the commands of the whole run and the pose at its start. ") +
-                           (told ? "With what was added, the model is told every 10 s where the robot is and "
-                                   "how far its wheels have rolled, on which that depends; its path goes on "
-                                   "from where it was."
-                                 : "")) +
+         html::element(
+             "p",
+             std::string("From the commands of the whole run and the pose at its start. ") +
+                 (told ? "The effects that were added depend on pose and wheel travel, so the model is reset "
+                         "to the measured ones every 10 s; its path goes on from where it was."
+                       : "")) +
          figures_html(drawn);
 }
 

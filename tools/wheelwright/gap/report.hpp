@@ -1,4 +1,4 @@
-// report.html: what the gap workflow found, for a person. One file that needs nothing but itself: tables,
+// report.html: what the gap workflow found, for a person. One self-contained file: tables,
 // bars, and pictures by gnuplot where it is installed.
 #pragma once
 

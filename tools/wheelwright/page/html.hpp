@@ -1,4 +1,4 @@
-// Pieces of a page that needs nothing but itself.
+// Pieces of a self-contained page.
 #pragma once
 
 #include <string>

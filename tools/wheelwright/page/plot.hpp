@@ -82,15 +82,15 @@ class Plot {
   int objects_ = 0;
 };
 
-struct Figure {
+struct DrawnPlot {
   std::string caption;
   std::string svg;
   bool half = false;  // two stand side by side where there is room
 };
 
 struct Figures {
-  std::vector<Figure> figures;  // one per plot
-  std::string problem;          // why there are none, in one line; empty where there are
+  std::vector<DrawnPlot> figures;  // one per plot
+  std::string problem;             // why there are none, in one line; empty where there are
 };
 
 // Draws all plots with one run of gnuplot.

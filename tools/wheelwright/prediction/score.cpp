@@ -125,9 +125,9 @@ Action add_score(CLI::App& app) {
   add_import_options(*command, options->import);
   command->add_flag("--json", options->json, "All logs together as JSON, in m/s, m and rad");
   command->footer(
-      "Errors are predicted minus measured; stretches between holes in the rows each from its own "
-      "start. A model with a rug, a slope or a wheel out of round in it is told every 10 s where the "
-      "robot is and how far its wheels have rolled.\nExample: "
+      "Errors are predicted minus measured; segments between gaps in the rows start each from its own "
+      "first row. A model with a rug, a slope or an eccentric wheel is reset every 10 s to the measured pose "
+      "and wheel travel.\nExample: "
       "wheelwright score robot.yaml run2.csv run3.csv");
   return [options](Streams streams) { return run_score(*options, streams); };
 }

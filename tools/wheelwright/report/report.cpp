@@ -167,7 +167,7 @@ Action add_report(CLI::App& app) {
                     "Judge ARMA orders 1 to 15 on the random drive, which takes some seconds");
   command->add_flag("--json", options->json, "The page that was written, as JSON");
   command->footer(
-      "The page needs nothing but itself, no network. Pictures need gnuplot (package gnuplot-nox).\n"
+      "The page is self-contained and needs no network. Pictures need gnuplot (package gnuplot-nox).\n"
       "Example: wheelwright report runs/2026-11-21T06-48-44Z -o report.html");
   return [options](Streams streams) { return run_report(*options, streams); };
 }

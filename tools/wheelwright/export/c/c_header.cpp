@@ -70,7 +70,7 @@ std::string head(const RobotModel& model, const Header& header) {
       " s.\n"
       "   Use: wheelwright_init once; wheelwright_step once per period, with the commands of both "
       "wheels;\n"
-      "   wheelwright_commands_for says what to send so that the robot moves as told.\n";
+      "   wheelwright_commands_for says what to send so that the robot moves as commanded.\n";
   for (const Placed& placed : header.placed) {
     text += "\n   " + full_name(placed.effect->setting) + ": " + in_comment(with_intervals(*placed.effect)) +
             "\n     Inverse: " + placed.fragment->remark("Inverse:");

@@ -76,7 +76,7 @@ class CounterKind {
       } else {
         doubts_.push_back("the counters have " + std::to_string(bits) +
                           " bits and go more than half around between rows, and the command does not predict "
-                          "how far: what the wheels did cannot be told; log more often, or more bits");
+                          "how far: what the wheels did is unknown; log more often, or more bits");
       }
       return;
     }

@@ -98,7 +98,7 @@ TEST_CASE("A jump of the counts is named with its line, and both sides of it are
   CHECK(gated.flags.restart.at(row + 1) == 1);
 }
 
-TEST_CASE("Counts that begin anew behind a hole are told from those that went on") {
+TEST_CASE("Counters that were reset in a hole are distinguished from those that went on") {
   auto log = clean_log();
   const auto row = static_cast<std::ptrdiff_t>(moving_row(log));
   log.samples.erase(log.samples.begin() + row, log.samples.begin() + row + 60);
@@ -112,7 +112,7 @@ TEST_CASE("Counts that begin anew behind a hole are told from those that went on
   }
   const auto gated = gate(was_restarted);
   REQUIRE(gated.faults.size() == 1);
-  CHECK_THAT(gated.faults.front().what, ContainsSubstring("and the counts begin anew behind them"));
+  CHECK_THAT(gated.faults.front().what, ContainsSubstring("and the counters were reset in it"));
   CHECK(gated.faults.front().distorts);
 }
 

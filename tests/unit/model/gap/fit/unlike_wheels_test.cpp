@@ -64,7 +64,7 @@ GapAnalysis analysis_of(const LinearModel& robot) {
 
 }  // namespace
 
-TEST_CASE("By poses alone unlike wheels are held by the linear core, which is said, and have no name") {
+TEST_CASE("By poses alone unlike wheels are held by the linear part, which is said, and have no name") {
   const double lag_of_right_s = GENERATE(0.08, 0.16);
   const LinearModel robot{ModelType::arma, period_s, wheel_base_m, lag(0.96, 0.08, true),
                           lag(1.0, lag_of_right_s, false)};
@@ -76,7 +76,7 @@ TEST_CASE("By poses alone unlike wheels are held by the linear core, which is sa
   CHECK(held_out.after.heading_rms_rad->value < 1.5 * held_out.floor.heading_rms_rad->value);
 }
 
-TEST_CASE("By poses alone a body that turns sooner than it travels is held by the linear core") {
+TEST_CASE("By poses alone a body that turns sooner than it travels is held by the linear part") {
   const double pushed = std::exp(-period_s / 0.2);
   const double turned = std::exp(-period_s / 0.08);
   // Of a wheel, from the commands of both: half of their sum, pushed, and half of their difference, turned.

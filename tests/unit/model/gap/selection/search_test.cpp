@@ -29,7 +29,7 @@ GapAnalysis analysed(const std::string& hidden, test::Severity severity, double 
 
 }  // namespace
 
-TEST_CASE("A delay that the linear core has taken for lag is given back to the delay") {
+TEST_CASE("A delay that the linear part has taken for lag is given back to the delay") {
   const auto analysis = analysed("transport_delay", test::Severity::small, 25.0);
   REQUIRE(analysis.verdict == Verdict::named);
   CHECK(analysis.found.front().setting.name == "transport_delay");
