@@ -16,7 +16,8 @@ namespace {
 constexpr int lowest_priority = 19;
 constexpr int cannot_start = 127;
 
-// Between fork and exec of a process with threads: only what a signal handler may call.
+// Between vfork and exec: only what a signal handler may call, and nothing that the daemon has in memory is
+// changed.
 void become_idle(int said, const IdleProcessLimits& limits) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   ::setpgid(0, 0);
@@ -54,7 +55,8 @@ IdleProcess::IdleProcess(const std::filesystem::path& program, const std::vector
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   const int output = ::open(said.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0644);
-  process_ = ::fork();
+  // A fork would make each page of the sensor loop one that is copied when it is written to next.
+  process_ = ::vfork();
   if (process_ == 0) {
     become_idle(output, limits);
     ::execv(name.c_str(), argv.data());

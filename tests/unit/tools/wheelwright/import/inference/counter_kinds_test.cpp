@@ -164,7 +164,7 @@ TEST_CASE("A counter of 8 bits whose turns the command does not predict is said 
                                                         byte(drive.rows[k].counts_right);
                                                }),
                                    {"robot.wheel_base_m=0.3", "wheels.metres_per_count=0.00004"});
-  CHECK(outcome.doubts("cannot be told"));
+  CHECK(outcome.doubts("what the wheels did is unknown"));
 }
 
 TEST_CASE("A drive log whose counts start again from zero is one that import has to put right") {
