@@ -14,7 +14,7 @@ namespace wheelwright::daemon {
 
 struct IdleProcessLimits {
   std::size_t memory_bytes = 100U << 20U;  // of data; more, and it ends
-  std::chrono::seconds time{600};
+  std::chrono::seconds time{3600};
   bool lowest_priority = true;
 };
 
