@@ -67,13 +67,13 @@ struct DaemonConfig {
   std::filesystem::path model_file = "model.yaml";  // read where calibration is not needed, written by it
   std::optional<Route> route;                       // or
   std::optional<CommandedDrive> commanded_drive;    // none of both: only calibrate
+  std::optional<double> largest_uncertainty_m;      // of a route by the model alone; more is refused
   PoseSource pose_source = PoseSource::fir;
-  std::optional<double> largest_uncertainty_m;  // of a route by the model alone; more is refused
   bool arm_at_start = true;
   AtEnd at_end = AtEnd::exit;
+  GapWatch gap_watch = GapWatch::off;
   std::filesystem::path log_folder = "runs";
   bool mcap_log = false;  // an MCAP file beside the CSV logs
-  GapWatch gap_watch = GapWatch::off;
   RealTimeConfig real_time;
   LiveViewConfig live_view;
 };

@@ -2,47 +2,66 @@
 
 #include <fcntl.h>
 #include <sched.h>
-#include <sys/prctl.h>
+#include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <climits>
 #include <csignal>
+#include <fstream>
 
 namespace wheelwright::daemon {
 namespace {
 
 constexpr int lowest_priority = 19;
 constexpr int cannot_start = 127;
+constexpr int goes_first = 900;  // of 1000
 
-// Between vfork and exec: only what a signal handler may call, and nothing that the daemon has in memory is
-// changed.
-void become_idle(int said, const IdleProcessLimits& limits) {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  ::setpgid(0, 0);
-  if (limits.lowest_priority) {
-    sched_param parameters{};
-    ::sched_setscheduler(0, SCHED_IDLE, &parameters);
-    ::setpriority(PRIO_PROCESS, 0, lowest_priority);
-  }
+// Limits of a process that runs already. Where memory runs out, it goes before the daemon does.
+void limit(pid_t process, const IdleProcessLimits& limits) {
+  if (limits.lowest_priority) ::setpriority(PRIO_PROCESS, static_cast<id_t>(process), lowest_priority);
   const rlimit memory{limits.memory_bytes, limits.memory_bytes};
-  ::setrlimit(RLIMIT_DATA, &memory);
-  // Where memory runs out, this process goes before the daemon does.
-  const int score = ::open("/proc/self/oom_score_adj", O_WRONLY);
-  [[maybe_unused]] const ssize_t written = score < 0 ? 0 : ::write(score, "900", 3);
-  sigset_t none;
-  ::sigemptyset(&none);
-  ::sigprocmask(SIG_SETMASK, &none, nullptr);
-  for (const int number : {SIGPIPE, SIGXFSZ}) ::signal(number, SIG_DFL);
-  const int nothing = ::open("/dev/null", O_RDONLY);
-  if (nothing >= 0) ::dup2(nothing, STDIN_FILENO);
-  if (said >= 0) {
-    ::dup2(said, STDOUT_FILENO);
-    ::dup2(said, STDERR_FILENO);
-  }
-  ::close_range(3, UINT_MAX, 0);
+  ::prlimit(process, RLIMIT_DATA, &memory, nullptr);
+  std::ofstream("/proc/" + std::to_string(process) + "/oom_score_adj") << goes_first;
 }
+
+// Not a fork, after which each page of the sensor loop would be copied when it is written to next.
+class SpawnOptions {
+ public:
+  SpawnOptions(const std::filesystem::path& said, const IdleProcessLimits& limits) {
+    ::posix_spawn_file_actions_init(&actions);
+    ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, said.c_str(),
+                                       O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW, 0644);
+    ::posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+    ::posix_spawn_file_actions_addclosefrom_np(&actions, 3);
+    ::posix_spawnattr_init(&attributes);
+    int flags = POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF;
+    sigset_t none;
+    ::sigemptyset(&none);
+    ::posix_spawnattr_setsigmask(&attributes, &none);
+    sigset_t ignored_here;
+    ::sigemptyset(&ignored_here);
+    for (const int number : {SIGPIPE, SIGXFSZ}) ::sigaddset(&ignored_here, number);
+    ::posix_spawnattr_setsigdefault(&attributes, &ignored_here);
+    if (limits.lowest_priority) {
+      const sched_param parameters{};
+      flags |= POSIX_SPAWN_SETSCHEDULER;
+      ::posix_spawnattr_setschedpolicy(&attributes, SCHED_IDLE);
+      ::posix_spawnattr_setschedparam(&attributes, &parameters);
+    }
+    ::posix_spawnattr_setflags(&attributes, static_cast<short>(flags));
+  }
+  SpawnOptions(const SpawnOptions&) = delete;
+  SpawnOptions& operator=(const SpawnOptions&) = delete;
+  ~SpawnOptions() {
+    ::posix_spawn_file_actions_destroy(&actions);
+    ::posix_spawnattr_destroy(&attributes);
+  }
+
+  posix_spawn_file_actions_t actions{};
+  posix_spawnattr_t attributes{};
+};
 
 }  // namespace
 
@@ -54,16 +73,13 @@ IdleProcess::IdleProcess(const std::filesystem::path& program, const std::vector
   std::vector<char*> argv{name.data()};
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
-  const int output = ::open(said.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0644);
-  // A fork would make each page of the sensor loop one that is copied when it is written to next.
-  process_ = ::vfork();
-  if (process_ == 0) {
-    become_idle(output, limits);
-    ::execv(name.c_str(), argv.data());
-    ::_exit(cannot_start);
+  const SpawnOptions options(said, limits);
+  if (::posix_spawn(&process_, name.c_str(), &options.actions, &options.attributes, argv.data(), environ) !=
+      0) {
+    status_ = cannot_start;
+    return;
   }
-  if (output >= 0) ::close(output);
-  if (process_ < 0) status_ = cannot_start;
+  limit(process_, limits);
 }
 
 IdleProcess::~IdleProcess() {

@@ -38,7 +38,7 @@ TEST_CASE("What an idle process says on either output is kept, and its status is
 }
 
 TEST_CASE("An idle process runs at the lowest priority and within its memory") {
-  const Ended ended = run("/bin/sh", {"-c", "nice; ulimit -d"});
+  const Ended ended = run("/bin/sh", {"-c", "sleep 0.1; nice; ulimit -d"});
   CHECK(ended.said == "19\n" + std::to_string((100U << 20U) / 1024) + "\n");
 }
 
