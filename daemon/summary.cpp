@@ -87,7 +87,7 @@ void add_route(Table& table, const config::DaemonConfig& config, const LogReport
   table.title("Route '" + config.route->name + "', steered by " + steered_by(config.pose_source));
   table.row("checkpoints visited", "{} of {}", last.visited, config.route->checkpoints.size());
   if (is_sensorless(config.pose_source) && last.has_prediction && last.predicted_covariance.trace() > 0.0) {
-    table.row("ends where the model says", "within {:.3f} m in 95 of 100 drives",
+    table.row("uncertainty of the end", "{:.3f} m (95 % of drives end within it of the prediction)",
               position_radius95_m(last.predicted_covariance));
   }
   if (!is_closed(*config.route)) return;

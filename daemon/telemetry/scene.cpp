@@ -1,13 +1,11 @@
 #include "daemon/telemetry/scene.hpp"
 
-#include <Eigen/Core>
-#include <Eigen/Eigenvalues>
-
 #include <cmath>
 #include <numbers>
 
 #include "daemon/telemetry/json_text.hpp"
 #include "daemon/telemetry/messages.hpp"
+#include "model/uncertainty/pose_uncertainty.hpp"
 
 namespace wheelwright::daemon::telemetry {
 namespace {
@@ -50,24 +48,6 @@ std::string id_of(std::size_t way, std::uint64_t piece) {
 
 std::string update_of(const std::vector<std::string>& deletions, const std::vector<std::string>& entities) {
   return R"({"deletions":)" + joined(deletions) + R"(,"entities":)" + joined(entities) + "}";
-}
-
-// A circle of probability, stretched along the principal axes of the covariance.
-std::vector<std::string> outline(const Pose& center, double xx, double xy, double yy) {
-  constexpr int corners = 36;
-  constexpr double chi_95 = 2.4477;  // radius that holds 95 % of a normal distribution in the plane
-  Eigen::Matrix2d covariance;
-  covariance << xx, xy, xy, yy;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(covariance);
-  const Eigen::Vector2d radii = chi_95 * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt();
-  std::vector<std::string> points;
-  for (int i = 0; i <= corners; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / corners;
-    const Eigen::Vector2d at =
-        axes.eigenvectors() * Eigen::Vector2d(radii.x() * std::cos(angle), radii.y() * std::sin(angle));
-    points.push_back(point_text(center.x_m + at.x(), center.y_m + at.y()));
-  }
-  return points;
 }
 
 }  // namespace
@@ -119,15 +99,13 @@ bool Scene::take(const LogEntry& entry) {
   if (activity == Activity::idle) return begins;
   if (record.has_prediction) {
     ways_[0].add(record.predicted);
-    const Eigen::Matrix3d& covariance = record.predicted_covariance;
-    ellipses_[1] = Ellipse{record.predicted, covariance(0, 0), covariance(0, 1), covariance(1, 1)};
+    ellipses_[1] = Ellipse{record.predicted, record.predicted_covariance};
     ellipses_changed_ = true;
   }
   if (record.valid) ways_[1].add(record.odometry);
   if (record.hybrid) {
     ways_[2].add(record.hybrid->pose);
-    const Eigen::Matrix3d& covariance = record.hybrid->covariance;
-    ellipses_[0] = Ellipse{record.hybrid->pose, covariance(0, 0), covariance(0, 1), covariance(1, 1)};
+    ellipses_[0] = Ellipse{record.hybrid->pose, record.hybrid->covariance};
     ellipses_changed_ = true;
   }
   if (record.visited != visited_) {
@@ -197,7 +175,9 @@ std::vector<std::string> Scene::ellipse_entities(std::uint64_t time_ns) const {
   for (std::size_t i = 0; i < ellipses_.size(); ++i) {
     if (!ellipses_.at(i)) continue;
     const Ellipse& ellipse = *ellipses_.at(i);
-    const auto points = outline(ellipse.center, ellipse.xx_m2, ellipse.xy_m2, ellipse.yy_m2);
+    std::vector<std::string> points;
+    for (const Pose& corner : ellipse95_outline(ellipse.center, ellipse.covariance, 36))
+      points.push_back(point_text(corner.x_m, corner.y_m));
     entities.push_back(
         entity(time_ns, route_frame, std::string(ids.at(i)), line_strip(points, colors.at(i), 2.0)));
   }

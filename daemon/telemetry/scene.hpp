@@ -6,6 +6,7 @@
 // again; who comes later gets all of them by everything().
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <deque>
@@ -56,7 +57,7 @@ class Scene {
   };
   struct Ellipse {
     Pose center;
-    double xx_m2 = 0.0, xy_m2 = 0.0, yy_m2 = 0.0;
+    Eigen::Matrix3d covariance;
   };
 
   void restart();

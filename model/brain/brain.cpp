@@ -236,7 +236,7 @@ void Brain::remember_prediction(std::int64_t tick) {
   Prediction& slot = predictions_.at(static_cast<std::size_t>(tick) % predictions_.size());
   slot = {tick, model_->predictor.pose(), model_->predictor.speed_m_s(), Eigen::Matrix3d::Zero(),
           static_cast<std::uint16_t>(follower_.visited())};
-  if (model_->uncertainty) slot.covariance = model_->uncertainty->covariance(slot.pose);
+  if (model_->uncertainty) slot.covariance = model_->uncertainty->covariance();
 }
 
 WheelOrder Brain::order() {

@@ -55,7 +55,7 @@ RouteForecast forecast_route(const RobotModel& model, const Route& route, const 
     const WheelPair speed = follower.steer(driving.predictor.rest_pose());
     const Pose& pose = driving.predictor.pose();
     while (forecast.checkpoints.size() < follower.visited()) {
-      forecast.checkpoints.push_back({t_s, pose, position_radius95_m(driving.uncertainty->covariance(pose))});
+      forecast.checkpoints.push_back({t_s, pose, position_radius95_m(driving.uncertainty->covariance())});
     }
     if (follower.finished()) break;
     driving.step(rounded_command(driving.predictor.command_for(speed), limits));

@@ -148,6 +148,7 @@ struct EffectInfo {
   bool acts_first = false;       // on the command as it was sent, before all that happens to it
   bool by_wheel_angle = false;   // hangs on the angle at which the wheels stood when a run began
   bool by_pose = false;          // hangs on where the robot stands and heads
+  bool wheel_mismatch = false;   // the difference of the wheels' rolling radii, which counts do not show
   bool sudden = false;           // a moment or a place decides: near it, little makes much
   // Whether it is what its name says, in runs with such commands, and not mostly another's; empty: always.
   std::function<bool(const EffectArguments&, double largest_command_m_s)> in_character{};

@@ -29,7 +29,7 @@ class WheelScaleMismatch final : public EffectOf<WheelScaleMismatch> {
 }  // namespace
 
 EffectInfo wheel_scale_mismatch() {
-  return {
+  EffectInfo info{
       "wheel_scale_mismatch",
       "left and right wheels roll different distances for the same ticks or command",
       "Wheels of different wear or tyre pressure. The encoders cannot show it: straight drives bend, "
@@ -45,6 +45,8 @@ EffectInfo wheel_scale_mismatch() {
         0.0008}},
       {.reference = true, .or_gyro = true, .encoders = true},
       [](const EffectArguments& arguments) { return std::make_unique<WheelScaleMismatch>(arguments); }};
+  info.wheel_mismatch = true;
+  return info;
 }
 
 }  // namespace wheelwright::effects

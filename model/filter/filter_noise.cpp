@@ -2,14 +2,9 @@
 
 #include <algorithm>
 
+#include "model/effects/library/effect_library.hpp"
+
 namespace wheelwright {
-namespace {
-
-// Below this the gain that a short calibration states is too good to be true of the rest of the day.
-constexpr double min_gain_error = 0.004;
-
-}  // namespace
-
 FilterNoise filter_noise_of(const RobotModel& model) {
   FilterNoise noise;
   if (model.encoder_scale) noise.scale_standard_error = model.encoder_scale->relative_standard_error;
@@ -25,7 +20,8 @@ FilterNoise filter_noise_of(const RobotModel& model) {
         std::max(min_gain_error, model.right_fit->gain_standard_error.from_right);
   }
   for (const AddedEffect& effect : model.effects) {
-    if (effect.setting.name != "wheel_scale_mismatch") continue;
+    const EffectInfo* info = find_effect(effect.setting.name);
+    if (info == nullptr || !info->wheel_mismatch) continue;
     noise.wheel_mismatch = effect.intervals.empty() ? 0.0 : standard_deviation(effect.intervals.front());
   }
   return noise;

@@ -7,6 +7,10 @@
 
 namespace wheelwright {
 
+// Below this the gain that a short calibration states is too good to be true of the rest of the day and of
+// other speeds: friction does not grow with speed. As a fraction, set by hand.
+inline constexpr double min_gain_error = 0.004;
+
 struct FilterNoise {
   // A poll sees counters that are between 0 and this old, each age as likely as any other; and a command
   // acts as much later. The robot refreshes its sensors and its controller on this period.
@@ -17,8 +21,7 @@ struct FilterNoise {
   double scale_standard_error = 0.001;           // of metres per tick, as a fraction
   double slip_m_per_sqrt_m = 0.001;              // random walk of the floor travel against the counts
   // Of the right wheel's rolling radius over the left one's, standard deviation. Neither the counts nor
-  // turning in place show it, so this is what tyres are like: some tenths of a per cent apart when they are
-  // worn.
+  // turning in place show it, so it is set by hand.
   double wheel_mismatch = 0.0025;
 };
 

@@ -25,9 +25,10 @@ struct ParameterInterval {
   double upper = 0.0;
 };
 
-// As of a normal distribution: a quarter of the width, nearly.
+// Either end of a 95 % interval of a normal distribution is so many standard deviations from the middle.
+inline constexpr double deviations_in_ci95 = 1.96;
 inline double standard_deviation(const ParameterInterval& interval) {
-  return (interval.upper - interval.lower) / (2.0 * 1.96);
+  return (interval.upper - interval.lower) / (2.0 * deviations_in_ci95);
 }
 
 // An effect that was found missing and added, and why it is believed.

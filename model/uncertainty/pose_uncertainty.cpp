@@ -2,17 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "model/uncertainty/moved_models.hpp"
 
 namespace wheelwright {
 namespace {
-
-// Then its interval counts, as that of any parameter.
-bool holds_mismatch(const RobotModel& model) {
-  return std::any_of(model.effects.begin(), model.effects.end(),
-                     [](const AddedEffect& effect) { return effect.setting.name == "wheel_scale_mismatch"; });
-}
 
 Eigen::Vector3d difference(const Pose& to, const Pose& from) {
   return {to.x_m - from.x_m, to.y_m - from.y_m, wrap_angle(to.theta_rad - from.theta_rad)};
@@ -36,16 +31,20 @@ PrincipalVariances principal_variances(const Eigen::Matrix3d& covariance) {
 PoseUncertainty::PoseUncertainty(const RobotModel& model)
     : period_s_(model.linear_part.period_s),
       noise_(filter_noise_of(model)),
-      with_noise_(model.linear_part.wheel_base_m,
-                  {0.0, holds_mismatch(model) ? 0.0 : noise_.wheel_mismatch}) {
-  for (const RobotModel& moved : moved_models(model)) {
-    const std::vector<EffectSetting> effects = effect_settings(moved);
-    moved_.emplace_back(moved.linear_part, effects);
+      with_noise_(model.linear_part.wheel_base_m, {.scale = 0.0, .wheel_mismatch = noise_.wheel_mismatch}) {
+  const auto simulation_of = [](const RobotModel& moved) {
+    return ModelSimulation(moved.linear_part, effect_settings(moved));
+  };
+  for (const MovedModels& moved : moved_models(model)) {
+    moved_.push_back({simulation_of(moved.up), simulation_of(moved.down)});
   }
 }
 
 void PoseUncertainty::step(const WheelPair& command_m_s, const ModelSimulation::Motion& motion) {
-  for (ModelSimulation& simulation : moved_) simulation.step(command_m_s);
+  for (Moved& moved : moved_) {
+    moved.up.step(command_m_s);
+    moved.down.step(command_m_s);
+  }
   const WheelPair& floor_m_s = motion.floor_m_s;
   const WheelPair rolled_m{floor_m_s.left * period_s_, floor_m_s.right * period_s_};
   const Twist by_wheels = twist_of_wheels(floor_m_s, with_noise_.wheel_base_m());
@@ -68,26 +67,32 @@ TravelVariance PoseUncertainty::noise_of(const WheelPair& command_m_s, const Whe
 }
 
 void PoseUncertainty::reset(const Pose& pose) {
-  for (ModelSimulation& simulation : moved_) simulation.reset(pose);
+  for (Moved& moved : moved_) {
+    moved.up.reset(pose);
+    moved.down.reset(pose);
+  }
   with_noise_.reset(pose);
   command_m_s_ = {};
 }
 
 void PoseUncertainty::set_pose(const Pose& pose) {
-  for (ModelSimulation& simulation : moved_) simulation.set_pose(pose);
+  for (Moved& moved : moved_) {
+    moved.up.set_pose(pose);
+    moved.down.set_pose(pose);
+  }
   with_noise_.reset(pose);
 }
 
 void PoseUncertainty::take_over(const PoseUncertainty& before, const Pose& pose) {
-  const Eigen::Matrix3d covariance = before.covariance(pose);
+  const Eigen::Matrix3d covariance = before.covariance();
   set_pose(pose);
   with_noise_.reset(pose, covariance);
 }
 
-Eigen::Matrix3d PoseUncertainty::covariance(const Pose& pose) const {
+Eigen::Matrix3d PoseUncertainty::covariance() const {
   Eigen::Matrix3d sum = with_noise_.covariance();
-  for (const ModelSimulation& simulation : moved_) {
-    const Eigen::Vector3d off = difference(simulation.pose(), pose);
+  for (const Moved& moved : moved_) {
+    const Eigen::Vector3d off = 0.5 * difference(moved.up.pose(), moved.down.pose());
     sum += off * off.transpose();
   }
   return sum;
@@ -98,6 +103,18 @@ PositionEllipse position_ellipse95(const Eigen::Matrix3d& covariance) {
   return {std::sqrt(chi_square95_of_two * variances.major_m2),
           std::sqrt(chi_square95_of_two * variances.minor_m2),
           0.5 * std::atan2(2.0 * covariance(0, 1), covariance(0, 0) - covariance(1, 1))};
+}
+
+std::vector<Pose> ellipse95_outline(const Pose& pose, const Eigen::Matrix3d& covariance, int corners) {
+  const PositionEllipse ellipse = position_ellipse95(covariance);
+  const Pose middle{pose.x_m, pose.y_m, ellipse.direction_rad};
+  std::vector<Pose> outline;
+  for (int i = 0; i <= corners; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / corners;
+    outline.push_back(
+        compose(middle, {ellipse.major_m * std::cos(angle), ellipse.minor_m * std::sin(angle), 0.0}));
+  }
+  return outline;
 }
 
 double position_radius95_m(const Eigen::Matrix3d& covariance) {

@@ -1,15 +1,14 @@
 // How far the pose of a drive from the model alone may be off: the covariance of x, y and heading.
 //
-// Errors of parameters are the same in every period. What one of them does to the pose is the difference
-// d_k between two simulations of the same commands, of the model and of the model with that parameter moved
-// by one standard deviation (moved_models.hpp), so that effects count with all their bends:
+// Errors of parameters are the same in every period. What one of them does to the pose is
+// d_k, half of the difference between two simulations of the same commands, with that parameter moved up and
+// down by one standard deviation (moved_models.hpp), so that effects count with all their bends:
 //
 //   P = sum_k d_k d_k' + N
 //
 // N is carried along the linearised motion (filter/pose_with_covariance.hpp). It has the random walk of the
 // wheels' travel against the model, slip that grows with the way, the moment at which the robot takes up a
-// command, anywhere within its refresh period, and, where the model does not hold it, the mismatch of the
-// wheels.
+// command, anywhere within its refresh period, and the mismatch of the wheels (FilterNoise::wheel_mismatch).
 //
 // P is in the frame of the pose. It says nothing of what no parameter of the model stands for: another
 // floor, a push, an effect that was not found.
@@ -41,15 +40,18 @@ class PoseUncertainty {
   // Goes on in the place of another model of the same robot, from `pose`: what was uncertain stays so.
   void take_over(const PoseUncertainty& before, const Pose& pose);
 
-  // `pose` is the model's own.
-  Eigen::Matrix3d covariance(const Pose& pose) const;
+  Eigen::Matrix3d covariance() const;
 
  private:
   TravelVariance noise_of(const WheelPair& command_m_s, const WheelPair& floor_m_s) const;
 
   double period_s_;
   FilterNoise noise_;
-  std::vector<ModelSimulation> moved_;
+  struct Moved {
+    ModelSimulation up;
+    ModelSimulation down;
+  };
+  std::vector<Moved> moved_;
   PoseWithCovariance with_noise_;  // the pose of the model itself
   WheelPair command_m_s_;          // of the period before
 };
@@ -64,6 +66,9 @@ struct PositionEllipse {
   double direction_rad = 0.0;  // of the major axis
 };
 PositionEllipse position_ellipse95(const Eigen::Matrix3d& covariance);
+
+// The ellipse around `pose`, as that many corners and the first one again.
+std::vector<Pose> ellipse95_outline(const Pose& pose, const Eigen::Matrix3d& covariance, int corners);
 
 // The radius around the pose within which the robot is in 95 of 100 drives, to 0.2 %: a cubic in the ratio of
 // the two deviations (R. W. Leenhouts, "On the computation of bi-normal radial error", Navigation 32 (1985)

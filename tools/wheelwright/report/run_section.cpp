@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "config/load/text_format.hpp"
 #include "model/uncertainty/pose_uncertainty.hpp"
@@ -39,23 +38,21 @@ PlotPoints path(const Ticks& ticks, Pick pick) {
   return points;
 }
 
+// What a recording holds of a covariance, as far as the position goes.
+Eigen::Matrix3d position_covariance(const std::array<double, 6>& recorded) {
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  covariance.topLeftCorner<2, 2>() << recorded[0], recorded[1], recorded[1], recorded[2];
+  return covariance;
+}
+
 // Of the position by the model alone where the drive ended; nothing where the model states no uncertainty.
 PlotPoints end_ellipse(const Ticks& ticks) {
   if (ticks.empty() || !ticks.back().model || !ticks.back().model_covariance) return {};
-  const auto& [xx, xy, yy, x_theta, y_theta, theta_theta] = *ticks.back().model_covariance;
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  covariance.topLeftCorner<2, 2>() << xx, xy, xy, yy;
-  const PositionEllipse ellipse = position_ellipse95(covariance);
-  if (ellipse.major_m <= 0.0) return {};
-  const Pose middle{ticks.back().model->x_m, ticks.back().model->y_m, ellipse.direction_rad};
-  constexpr int corners = 60;
+  const Eigen::Matrix3d covariance = position_covariance(*ticks.back().model_covariance);
+  if (covariance.isZero()) return {};
   PlotPoints points;
-  for (int i = 0; i <= corners; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / corners;
-    const Pose at =
-        compose(middle, {ellipse.major_m * std::cos(angle), ellipse.minor_m * std::sin(angle), 0.0});
-    points.push_back({at.x_m, at.y_m});
-  }
+  for (const Pose& corner : ellipse95_outline(*ticks.back().model, covariance, 60))
+    points.push_back({corner.x_m, corner.y_m});
   return points;
 }
 
@@ -144,9 +141,7 @@ std::optional<double> heading_apart(const std::optional<Pose>& one, const std::o
 
 std::optional<double> radius95(const std::optional<std::array<double, 6>>& values) {
   if (!values) return std::nullopt;
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  covariance.topLeftCorner<2, 2>() << (*values)[0], (*values)[1], (*values)[1], (*values)[2];
-  return position_radius95_m(covariance);
+  return position_radius95_m(position_covariance(*values));
 }
 
 std::vector<Plot> residual_plots(const Ticks& ticks) {

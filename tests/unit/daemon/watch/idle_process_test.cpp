@@ -1,6 +1,7 @@
 // A program beside the daemon that takes only what the others leave.
 #include "daemon/watch/idle_process.hpp"
 
+#include <csignal>
 #include <fstream>
 #include <sstream>
 #include <thread>
@@ -38,7 +39,8 @@ TEST_CASE("What an idle process says on either output is kept, and its status is
 }
 
 TEST_CASE("An idle process runs at the lowest priority and within its memory") {
-  const Ended ended = run("/bin/sh", {"-c", "sleep 0.1; nice; ulimit -d"});
+  const Ended ended =
+      run("/bin/sh", {"-c", "until [ \"$(ulimit -d)\" != unlimited ]; do :; done; nice; ulimit -d"});
   CHECK(ended.said == "19\n" + std::to_string((100U << 20U) / 1024) + "\n");
 }
 
@@ -54,6 +56,11 @@ TEST_CASE("An idle process that takes too long is ended") {
 
 TEST_CASE("An idle process ends with who started it") {
   const auto said = wheelwright::test::temporary_folder() / "pid.txt";
-  { IdleProcess process("/bin/sleep", {"60"}, said); }
-  CHECK(std::system("pgrep -f '^/bin/sleep 60$' >/dev/null") != 0);
+  int pid = 0;
+  {
+    IdleProcess process("/bin/sh", {"-c", "echo $$; exec sleep 600"}, said);
+    while (!(std::ifstream(said) >> pid)) std::this_thread::sleep_for(5ms);
+    CHECK(::kill(pid, 0) == 0);
+  }
+  CHECK(::kill(pid, 0) != 0);
 }
