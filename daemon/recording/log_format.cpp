@@ -1,6 +1,7 @@
 #include "daemon/recording/log_format.hpp"
 
 #include "config/load/text_format.hpp"
+#include "daemon/recording/covariance_columns.hpp"
 #include "daemon/recording/fault_text.hpp"
 
 namespace wheelwright::daemon {
@@ -81,8 +82,7 @@ namespace {
 // A covariance is small: twelve decimals.
 std::string covariance_fields(const Eigen::Matrix3d& covariance) {
   std::string fields;
-  for (const double value : {covariance(0, 0), covariance(0, 1), covariance(1, 1), covariance(0, 2),
-                             covariance(1, 2), covariance(2, 2)}) {
+  for (const double value : covariance_columns(covariance)) {
     fields += (fields.empty() ? "" : ",") + fixed_number(value, 12);
   }
   return fields;

@@ -1,6 +1,7 @@
 #include "daemon/recording/mcap_log.hpp"
 
 #include "config/load/text_format.hpp"
+#include "daemon/recording/covariance_columns.hpp"
 #include "daemon/recording/fault_text.hpp"
 
 namespace wheelwright::daemon {
@@ -32,12 +33,6 @@ mcap::SensorValues sensors_of(const SensorFrame& frame) {
   sensors.cliff = frame.cliff;
   sensors.overcurrents = frame.overcurrents;
   return sensors;
-}
-
-// xx, xy, yy, x theta, y theta, theta theta.
-std::array<double, 6> six_of(const Eigen::Matrix3d& covariance) {
-  return {covariance(0, 0), covariance(0, 1), covariance(1, 1),
-          covariance(0, 2), covariance(1, 2), covariance(2, 2)};
 }
 
 mcap::StateValues state_of(const LogEntry& entry) {
@@ -75,11 +70,11 @@ mcap::TickValues tick_values(const LogEntry& entry) {
   if (record.has_prediction) {
     tick.model = record.predicted;
     tick.predicted_m_s = record.predicted_speed_m_s;
-    tick.model_covariance = six_of(record.predicted_covariance);
+    tick.model_covariance = covariance_columns(record.predicted_covariance);
   }
   if (record.hybrid) {
     tick.hybrid = record.hybrid->pose;
-    tick.covariance = six_of(record.hybrid->covariance);
+    tick.covariance = covariance_columns(record.hybrid->covariance);
     tick.events = field_of(record.hybrid->events);
   }
   return tick;
