@@ -254,13 +254,10 @@ CalibrationOutcome Calibrator::response() const {
   outcome.refusal = doubt_of_manoeuvre();
   if (outcome.refusal) return outcome;
   outcome.remark = punctuality_.remark();
-  std::vector<DriveLog> runs;
-  for (std::size_t i = 0; i < response_runs_.size(); ++i) {
-    if (response_runs_[i].samples.empty()) continue;
-    runs.push_back(response_runs_[i]);
-    settle_travel(runs.back(), response_counts_[i]);
-    leave_out_crawl(runs.back());
-  }
+  std::vector<DriveLog> runs = response_runs_;
+  settle_travel(runs, response_counts_);
+  std::erase_if(runs, [](const DriveLog& run) { return run.samples.empty(); });
+  for (DriveLog& run : runs) leave_out_crawl(run);
   const FirFitOptions options{std::nullopt, longest_response, limits_.period_s};
   auto fit = fit_fir(runs, options);
   if (fit) {
@@ -308,7 +305,7 @@ CalibrationOutcome Calibrator::arma() const {
   options.order = mission_.random_drive->order;
   options.period_s = limits_.period_s;
   DriveLog run = random_run_;
-  settle_travel(run, random_counts_);
+  settle_travel(std::span(&run, 1), std::span(&random_counts_, 1));
   auto fit = fit_arx(std::span(&run, 1), options);
   if (!fit) {
     outcome.refusal = fit.error();

@@ -1,9 +1,11 @@
 #include "model/log/sign_corrected_travel.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <string_view>
+#include <utility>
 
 namespace wheelwright {
 namespace {
@@ -87,48 +89,78 @@ const ExtraColumn* column_of(const DriveLog& log, std::string_view name) {
   return column == log.extra_columns.end() ? nullptr : &*column;
 }
 
-}  // namespace
-
-std::vector<std::int64_t> sign_corrected_travel(std::span<const std::int64_t> counted,
-                                                std::span<const std::int64_t> travel) {
-  if (travel.empty()) return {};
-  std::vector<std::int64_t> changes = turned_in_time(counted, travel);
-  share_out_turns(counted, changes);
-  const std::vector<std::int64_t> as_counted = changes_of(counted);
-  const bool tells_its_direction = roughness(as_counted) <= roughness(changes);
-  return summed(travel.front(), tells_its_direction ? as_counted : changes);
-}
-
-void settle_travel(DriveLog& drive, std::span<const WheelTicks> counted) {
-  for (const auto side : {&WheelTicks::left, &WheelTicks::right}) {
-    std::vector<std::size_t> rows;
-    std::vector<std::int64_t> counts;
-    std::vector<std::int64_t> travel;
-    for (std::size_t row = 0; row < drive.samples.size(); ++row) {
-      if (!drive.samples[row].ticks) continue;
-      rows.push_back(row);
-      counts.push_back(counted[row].*side);
-      travel.push_back((*drive.samples[row].ticks).*side);
-    }
-    const auto settled = sign_corrected_travel(counts, travel);
-    for (std::size_t i = 0; i < rows.size(); ++i) (*drive.samples[rows[i]].ticks).*side = settled[i];
-  }
-}
-
-void take_sign_corrected_travel(DriveLog& log) {
-  const ExtraColumn* left = column_of(log, "travel_ticks_left");
-  const ExtraColumn* right = column_of(log, "travel_ticks_right");
-  if (left == nullptr || right == nullptr) return;
+// The samples hold the travel as it was known at the time afterwards; returns what was counted.
+std::vector<WheelTicks> take_counts(DriveLog& log, const ExtraColumn& left, const ExtraColumn& right) {
   std::vector<WheelTicks> counted(log.samples.size());
   for (std::size_t row = 0; row < log.samples.size(); ++row) {
     DriveSample& sample = log.samples[row];
     if (!sample.ticks) continue;
     counted[row] = *sample.ticks;
-    const bool known = std::isfinite(left->values[row]) && std::isfinite(right->values[row]);
+    const bool known = std::isfinite(left.values[row]) && std::isfinite(right.values[row]);
     sample.ticks.reset();
-    if (known) sample.ticks = {std::llround(left->values[row]), std::llround(right->values[row])};
+    if (known) sample.ticks = {std::llround(left.values[row]), std::llround(right.values[row])};
   }
-  settle_travel(log, counted);
+  return counted;
+}
+
+}  // namespace
+
+std::vector<std::vector<std::int64_t>> sign_corrected_travel(std::span<const CountedTravel> runs) {
+  std::vector<std::vector<std::int64_t>> as_counted;
+  std::vector<std::vector<std::int64_t>> corrected;
+  double rougher_by = 0.0;  // as counted
+  for (const CountedTravel& run : runs) {
+    as_counted.push_back(changes_of(run.counted));
+    corrected.push_back(turned_in_time(run.counted, run.travel));
+    share_out_turns(run.counted, corrected.back());
+    rougher_by += roughness(as_counted.back()) - roughness(corrected.back());
+  }
+  const auto& changes = rougher_by > 0.0 ? corrected : as_counted;
+  std::vector<std::vector<std::int64_t>> settled;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const auto& travel = runs[i].travel;
+    settled.push_back(travel.empty() ? travel : summed(travel.front(), changes[i]));
+  }
+  return settled;
+}
+
+void settle_travel(std::span<DriveLog> drives, std::span<const std::vector<WheelTicks>> counted) {
+  constexpr std::array sides{&WheelTicks::left, &WheelTicks::right};
+  std::vector<CountedTravel> runs;
+  for (std::size_t i = 0; i < drives.size(); ++i) {
+    for (const auto side : sides) {
+      CountedTravel& run = runs.emplace_back();
+      for (std::size_t row = 0; row < drives[i].samples.size(); ++row) {
+        const auto& ticks = drives[i].samples[row].ticks;
+        if (!ticks) continue;
+        run.counted.push_back(counted[i][row].*side);
+        run.travel.push_back((*ticks).*side);
+      }
+    }
+  }
+  const auto settled = sign_corrected_travel(runs);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    auto next = settled[i].begin();
+    for (DriveSample& sample : drives[i / sides.size()].samples) {
+      if (sample.ticks) (*sample.ticks).*sides.at(i % sides.size()) = *next++;
+    }
+  }
+}
+
+void take_sign_corrected_travel(std::span<DriveLog> runs) {
+  std::vector<DriveLog> drives;
+  std::vector<std::size_t> places;
+  std::vector<std::vector<WheelTicks>> counted;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const ExtraColumn* left = column_of(runs[i], "travel_ticks_left");
+    const ExtraColumn* right = column_of(runs[i], "travel_ticks_right");
+    if (left == nullptr || right == nullptr) continue;
+    counted.push_back(take_counts(runs[i], *left, *right));
+    places.push_back(i);
+    drives.push_back(std::move(runs[i]));
+  }
+  settle_travel(drives, counted);
+  for (std::size_t i = 0; i < drives.size(); ++i) runs[places[i]] = std::move(drives[i]);
 }
 
 }  // namespace wheelwright

@@ -14,19 +14,26 @@
 
 namespace wheelwright {
 
-// `counted` are the counts with the robot's own signs, `travel` those with the sign as it was known at the
-// time, both unwrapped and one per reading. Returns the travel with each turn in the row in which the wheel
-// was slowest; what was counted there and back in that row is shared out by the rows around it. An encoder
-// that tells its direction is known by its counts, whose speed changes more smoothly than any of that.
-std::vector<std::int64_t> sign_corrected_travel(std::span<const std::int64_t> counted,
-                                                std::span<const std::int64_t> travel);
+// Travel, and the counts that it was made of: with the robot's own signs and with the sign as it was known at
+// the time. Both unwrapped, one per reading.
+struct CountedTravel {
+  std::vector<std::int64_t> counted;
+  std::vector<std::int64_t> travel;
+};
 
-// Settles the ticks of a drive's samples, which hold travel. `counted` has what the robot counted, one per
-// sample; where a sample has no ticks it does not matter.
-void settle_travel(DriveLog& drive, std::span<const WheelTicks> counted);
+// Returns the travel with each turn in the row in which the wheel was slowest; what was counted there and
+// back in that row is shared out by the rows around it. Encoders that tell their direction are known by their
+// counts, whose speed changes more smoothly than any of that. All wheels and runs are of one robot, whose
+// encoders are alike: a single stop, in which counts that went on forward look as smooth as counts that went
+// back, does not decide it.
+std::vector<std::vector<std::int64_t>> sign_corrected_travel(std::span<const CountedTravel> runs);
 
-// Of a log of the daemon, which has travel in columns of its own: gives its samples the settled travel as
-// their ticks. Other logs stay as they are.
-void take_sign_corrected_travel(DriveLog& log);
+// Settles the ticks of the samples of a robot's drives, which hold travel. `counted` has what the robot
+// counted: for each drive one entry per sample; where a sample has no ticks it does not matter.
+void settle_travel(std::span<DriveLog> drives, std::span<const std::vector<WheelTicks>> counted);
+
+// Of the runs of a log of the daemon, which has travel in columns of its own: gives their samples the settled
+// travel as their ticks. Other logs stay as they are.
+void take_sign_corrected_travel(std::span<DriveLog> runs);
 
 }  // namespace wheelwright

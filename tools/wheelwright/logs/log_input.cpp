@@ -118,10 +118,8 @@ std::vector<DriveLog> load_all_runs(const LogInput& input, std::ostream& err, Pr
     auto of_file = load_runs(path, reading, remarks);
     if (!remarks.view().empty()) progress.clear();
     err << remarks.view();
-    for (auto& run : of_file) {
-      take_sign_corrected_travel(run);
-      runs.push_back(std::move(run));
-    }
+    take_sign_corrected_travel(of_file);
+    for (auto& run : of_file) runs.push_back(std::move(run));
   }
   return runs;
 }

@@ -8,11 +8,13 @@ using namespace wheelwright;
 
 namespace {
 
-struct Counts {
+struct Counts : CountedTravel {
   std::vector<std::int64_t> truly;
-  std::vector<std::int64_t> counted;
-  std::vector<std::int64_t> travel;
 };
+
+std::vector<std::int64_t> settled_alone(const CountedTravel& run) {
+  return sign_corrected_travel(std::span(&run, 1)).front();
+}
 
 // Reversals of a wheel whose encoder counts in the direction of the command, as a Roomba's does.
 Counts back_and_forth() {
@@ -49,7 +51,7 @@ std::int64_t farthest_off(const std::vector<std::int64_t>& one, const std::vecto
 
 TEST_CASE("A wheel's turn is put where the wheel was slowest") {
   const Counts counts = back_and_forth();
-  const auto settled = sign_corrected_travel(counts.counted, counts.travel);
+  const auto settled = settled_alone(counts);
   std::int64_t jumps = 0;
   for (std::size_t k = 1; k < settled.size(); ++k) {
     CHECK(std::abs(settled[k] - settled[k - 1]) <= 11);
@@ -62,13 +64,23 @@ TEST_CASE("A wheel's turn is put where the wheel was slowest") {
 
 TEST_CASE("Travel whose signs were known at once stays as it is") {
   const std::vector<std::int64_t> travel{0, 3, 8, 12, 12, 9, 2, -6, -14};
-  CHECK(sign_corrected_travel(travel, travel) == travel);
+  CHECK(settled_alone({travel, travel}) == travel);
 }
 
 TEST_CASE("Counts that tell their direction are believed, whatever was made of their signs") {
   const std::vector<std::int64_t> counted{0, 8, 16, 21, 22, 19, 12, 4};
   const std::vector<std::int64_t> travel{0, 8, 16, 21, 20, 17, 24, 8};
-  CHECK(sign_corrected_travel(counted, travel) == counted);
+  CHECK(settled_alone({counted, travel}) == counted);
+}
+
+TEST_CASE("A stop that looks as smooth either way is settled by the other runs of the robot") {
+  // Backwards, and after the stop a count whose sign follows the command. It pauses as the sign changes.
+  const CountedTravel stop{{0, -5, -10, -10, -8, -6, -5}, {0, -5, -10, -10, -12, -14, -15}};
+  CHECK(settled_alone(stop) == stop.counted);
+  const Counts others = back_and_forth();
+  CHECK(sign_corrected_travel(std::vector<CountedTravel>{others, stop}).back() == stop.travel);
+  const CountedTravel tells_its_direction{{0, 8, 16, 21, 22, 19, 12, 4}, {0, 8, 16, 21, 20, 17, 24, 8}};
+  CHECK(sign_corrected_travel(std::vector<CountedTravel>{tells_its_direction, stop}).back() == stop.counted);
 }
 
 TEST_CASE("A log of the daemon gets its travel as ticks, another one stays as it is") {
@@ -80,12 +92,12 @@ TEST_CASE("A log of the daemon gets its travel as ticks, another one stays as it
     log.samples.push_back(sample);
   }
   const DriveLog plain = log;
-  take_sign_corrected_travel(log);
+  take_sign_corrected_travel(std::span(&log, 1));
   CHECK(log.samples[4].ticks->left == plain.samples[4].ticks->left);
   // Slowest in the fourth reading; what came after went back.
   const std::vector<double> known{0, 6, 11, 14, 17, 2};
   log.extra_columns = {{"travel_ticks_left", known, {}}, {"travel_ticks_right", known, {}}};
-  take_sign_corrected_travel(log);
+  take_sign_corrected_travel(std::span(&log, 1));
   std::vector<std::int64_t> left;
   for (const auto& sample : log.samples) left.push_back(sample.ticks->left);
   CHECK(left == std::vector<std::int64_t>{0, 6, 11, 12, 9, 3});
