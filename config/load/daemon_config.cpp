@@ -129,6 +129,7 @@ void read_random_drive(YamlReader& calibration, RandomDrivePlan& plan) {
       drive->number("largest_change_m_s", {0.01, 2.0 * fastest_m_s, "m/s"}, plan.largest_change_m_s);
   plan.radius_m = drive->number("radius_m", {0.1, 100.0, "m"}, plan.radius_m);
   plan.ahead_m = drive->number("ahead_m", {-100.0, 100.0, "m"}, plan.ahead_m);
+  plan.tour_share = drive->number("tour_share", {0.0, 0.95}, plan.tour_share);
   plan.seed =
       static_cast<std::uint64_t>(drive->integer("seed", {0, 1e15}, static_cast<std::int64_t>(plan.seed)));
   read_order(*drive, plan.order);

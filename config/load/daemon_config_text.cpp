@@ -101,6 +101,7 @@ void add_calibration(Yaml& yaml, const DaemonConfig& config) {
   yaml.number("  largest_change_m_s", drive.largest_change_m_s);
   yaml.number("  radius_m", drive.radius_m);
   yaml.number("  ahead_m", drive.ahead_m);
+  yaml.number("  tour_share", drive.tour_share);
   yaml.word("  seed", std::to_string(drive.seed));
   yaml.word("  order", drive.order ? std::to_string(*drive.order) : "auto");
 }

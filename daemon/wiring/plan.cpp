@@ -52,7 +52,10 @@ Plan make_plan(const config::DaemonConfig& config, std::optional<RobotModel> mod
     check_type(config, config.calibration_type, config.file.string() + ": calibration.type makes");
     plan.mission.encoder_turn = config.encoder_turn;
     if (config.response.repetitions > 0) plan.mission.response = config.response;
-    if (config.calibration_type == ModelType::arma) plan.mission.random_drive = config.random_drive;
+    if (config.calibration_type == ModelType::arma) {
+      plan.mission.random_drive = config.random_drive;
+      if (config.route) plan.mission.random_drive->tour_speed_m_s = config.route->speed_m_s;
+    }
   } else if (model) {
     check_model(config, *model);
     plan.model = std::move(model);

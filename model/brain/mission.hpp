@@ -25,16 +25,19 @@ struct EncoderTurnPlan {
 struct ResponsePlan {
   double speed_m_s = 0.15;
   double speed_spread = 0.3;  // relative, over the repetitions: ticks and speed steps then round differently
-  double on_s = 0.8;
-  int repetitions = 12;
+  // Long enough that what a wheel loses to friction as it starts is small beside its way, and that a slow
+  // speed controller has settled.
+  double on_s = 2.5;
+  int repetitions = 6;
   bool alternate_direction = true;  // half of the actions backwards, so that the robot stays where it is
   bool use_fall = true;             // false with the wheel PID off, where stopping is slower than starting
 };
 
-// The random drive (calibration C of the source paper); model/brain/random_drive.hpp.
+// The random drive (calibration C of the source paper), and a tour at the end of it;
+// model/brain/random_drive.hpp.
 struct RandomDrivePlan {
-  double duration_s = 60.0;
-  double spread_m_s = 0.1;  // standard deviation of the wheel speeds
+  double duration_s = 60.0;  // of both
+  double spread_m_s = 0.1;   // standard deviation of the wheel speeds
   // Short holds show the dynamics, long ones, in which a wheel settles, the gain.
   double shortest_hold_s = 0.1;
   double longest_hold_s = 1.2;
@@ -43,6 +46,10 @@ struct RandomDrivePlan {
   // turning in place needs an object near by, the circle needs free floor.
   double radius_m = 0.5;
   double ahead_m = 0.6;
+  // The tour: this share of the time the robot drives between random points of the circle as it drives a
+  // route.
+  double tour_share = 0.8;
+  double tour_speed_m_s = 0.2;  // that of the route, where one is driven
   std::uint64_t seed = 1;
   std::optional<std::size_t> order = 9;  // of the model; found by a sweep where absent
 };

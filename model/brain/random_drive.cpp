@@ -2,17 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace wheelwright {
 namespace {
 
-constexpr double rest_s = 0.7;  // at the end, so that the whole answer to the last command is recorded
+constexpr double rest_s = 0.7;  // after a part, so that the whole answer to its last command is recorded
 constexpr int max_draws = 32;
 constexpr int points_on_arc = 4;
 
 int ticks_of(double seconds, double period_s) {
   return std::max(1, static_cast<int>(std::lround(seconds / period_s)));
+}
+
+Tour tour_of(const RandomDrivePlan& plan, const RobotLimits& limits) {
+  PortableRandom random(plan.seed);
+  const TourPlan tour{
+      {plan.ahead_m, 0.0}, plan.radius_m, plan.tour_speed_m_s, plan.tour_share * plan.duration_s};
+  return {tour, follower_limits(limits), random};
 }
 
 }  // namespace
@@ -22,24 +28,36 @@ RandomDrive::RandomDrive(const RandomDrivePlan& plan, const RobotLimits& limits)
       period_s_(limits.period_s),
       wheel_base_m_(limits.wheel_base_m),
       largest_speed_m_s_(limits.largest_wheel_speed_m_s),
-      drive_ticks_(ticks_of(plan.duration_s, limits.period_s)),
+      random_ticks_(ticks_of((1.0 - plan.tour_share) * plan.duration_s, limits.period_s)),
+      tour_ticks_(ticks_of(plan.duration_s, limits.period_s) - random_ticks_),
       rest_ticks_(ticks_of(rest_s, limits.period_s)),
-      random_(plan.seed) {}
+      random_(plan.seed),
+      tour_(tour_of(plan, limits)) {}
 
 void RandomDrive::restart() {
-  random_.seed(plan_.seed);
+  random_ = PortableRandom(plan_.seed);
+  tour_.restart();
   tick_ = hold_ = 0;
   speed_m_s_ = {};
 }
 
 std::optional<WheelPair> RandomDrive::next(const Pose& rest) {
-  ++tick_;
-  if (tick_ > drive_ticks_) {
-    // In steps that the motors can take.
-    if (tick_ > drive_ticks_ + rest_ticks_) return std::nullopt;
-    speed_m_s_ = within_limits({});
-    return speed_m_s_;
+  const int tick = tick_++;
+  const int tour_begins = random_ticks_ + rest_ticks_;
+  const int tour_ends = tour_ticks_ > 0 ? tour_begins + tour_ticks_ : random_ticks_;
+  if (tick < random_ticks_) {
+    speed_m_s_ = random_speed(rest);
+  } else if (tick >= tour_begins && tick < tour_ends) {
+    speed_m_s_ = tour_.steer(rest);
+  } else if (tick < tour_ends + rest_ticks_) {
+    speed_m_s_ = within_limits({});  // in steps that the motors can take
+  } else {
+    return std::nullopt;
   }
+  return speed_m_s_;
+}
+
+WheelPair RandomDrive::random_speed(const Pose& rest) {
   const bool has_left = from_middle_m(rest) > plan_.radius_m && !stays_inside(rest, speed_m_s_);
   if (hold_ == 0 || has_left) draw(rest);
   --hold_;
@@ -49,9 +67,9 @@ std::optional<WheelPair> RandomDrive::next(const Pose& rest) {
 void RandomDrive::draw(const Pose& rest) {
   const int shortest = ticks_of(plan_.shortest_hold_s, period_s_);
   const int longest = std::max(shortest, ticks_of(plan_.longest_hold_s, period_s_));
-  hold_ = shortest + static_cast<int>(uniform() * (longest - shortest + 1));
+  hold_ = shortest + static_cast<int>(random_.uniform() * (longest - shortest + 1));
   for (int i = 0; i < max_draws; ++i) {
-    const WheelPair drawn{plan_.spread_m_s * normal(), plan_.spread_m_s * normal()};
+    const WheelPair drawn{plan_.spread_m_s * random_.normal(), plan_.spread_m_s * random_.normal()};
     for (const WheelPair& wanted : {drawn, WheelPair{-drawn.left, -drawn.right}}) {
       const WheelPair speed = within_limits(wanted);
       if (!stays_inside(rest, speed)) continue;
@@ -85,17 +103,6 @@ bool RandomDrive::stays_inside(const Pose& rest, const WheelPair& speed) const {
     if (from_middle_m(move_along_arc(rest, twist, duration_s)) > allowed_m) return false;
   }
   return true;
-}
-
-// Uniform in [0, 1). The distributions of the standard library differ between platforms.
-double RandomDrive::uniform() {
-  return static_cast<double>(random_() >> 11U) * 0x1p-53;
-}
-
-// Standard normal (Box and Muller 1958).
-double RandomDrive::normal() {
-  const double size = std::sqrt(-2.0 * std::log1p(-uniform()));
-  return size * std::cos(2.0 * std::numbers::pi * uniform());
 }
 
 }  // namespace wheelwright

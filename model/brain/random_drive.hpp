@@ -1,5 +1,9 @@
 // The random drive of the ARMA calibration (calibration C of the source paper): normally distributed speeds,
-// each held for a random time, that stay inside a circle.
+// each held for a random time, that stay inside a circle; and then a tour of that circle (tour.hpp).
+//
+// The random speeds show the dynamics. Their gains are those of the speeds that happened to be drawn, where
+// friction makes it matter: most of what two calibrations of a minute differ by. The tour shows the gains at
+// which a route is driven.
 //
 // A draw that would leave the circle is replaced by its negative, which goes back the way it came. A normal
 // deviate and its negative are equally likely, so the circle takes nothing from the distribution of speeds;
@@ -15,9 +19,10 @@
 
 #include <cstdint>
 #include <optional>
-#include <random>
 
 #include "model/brain/mission.hpp"
+#include "model/brain/portable_random.hpp"
+#include "model/brain/tour.hpp"
 #include "model/geometry/pose.hpp"
 
 namespace wheelwright {
@@ -30,7 +35,7 @@ class RandomDrive {
   // Back to the start, with the same draws to come.
   void restart();
 
-  // Wheel speeds wanted for the coming period, in m/s on the floor; nothing once the drive is over and the
+  // Wheel speeds wanted for the coming period, in m/s on the floor; nothing once the tour is over and the
   // robot has had time to come to rest. `rest` is the pose at which the robot would come to rest if it were
   // stopped now, as seen from where the run began. Once inside the circle it stays there, as far as wheels do
   // what is wanted of them; from outside it never leads further out.
@@ -38,8 +43,7 @@ class RandomDrive {
 
  private:
   void draw(const Pose& rest);
-  double normal();
-  double uniform();
+  WheelPair random_speed(const Pose& rest);
   WheelPair within_limits(const WheelPair& wanted) const;
   double from_middle_m(const Pose& pose) const;
   bool stays_inside(const Pose& rest, const WheelPair& speed) const;
@@ -48,9 +52,11 @@ class RandomDrive {
   double period_s_;
   double wheel_base_m_;
   double largest_speed_m_s_;
-  int drive_ticks_;
+  int random_ticks_;  // of the random speeds; a rest follows, and the tour, and a rest
+  int tour_ticks_;
   int rest_ticks_;
-  std::mt19937_64 random_;
+  PortableRandom random_;
+  Tour tour_;
   int tick_ = 0;
   int hold_ = 0;  // ticks for which the present speeds are still to be held
   WheelPair speed_m_s_;

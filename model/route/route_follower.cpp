@@ -24,10 +24,10 @@ RouteFollower::RouteFollower(Route route, const FollowerLimits& limits)
   restart();
 }
 
-void RouteFollower::restart() {
+void RouteFollower::restart(const Checkpoint& start) {
   state_ = route_.checkpoints.empty() ? State::finished : State::turning;
   visited_ = 0;
-  leg_start_ = {};
+  leg_start_ = start;
   further_tries_ = 3;
   speed_now_ = 0.0;
 }

@@ -26,8 +26,8 @@ class RouteFollower {
  public:
   RouteFollower(Route route, const FollowerLimits& limits);
 
-  // Back to the start of the route.
-  void restart();
+  // Back to the start of the route, whose first leg begins at `start`.
+  void restart(const Checkpoint& start = {});
 
   // Wheel speeds wanted for the coming period, in m/s at the floor. `rest` is relative to the start of the
   // route.

@@ -42,6 +42,25 @@ void print_laps(std::ostream& out, const std::string& title, const Laps& laps) {
   out << "\n";
 }
 
+void print_proof(std::ostream& out, const Proof& proof) {
+  out << "on drives that neither has seen: ";
+  if (!proof.calibrated_m || !proof.found_m) {
+    out << "none came to its end: " << proof.failure << "; the calibrated model drives\n";
+    return;
+  }
+  out << "calibrated " << fixed_number(1e3 * *proof.calibrated_m, 1) << " mm off after 10 s, found "
+      << fixed_number(1e3 * *proof.found_m, 1) << " mm; the " << (proof.is_better() ? "found" : "calibrated")
+      << " model drives\n";
+}
+
+ordered_json to_json(const Proof& proof) {
+  ordered_json json{{"calibrated_m", nullptr}, {"found_m", nullptr}, {"drives", "calibrated"}};
+  if (proof.calibrated_m) json["calibrated_m"] = *proof.calibrated_m;
+  if (proof.found_m) json["found_m"] = *proof.found_m;
+  if (proof.is_better()) json["drives"] = "found";
+  return json;
+}
+
 ordered_json to_json(const Laps& laps) {
   ordered_json json{{"offsets_m", laps.offsets_m}, {"mean_offset_m", nullptr}, {"failure", nullptr}};
   if (!laps.offsets_m.empty()) json["mean_offset_m"] = mean_m(laps.offsets_m);
@@ -73,6 +92,7 @@ void print_circle(std::ostream& out, const CircleReport& report) {
   }
   out << "the gap workflow:               " << report.verdict
       << (report.named.empty() ? "" : ": " + joined(report.named, ", ")) << "\n";
+  print_proof(out, report.proof);
   print_laps(out, "B, with what the workflow added: ", report.after);
   out << "\nopened: " << report.sealed_file << "\n";
   for (const auto& imperfection : report.hidden) {
@@ -98,10 +118,15 @@ ordered_json circle_json(const CircleReport& report) {
     if (!experiment.failure.empty()) experiments.back()["failure"] = experiment.failure;
   }
   const Told result = told(report);
-  return {{"before", to_json(report.before)},  {"experiments", experiments},
-          {"verdict", report.verdict},         {"named", report.named},
-          {"after", to_json(report.after)},    {"hidden", hidden},
-          {"sealed_file", report.sealed_file}, {"named_rightly", result.rightly},
+  return {{"before", to_json(report.before)},
+          {"experiments", experiments},
+          {"verdict", report.verdict},
+          {"named", report.named},
+          {"proof", to_json(report.proof)},
+          {"after", to_json(report.after)},
+          {"hidden", hidden},
+          {"sealed_file", report.sealed_file},
+          {"named_rightly", result.rightly},
           {"named_falsely", result.falsely}};
 }
 

@@ -3,6 +3,7 @@
 
 #include <iosfwd>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,16 @@ struct Experiment {
   std::string failure;  // why it did not come to its end
 };
 
+// How far the free runs of both models are off the reference position after 10 s, on drives that neither has
+// seen. The found model drives only if it is closer.
+struct Proof {
+  std::optional<double> calibrated_m;
+  std::optional<double> found_m;
+  std::string failure;  // why there were no drives
+
+  bool is_better() const { return calibrated_m && found_m && *found_m < *calibrated_m; }
+};
+
 struct CircleReport {
   std::string sealed_file;
   std::vector<Imperfection> hidden;
@@ -31,6 +42,7 @@ struct CircleReport {
   std::string verdict;             // of the gap workflow, at last
   std::vector<std::string> named;  // effects, the strongest first
   Laps before;
+  Proof proof;
   Laps after;
 };
 
@@ -43,10 +55,9 @@ Told told(const CircleReport& report);
 
 void print_circle(std::ostream& out, const CircleReport& report);
 
-// Keys: before, after {offsets_m, mean_offset_m, failure}, experiments [{manoeuvre, seconds, separates,
-// failure}], verdict, named, hidden [{what, effects}],
-// sealed_file, named_rightly, named_falsely. Where no lap came to its end the mean is null, where all did the
-// failure is.
+// Keys: before, after {offsets_m, mean_offset_m, failure}, proof {calibrated_m, found_m, drives}, experiments
+// [{manoeuvre, seconds, separates, failure}], verdict, named, hidden [{what, effects}], sealed_file,
+// named_rightly, named_falsely. Where no lap came to its end the mean is null, where all did the failure is.
 nlohmann::ordered_json circle_json(const CircleReport& report);
 
 }  // namespace wheelwright::tools

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/gap/fit/problem.hpp"
+#include "tools/wheelwright/evaluation/gap_models.hpp"
 #include "tools/wheelwright/evaluation/robot_trial.hpp"
 
 namespace wheelwright::tools {
@@ -9,19 +11,29 @@ namespace {
 
 constexpr double charge_spread = 0.05;  // batteries are swapped and charged between attempts
 
-MaybeModel model_of(Knowledge knowledge, const MaybeModel& fir, const MaybeModel& arma,
-                    const EvaluationPlan& plan) {
+using MaybeGapModels = tl::expected<GapModels, std::string>;
+
+MaybeGapModels gap_models_of(const EvaluationPlan& plan, std::uint64_t number, const MaybeModel& arma) {
+  if (plan.gap) return *plan.gap;
+  if (!arma) return tl::make_unexpected(arma.error());
+  const auto learned = learn_gap_models(plan, number, *arma, gap::serial_for);
+  if (!learned) return tl::make_unexpected("the gap workflow: " + learned.error());
+  return learned->models;
+}
+
+MaybeModel model_of(Knowledge knowledge, const CalibratedModels& calibrated,
+                    const std::optional<MaybeGapModels>& gap) {
   switch (knowledge) {
     case Knowledge::fir:
-      return fir;
+      return calibrated.fir;
     case Knowledge::arma:
-      return arma;
+      return calibrated.arma;
     case Knowledge::refitted:
-      return plan.gap->refitted;
+      return gap->map([](const GapModels& models) { return models.refitted; });
     case Knowledge::extended:
-      return plan.gap->extended;
+      return gap->map([](const GapModels& models) { return models.extended; });
   }
-  return fir;
+  return calibrated.fir;
 }
 
 }  // namespace
@@ -34,16 +46,26 @@ RobotTrial trial_of(const EvaluationPlan& plan, std::uint64_t number, Purpose pu
           simulation::Noise(chance.bits() + static_cast<std::uint64_t>(purpose))};
 }
 
+CalibratedModels calibrate(const EvaluationPlan& plan, std::uint64_t number) {
+  RobotTrial trial = trial_of(plan, number, Purpose::calibrate);
+  const CalibrationDrives drives = calibration_drives(plan.drives, plan.route.speed_m_s);
+  const MaybeModel fir = trial.calibrate_response(drives.response);
+  return {fir, fir ? trial.calibrate_arma(*fir, drives.random_drive) : fir};
+}
+
 AttemptOutcome run_attempt(const EvaluationPlan& plan, std::uint64_t number) {
-  RobotTrial calibration = trial_of(plan, plan.calibrate == Calibrate::once ? 0 : number, Purpose::calibrate);
-  const MaybeModel fir = calibration.calibrate_response();
-  const MaybeModel arma = fir ? calibration.calibrate_arma(*fir) : fir;
+  const CalibratedModels calibrated = plan.calibrated ? *plan.calibrated : calibrate(plan, number);
+  std::optional<MaybeGapModels> gap;
+  if (plan.gap || plan.learn_each) gap = gap_models_of(plan, number, calibrated.arma);
   RobotTrial trial = trial_of(plan, number, Purpose::drive);
   AttemptOutcome outcome;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const Candidate& candidate = candidates.at(i);
-    if (is_by_gap_workflow(candidate.model) && !plan.gap) continue;
-    outcome.at(i) = trial.drive(plan.route, candidate.source, model_of(candidate.model, fir, arma, plan));
+    if (is_by_gap_workflow(candidate.model) && !gap) continue;
+    const MaybeModel model = model_of(candidate.model, calibrated, gap);
+    outcome.at(i) = trial.drive(plan.route, candidate.source, model);
+    if (!model) continue;
+    for (const AddedEffect& effect : model->effects) outcome.at(i)->effects.push_back(effect.setting.name);
   }
   return outcome;
 }

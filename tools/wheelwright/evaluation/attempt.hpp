@@ -9,21 +9,22 @@
 #include "drivers/simulation/simulation_config.hpp"
 #include "model/brain/mission.hpp"
 #include "model/route/route.hpp"
+#include "tools/wheelwright/evaluation/calibration_drives.hpp"
 #include "tools/wheelwright/evaluation/candidate.hpp"
 #include "tools/wheelwright/evaluation/robot_trial.hpp"
 
 namespace wheelwright::tools {
 
-// How often the robot calibrates itself: encoder scale, response actions, random drive. The paper does not
-// say. Its 30 attempts are called independent, which with a model that is fitted once they are not: all would
-// have the same static error. So `each` is what Table II is compared with. `once` shows how much of the
-// scatter comes from driving.
-enum class Calibrate { each, once };
-
-// What the gap workflow made of a robot; the same for all attempts.
+// What the gap workflow made of a robot.
 struct GapModels {
   RobotModel refitted;
   RobotModel extended;
+};
+
+// What a robot knows of itself after its calibration.
+struct CalibratedModels {
+  MaybeModel fir;
+  MaybeModel arma;
 };
 
 struct EvaluationPlan {
@@ -32,14 +33,19 @@ struct EvaluationPlan {
   RobotLimits limits;
   roomba::LinkConfig link;
   std::uint64_t seed = 1;
-  Calibrate calibrate = Calibrate::each;
-  std::optional<GapModels> gap;  // without it, the candidates that need it are left out
+  Drives drives = Drives::shipped;
+  std::optional<CalibratedModels> calibrated;  // of all attempts; without it, each calibrates itself
+  std::optional<GapModels> gap;                // of all attempts
+  bool learn_each =
+      false;  // each attempt has a gap workflow of its own; with neither, its candidates are left out
 };
 
 // The robot of an attempt: the battery's charge belongs to the attempt, everything else to each run.
-// Calibrating and driving do not share their luck.
-enum class Purpose : std::uint8_t { calibrate, drive };
+// Calibrating, driving and recording for the gap workflow do not share their luck.
+enum class Purpose : std::uint8_t { calibrate, drive, learn };
 RobotTrial trial_of(const EvaluationPlan& plan, std::uint64_t number, Purpose purpose);
+
+CalibratedModels calibrate(const EvaluationPlan& plan, std::uint64_t number);
 
 // In the order of `candidates`; nothing for one that was left out.
 using AttemptOutcome = std::array<std::optional<DriveOutcome>, candidates.size()>;

@@ -1,31 +1,24 @@
 #include "tools/wheelwright/evaluation/gap_models.hpp"
 
-#include <limits>
-
 #include "model/gap/analysis.hpp"
-#include "tools/wheelwright/common/parallel_for.hpp"
 #include "tools/wheelwright/evaluation/learning_drives.hpp"
 
 namespace wheelwright::tools {
 namespace {
 
-constexpr std::size_t drives = 6;
-constexpr std::uint64_t before_all = std::numeric_limits<std::uint64_t>::max();  // number of no attempt
+constexpr std::size_t recorded_drives = 6;
 
 }  // namespace
 
-tl::expected<LearnedGap, std::string> learn_gap_models(const EvaluationPlan& plan) {
-  RobotTrial calibration = trial_of(plan, before_all, Purpose::calibrate);
-  MaybeModel model = calibration.calibrate_response();
-  if (model) model = calibration.calibrate_arma(*model);
-  if (!model) return tl::make_unexpected(model.error());
-
-  RobotTrial trial = trial_of(plan, before_all, Purpose::drive);
-  simulation::Noise chance(plan.seed);
-  const auto logs = learning_drives(drives, trial, *model, chance);
+tl::expected<LearnedGap, std::string> learn_gap_models(const EvaluationPlan& plan, std::uint64_t number,
+                                                       const RobotModel& calibrated,
+                                                       const gap::ParallelFor& parallel_for) {
+  RobotTrial trial = trial_of(plan, number, Purpose::learn);
+  simulation::Noise chance(plan.seed + number);
+  const auto logs = learning_drives(recorded_drives, trial, calibrated, chance);
   if (!logs) return tl::make_unexpected(logs.error());
 
-  const auto analysis = gap::analyse_gap(*logs, {}, {}, parallel_for(), [](const std::string&, double) {});
+  const auto analysis = gap::analyse_gap(*logs, {}, {}, parallel_for, [](const std::string&, double) {});
   if (!analysis) return tl::make_unexpected(analysis.error().reason);
   LearnedGap learned;
   learned.models = {analysis->before, analysis->after};

@@ -1,10 +1,12 @@
-// What the gap workflow makes of the robot of an evaluation, before its attempts.
+// What the gap workflow makes of the robot of an evaluation.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include <tl/expected.hpp>
 
+#include "model/gap/fit/problem.hpp"
 #include "tools/wheelwright/evaluation/attempt.hpp"
 
 namespace wheelwright::tools {
@@ -14,8 +16,13 @@ struct LearnedGap {
   std::string found;  // verdict and names, in one line
 };
 
-// Calibrates the plan's robot, records drives with reference poses on it, and analyses their gap: once, with
-// luck of its own. Or why that was not possible, in one line. Depends on nothing but the plan.
-tl::expected<LearnedGap, std::string> learn_gap_models(const EvaluationPlan& plan);
+// The number of an attempt that is none: the robot before all of them.
+inline constexpr std::uint64_t before_all_attempts = ~std::uint64_t{0};
+
+// Records drives with reference poses on the plan's robot, planned by `calibrated`, and analyses their gap.
+// Or why that was not possible, in one line. Depends on nothing but its arguments.
+tl::expected<LearnedGap, std::string> learn_gap_models(const EvaluationPlan& plan, std::uint64_t number,
+                                                       const RobotModel& calibrated,
+                                                       const gap::ParallelFor& parallel_for);
 
 }  // namespace wheelwright::tools

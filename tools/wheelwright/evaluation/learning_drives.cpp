@@ -19,27 +19,37 @@ Mission random_mission(simulation::Noise& chance) {
   mission.random_drive = RandomDrivePlan{};
   mission.random_drive->duration_s = drive_s;
   mission.random_drive->radius_m = 1.0;
+  mission.random_drive->tour_share = 0.0;  // tours have drives of their own
   mission.random_drive->seed = chance.bits();
   return mission;
 }
 
-Mission tour_mission(simulation::Noise& chance) {
+Mission tour_mission(double speed_m_s, simulation::Noise& chance) {
   Mission mission;
-  mission.route = random_tour(drive_s, chance);
+  mission.route = random_tour(speed_m_s, drive_s, chance);
   mission.pose_source = PoseSource::arma;
   return mission;
 }
 
-Mission mission_of(bool tour, simulation::Noise& chance) {
-  return tour ? tour_mission(chance) : random_mission(chance);
+double random_speed_m_s(simulation::Noise& chance) {
+  return slowest_m_s + (fastest_m_s - slowest_m_s) * chance.uniform();
+}
+
+// A drive that the robot stops is begun again, with other commands.
+template <typename MakeMission>
+tl::expected<DriveLog, std::string> recorded(RobotTrial& trial, const RobotModel& model,
+                                             MakeMission make_mission) {
+  auto log = trial.record(make_mission(), model, {});
+  for (int again = 0; !log && again < max_repeats; ++again) log = trial.record(make_mission(), model, {});
+  return log;
 }
 
 }  // namespace
 
-Route random_tour(double duration_s, simulation::Noise& chance) {
+Route random_tour(double speed_m_s, double duration_s, simulation::Noise& chance) {
   Route route;
   route.name = "tour";
-  route.speed_m_s = slowest_m_s + (fastest_m_s - slowest_m_s) * chance.uniform();
+  route.speed_m_s = speed_m_s;
   Checkpoint at;
   for (double used_s = 0.0; used_s < duration_s;) {
     const Checkpoint next{square_m * chance.uniform(), square_m * (chance.uniform() - 0.5)};
@@ -58,12 +68,23 @@ tl::expected<std::vector<DriveLog>, std::string> learning_drives(std::size_t cou
   std::vector<DriveLog> logs;
   for (std::size_t i = 0; i < count; ++i) {
     const bool tour = i % 2 == 1;
-    auto log = trial.record(mission_of(tour, chance), model, {});
-    for (int again = 0; !log && again < max_repeats; ++again) {
-      log = trial.record(mission_of(tour, chance), model, {});
-    }
+    auto log = recorded(trial, model, [&] {
+      return tour ? tour_mission(random_speed_m_s(chance), chance) : random_mission(chance);
+    });
     if (!log) return tl::make_unexpected(log.error());
     log->name = (tour ? "tour_" : "random_") + std::to_string(i + 1);
+    logs.push_back(std::move(*log));
+  }
+  return logs;
+}
+
+tl::expected<std::vector<DriveLog>, std::string> proof_drives(std::size_t count, double speed_m_s,
+                                                              RobotTrial& trial, const RobotModel& model,
+                                                              simulation::Noise& chance) {
+  std::vector<DriveLog> logs;
+  for (std::size_t i = 0; i < count; ++i) {
+    auto log = recorded(trial, model, [&] { return tour_mission(speed_m_s, chance); });
+    if (!log) return tl::make_unexpected(log.error());
     logs.push_back(std::move(*log));
   }
   return logs;

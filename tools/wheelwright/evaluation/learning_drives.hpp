@@ -13,9 +13,8 @@
 
 namespace wheelwright::tools {
 
-// A tour: checkpoints by chance, a random speed, about `duration_s` long, within a square of 2 m that begins
-// at the start.
-Route random_tour(double duration_s, simulation::Noise& chance);
+// A tour: checkpoints by chance, about `duration_s` long, within a square of 2 m that begins at the start.
+Route random_tour(double speed_m_s, double duration_s, simulation::Noise& chance);
 
 // Random drives and tours in turn, of about a minute each, so that the last third of them, which the gap
 // workflow holds out, has some of both: random drives show the dynamics and go backwards, tours hold the
@@ -24,5 +23,10 @@ Route random_tour(double duration_s, simulation::Noise& chance);
 tl::expected<std::vector<DriveLog>, std::string> learning_drives(std::size_t count, RobotTrial& trial,
                                                                  const RobotModel& model,
                                                                  simulation::Noise& chance);
+
+// Tours at the speed of a route, of about a minute each, recorded alike.
+tl::expected<std::vector<DriveLog>, std::string> proof_drives(std::size_t count, double speed_m_s,
+                                                              RobotTrial& trial, const RobotModel& model,
+                                                              simulation::Noise& chance);
 
 }  // namespace wheelwright::tools

@@ -17,7 +17,7 @@ using nlohmann::ordered_json;
 bool is_met(const OffsetRow& row) {
   if (row.finished < row.attempts || !row.offset) return false;
   const double published_m = row.candidate.published->mean_m;
-  return std::abs(row.offset->mean_m - published_m) <= mean_tolerance * published_m;
+  return row.offset->mean_m <= (1.0 + mean_tolerance) * published_m;
 }
 
 std::string metres(double value_m) {
@@ -40,6 +40,14 @@ std::string published_text(const OffsetRow& row) {
   if (!row.candidate.published) return "-";
   return metres(row.candidate.published->mean_m) + " +- " +
          metres(row.candidate.published->standard_deviation_m);
+}
+
+std::string mean_and_deviation(const std::vector<OffsetRow>& rows, std::string_view key) {
+  const auto row = std::find_if(rows.begin(), rows.end(),
+                                [&](const OffsetRow& candidate) { return candidate.candidate.key == key; });
+  if (row == rows.end() || !row->offset) return "-";
+  const auto& deviation_m = row->offset->standard_deviation_m;
+  return metres(row->offset->mean_m) + (deviation_m ? " +- " + metres(*deviation_m) : "");
 }
 
 }  // namespace
@@ -72,13 +80,17 @@ bool all_met(const std::vector<OffsetRow>& rows) {
   return std::all_of(rows.begin(), rows.end(), [](const OffsetRow& row) { return row.met.value_or(true); });
 }
 
-void print_offset_table(std::ostream& out, const std::vector<OffsetRow>& rows) {
+void print_offset_table(std::ostream& out, const std::vector<OffsetRow>& rows,
+                        const std::vector<OffsetRow>& of_one_calibration) {
   const auto line = [&](const std::string& title, const std::string& mean, const std::string& deviation,
-                        const std::string& published, const std::string& met, const std::string& inside) {
+                        const std::string& published, const std::string& met, const std::string& inside,
+                        const std::string& once) {
     out << std::left << std::setw(29) << title << std::setw(23) << mean << std::setw(23) << deviation
-        << std::setw(17) << published << std::setw(6) << met << inside << "\n";
+        << std::setw(17) << published << std::setw(6) << met << std::setw(once.empty() ? 0 : 19) << inside
+        << once << "\n";
   };
-  line("model", "mean offset [m]", "std. deviation [m]", "published [m]", "met", "in 95 % ellipse");
+  line("model", "mean offset [m]", "std. deviation [m]", "published [m]", "met", "in 95 % ellipse",
+       of_one_calibration.empty() ? "" : "one calibration [m]");
   for (const OffsetRow& row : rows) {
     const std::string mean = row.offset ? with_interval(row.offset->mean_m, row.offset->mean_ci95_m) : "-";
     const std::string deviation =
@@ -87,7 +99,8 @@ void print_offset_table(std::ostream& out, const std::vector<OffsetRow>& rows) {
     line(std::string(row.candidate.title), mean, deviation, published_text(row),
          !row.met ? "-" : (*row.met ? "yes" : "no"),
          row.inside_ellipse95 ? std::to_string(*row.inside_ellipse95) + " of " + std::to_string(row.finished)
-                              : "-");
+                              : "-",
+         of_one_calibration.empty() ? "" : mean_and_deviation(of_one_calibration, row.candidate.key));
   }
   for (const OffsetRow& row : rows) {
     if (row.finished == row.attempts) continue;

@@ -15,8 +15,8 @@
 
 namespace wheelwright::tools {
 
-// A published row is met where every attempt came to its end and the mean offset differs from the published
-// one by at most this share of it. The simulated robot is of the paper's kind, not the paper's.
+// A published row is met where every attempt came to its end and the mean offset exceeds the published one by
+// at most this share of it. The simulated robot is of the paper's kind, not the paper's.
 inline constexpr double mean_tolerance = 0.3;
 
 struct OffsetRow {
@@ -36,7 +36,9 @@ std::vector<OffsetRow> offset_rows(const std::vector<AttemptOutcome>& outcomes, 
 
 bool all_met(const std::vector<OffsetRow>& rows);
 
-void print_offset_table(std::ostream& out, const std::vector<OffsetRow>& rows);
+// `of_one_calibration` holds the same rows with one calibration before all attempts, or nothing.
+void print_offset_table(std::ostream& out, const std::vector<OffsetRow>& rows,
+                        const std::vector<OffsetRow>& of_one_calibration = {});
 nlohmann::ordered_json offset_json(const std::vector<OffsetRow>& rows);
 
 }  // namespace wheelwright::tools

@@ -16,16 +16,6 @@ using simulation::SimulationConfig;
 // A random drive whose fit is refused is driven again, with other commands, up to this number of drives.
 constexpr int max_random_drives = 3;
 
-// Calibration B of the source paper, twice: one pass has too few samples for the responses of both wheels.
-ResponsePlan four_actions() {
-  ResponsePlan plan;
-  plan.repetitions = 2;
-  plan.speed_spread = 0.0;
-  plan.alternate_direction = false;
-  plan.on_s = 1.0;
-  return plan;
-}
-
 std::string reason_of(const daemon::VirtualRunResult& result) {
   if (result.refusal) return "calibration refused: " + result.refusal->reason;
   if (result.stop != StopReason::none) return "stopped: " + std::string(name_of(result.stop));
@@ -90,23 +80,23 @@ daemon::VirtualRunConfig RobotTrial::run_of(const Mission& mission) const {
   return run;
 }
 
-MaybeModel RobotTrial::calibrate_response() {
+MaybeModel RobotTrial::calibrate_response(const ResponsePlan& plan) {
   Mission mission;
   mission.encoder_turn = EncoderTurnPlan{};
-  mission.response = four_actions();
+  mission.response = plan;
   SimulatedRobot robot = put_down(robot_.room);
   const auto result = daemon::run_virtually(run_of(mission), robot);
   if (!result.finished) return tl::make_unexpected(reason_of(result));
   return *result.model;
 }
 
-MaybeModel RobotTrial::calibrate_arma(const RobotModel& response) {
+MaybeModel RobotTrial::calibrate_arma(const RobotModel& response, const RandomDrivePlan& plan) {
   // Out in the open, where there is room for a random drive.
   const simulation::RoomConfig open = without_walls();
   std::string refusal;
   for (int drives = 0; drives < max_random_drives; ++drives) {
     Mission mission;
-    mission.random_drive = RandomDrivePlan{};
+    mission.random_drive = plan;
     mission.random_drive->seed = chance_.bits();
     daemon::VirtualRunConfig run = run_of(mission);
     run.model = response;
@@ -175,7 +165,7 @@ tl::expected<DriveLog, std::string> RobotTrial::record(const Mission& mission, c
     counted.push_back(frame.counted_ticks);
   }
   if (log.samples.empty()) return tl::make_unexpected(std::string("the robot did not drive"));
-  settle_travel(log, counted);
+  settle_travel(std::span(&log, 1), std::span(&counted, 1));
   return log;
 }
 

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -38,6 +39,7 @@ struct DriveOutcome {
   std::optional<Pose> end;  // truly, as seen from where the route was begun; absent if it did not get there
   std::string failure{};    // then: why
   std::optional<EndEstimate> estimate{};  // absent for odometry, which states no uncertainty
+  std::vector<std::string> effects{};     // in the model that steered
 };
 
 // Whether the robot ended within the 95 % ellipse around its estimate; absent where there is none.
@@ -56,10 +58,10 @@ class RobotTrial {
 
   // Encoder scale, and the moving-average model of the response actions (calibrations A and B of the source
   // paper).
-  MaybeModel calibrate_response();
+  MaybeModel calibrate_response(const ResponsePlan& plan);
   // By the response model and its encoder scale the robot knows where it is, and so stays on its spot
-  // (calibration C of the source paper).
-  MaybeModel calibrate_arma(const RobotModel& response);
+  // (calibration C of the source paper). The plan's seed is replaced by chance.
+  MaybeModel calibrate_arma(const RobotModel& response, const RandomDrivePlan& plan);
 
   DriveOutcome drive(const Route& route, PoseSource source, const MaybeModel& model);
 

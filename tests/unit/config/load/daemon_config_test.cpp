@@ -54,6 +54,7 @@ TEST_CASE("The shipped configuration holds every key at its default") {
   CHECK(shipped.random_drive.largest_change_m_s == empty.random_drive.largest_change_m_s);
   CHECK(shipped.random_drive.radius_m == empty.random_drive.radius_m);
   CHECK(shipped.random_drive.ahead_m == empty.random_drive.ahead_m);
+  CHECK(shipped.random_drive.tour_share == empty.random_drive.tour_share);
   CHECK(shipped.random_drive.seed == empty.random_drive.seed);
   CHECK(shipped.random_drive.order == empty.random_drive.order);
   REQUIRE(shipped.route);
@@ -91,7 +92,8 @@ TEST_CASE("What a run keeps of its configuration reads back the same, route incl
       "link: {transport: stream, drive: pwm, period_s: 0.015625, encoder_order: right_is_43, mode: full}\n"
       "calibration: {when: never, adapt: false, type: arma, response: {repetitions: 0, alternate_direction: "
       "false},\n"
-      "  random_drive: {duration_s: 40, radius_m: 0.4, ahead_m: -0.2, seed: 77, order: auto}}\n"
+      "  random_drive: {duration_s: 40, radius_m: 0.4, ahead_m: -0.2, tour_share: 0.25, seed: 77, order: "
+      "auto}}\n"
       "run:\n  pose_source: odometry\n  largest_uncertainty_m: 0.25\n  at_end: stay\n"
       "  route: {name: there, speed: 0.1, checkpoints: [[0.5, 0.25], [0, 0]]}\n"
       "real_time: {policy: off}\n"));
@@ -105,6 +107,7 @@ TEST_CASE("What a run keeps of its configuration reads back the same, route incl
   CHECK_FALSE(back.adapt);
   CHECK(back.random_drive.seed == 77);
   CHECK(back.random_drive.ahead_m == -0.2);
+  CHECK(back.random_drive.tour_share == 0.25);
   CHECK_FALSE(back.random_drive.order);
   REQUIRE(back.route);
   CHECK(back.route->checkpoints[0].y_m == 0.25);

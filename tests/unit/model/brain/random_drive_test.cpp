@@ -1,6 +1,7 @@
 #include "model/brain/random_drive.hpp"
 
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include "tests/support/catch.hpp"
@@ -72,8 +73,44 @@ TEST_CASE("A random drive enters its circle and stays in it, whatever the seed a
   }
 }
 
+TEST_CASE("A tour leads all over the circle, on legs at the speed of the route and turns in place") {
+  RandomDrivePlan plan;
+  plan.tour_speed_m_s = 0.15;
+  plan.duration_s = 200.0;
+  const auto driven = drive(plan);
+  const auto begin = static_cast<std::size_t>((1.0 - plan.tour_share) * plan.duration_s / 0.018);
+  std::size_t straight = 0;
+  std::size_t turning = 0;
+  std::set<int> quadrants;
+  for (std::size_t k = begin; k < driven.speeds.size(); ++k) {
+    const WheelPair& speed = driven.speeds[k];
+    const Twist twist = twist_of_wheels(speed, 0.235);
+    // Curves let one wheel be faster than the middle of the axle.
+    REQUIRE(std::abs(twist.v_m_s) <= 1.2 * plan.tour_speed_m_s + 1e-9);
+    if (twist.v_m_s > 0.8 * plan.tour_speed_m_s && std::abs(twist.w_rad_s) < 0.1) ++straight;
+    if (std::abs(twist.v_m_s) < 1e-9 && std::abs(twist.w_rad_s) > 0.3) ++turning;
+    const Pose& pose = driven.poses[k];
+    if (from_middle_m(plan, pose) > 0.4 * plan.radius_m)
+      quadrants.insert((pose.x_m > plan.ahead_m ? 1 : 0) + (pose.y_m > 0.0 ? 2 : 0));
+  }
+  const auto ticks = driven.speeds.size() - begin;
+  CHECK(3 * straight > ticks);
+  CHECK(8 * turning > ticks);
+  CHECK(quadrants.size() == 4);
+}
+
+TEST_CASE("A random drive lasts as long with a tour as without, but for the rest before the tour") {
+  RandomDrivePlan plan;
+  const auto with_tour = drive(plan).speeds.size();
+  plan.tour_share = 0.0;
+  const auto without = drive(plan).speeds.size();
+  CHECK(with_tour > without);
+  CHECK(with_tour < without + 50);
+}
+
 TEST_CASE("Speeds of a random drive are normally distributed, change within bounds, and end at rest") {
   RandomDrivePlan plan;
+  plan.tour_share = 0.0;
   plan.duration_s = 3000.0;
   plan.largest_change_m_s = 1.0;
   const auto driven = drive(plan);

@@ -81,7 +81,7 @@ TEST_CASE("Where no lap came to its end the report says why instead of an offset
 TEST_CASE("A recorded experiment holds its commands as they stand") {
   auto robot = config::load_simulation_config(perfect);
   tools::RobotTrial trial(robot, RobotLimits{}, roomba::LinkConfig{}, simulation::Noise(1));
-  const auto model = trial.calibrate_response();
+  const auto model = trial.calibrate_response({});
   REQUIRE(model);
   Mission mission;
   mission.commanded_drive = CommandedDrive{"both ways", {{0.0, {0.1, 0.1}}, {2.0, {-0.1, -0.1}}}, 4.0};
@@ -97,7 +97,7 @@ TEST_CASE("A recorded experiment holds its commands as they stand") {
 TEST_CASE("A recorded drive holds commands, counts and a reference that agree") {
   auto robot = config::load_simulation_config(perfect);
   tools::RobotTrial trial(robot, RobotLimits{}, roomba::LinkConfig{}, simulation::Noise(1));
-  const auto model = trial.calibrate_response();
+  const auto model = trial.calibrate_response({});
   REQUIRE(model);
   Mission mission;
   mission.route = Route{"leg", 0.2, 0.02, {{0.5, 0.0}}};

@@ -132,7 +132,7 @@ TEST_CASE("Wrong usage is one line on standard error and status 2") {
       {{"fit", "no_such.csv", "-o", "b"}, "no_such.csv: cannot be read"},
       {{"score", "no_such.yaml", "a.csv"}, "no_such.yaml: cannot be read"},
       {{"--fast"}, "'--fast' is not expected here"},
-      {{"evaluate", "--calibrate", "twice"}, "--calibrate: is 'twice', but must be each or once"},
+      {{"evaluate", "--calibrate", "twice"}, "--calibrate: is 'twice', but must be each, once or both"},
       {{"export", "a.csv", "--pose", "1"}, "but must be best, model, odometry, hybrid or reference"},
       {{"import", "mrclam", "a", "b", "-o", "c", "--period", "nan"}, "a number from 0.001 to 10 s"},
       {{"gap", "--train", "a", "-o", "b", "--free-radius", "nan"}, "a number from 0.3 to 50 m"},

@@ -76,7 +76,7 @@ TEST_CASE("Attempts of an evaluation are independent, and another seed gives oth
 
 TEST_CASE("Calibrated once, attempts differ only by their drives, and still do not depend on threads") {
   auto plan = plan_of("table2");
-  plan.calibrate = tools::Calibrate::once;
+  plan.calibrated = tools::calibrate(plan, 0);
   const auto outcomes = tools::run_attempts(plan, 2, 2);
   CHECK(same_ends({outcomes[1]}, {tools::run_attempt(plan, 1)}));
   CHECK_FALSE(same_ends({outcomes[0]}, {outcomes[1]}));
@@ -115,9 +115,31 @@ TEST_CASE("evaluate --json gives every figure with its unit and interval") {
 }
 
 TEST_CASE("Only evaluate --check turns a row that is not met into exit status 1") {
-  const std::string perfect = config_folder + "/robots/perfect.yaml";
-  CHECK(evaluate({"--runs", "2", "--robot", perfect}).status == ExitStatus::done);
-  CHECK(evaluate({"--runs", "2", "--robot", perfect, "--check"}).status == ExitStatus::answer_is_no);
+  const std::string old_motors = config_folder + "/robots/old_motors.yaml";
+  CHECK(evaluate({"--runs", "2", "--robot", old_motors}).status == ExitStatus::done);
+  CHECK(evaluate({"--runs", "2", "--robot", old_motors, "--check"}).status == ExitStatus::answer_is_no);
+}
+
+TEST_CASE("evaluate shows a calibration for each attempt beside one calibration for all") {
+  const auto both = evaluate({"--runs", "3", "--json"});
+  REQUIRE(both.status == ExitStatus::done);
+  const auto once = evaluate({"--runs", "3", "--json", "--calibrate", "once"});
+  REQUIRE(once.status == ExitStatus::done);
+  const auto json = nlohmann::json::parse(both.out);
+  CHECK(json["one_calibration"] == nlohmann::json::parse(once.out)["models"]);
+  CHECK(json["one_calibration"]["arma"] != json["models"]["arma"]);
+  CHECK_THAT(evaluate({"--runs", "2"}).out, ContainsSubstring("one calibration [m]"));
+  CHECK_THAT(evaluate({"--runs", "2", "--calibrate", "each"}).out, !ContainsSubstring("one calibration"));
+}
+
+TEST_CASE("The shipped calibration drives make models that agree better than those of the paper") {
+  const auto scatter_of = [](const std::string& drives, const std::string& model) {
+    const auto outcome =
+        evaluate({"--runs", "12", "--seed", "40", "--json", "--calibrate", "each", "--drives", drives});
+    return nlohmann::json::parse(outcome.out)["models"][model]["standard_deviation"]["value"].get<double>();
+  };
+  for (const std::string model : {"fir", "arma"})
+    CHECK(scatter_of("shipped", model) < 0.7 * scatter_of("paper", model));
 }
 
 TEST_CASE("Bad usage of evaluate is refused in one line") {
@@ -129,6 +151,7 @@ TEST_CASE("Bad usage of evaluate is refused in one line") {
   check(evaluate({"--runs", "0"}), "--runs");
   check(evaluate({"--run", "3"}), "did you mean '--runs'");
   check(evaluate({"--calibrate", "twice"}), "--calibrate");
+  check(evaluate({"--each"}), "--with-effects");
   check(evaluate({"--robot", "absent.yaml"}), "absent.yaml");
   const auto open_route = test::temporary_folder() / "open_route.yaml";
   std::ofstream(open_route) << "name: open\ncheckpoints: [[1, 0], [1, 1]]\n";
