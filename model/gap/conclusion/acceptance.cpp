@@ -58,8 +58,10 @@ NoiseModel no_more_than_noise(const NoiseModel& noise) {
 
 bool closes_nothing_untouched(const GapAnalysis& analysis) {
   const auto acts_there = [](const Finding& found) { return of_free_runs(found) && found.acts_untouched; };
-  return analysis.untouched && std::ranges::any_of(analysis.found, acts_there) &&
-         !some_figure_falls(analysis.test, min_fall, 0.0);
+  if (!analysis.untouched || std::ranges::none_of(analysis.found, acts_there)) return false;
+  if (!some_figure_falls(analysis.test, min_fall, 0.0)) return true;
+  const auto fall = common_fall(analysis.test);
+  return fall && *fall < min_fall && !some_is_sure_by(analysis, beyond_doubt_nats);
 }
 
 bool explains_the_smaller_part(const GapAnalysis& analysis) {

@@ -44,7 +44,7 @@ std::string part_in_words(const GapAnalysis& analysis) {
 
 std::string not_seen_in_words(const GapAnalysis& analysis) {
   return " The other runs look like" + names_of(analysis) +
-         ", which brings no figure of these closer by 3 %.";
+         ", which does not bring the free runs of these closer.";
 }
 
 }  // namespace wheelwright::gap

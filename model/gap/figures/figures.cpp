@@ -127,6 +127,20 @@ bool some_figure_falls(const GapFigures& figures, double min_share, double above
   return false;
 }
 
+std::optional<double> common_fall(const GapFigures& figures) {
+  const Values before = values_of(figures.before);
+  const Values after = values_of(figures.after);
+  double logarithms = 0.0;
+  int count = 0;
+  for (std::size_t i = first_integrated; i < figure_count; ++i) {
+    if (!before.at(i) || !after.at(i) || *before.at(i) <= 0.0 || *after.at(i) <= 0.0) continue;
+    logarithms += std::log(*after.at(i) / *before.at(i));
+    ++count;
+  }
+  if (count == 0) return std::nullopt;
+  return 1.0 - std::exp(logarithms / count);
+}
+
 bool shows(const GapFigures& figures) {
   constexpr double above_noise = 1.15;
   return some_figure_falls(figures, min_fall, above_noise);

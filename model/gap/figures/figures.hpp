@@ -54,6 +54,10 @@ constexpr double min_fall = 0.03;  // of a figure, that a person would see
 // count.
 bool some_figure_falls(const GapFigures& figures, double min_share, double above_floor);
 
+// By which share distance, position and heading fell together: one minus the geometric mean of after over
+// before. Negative where they rise; none where there is no such figure.
+std::optional<double> common_fall(const GapFigures& figures);
+
 // Whether a gap that was to be seen above the noise became smaller: what a linear effect has to do to be more
 // than a better linear model.
 bool shows(const GapFigures& figures);

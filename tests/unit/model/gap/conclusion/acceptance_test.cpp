@@ -68,6 +68,20 @@ TEST_CASE("A name by which no figure of the untouched runs falls by 3 % is not w
   CHECK_FALSE(closes_nothing(1.0, 1.0, true, false));  // it does nothing there
 }
 
+TEST_CASE("A figure that falls while the others rise as much does not keep a name that is not beyond doubt") {
+  const auto closes_nothing = [](double nats, double position_after, double heading_after_rad) {
+    GapAnalysis analysis = analysis_with({finding("caster_kick", nats)}, position(1.0, position_after));
+    analysis.test.before.heading_rms_rad = AtHorizon{10.0, 0.010};
+    analysis.test.after.heading_rms_rad = AtHorizon{10.0, heading_after_rad};
+    analysis.found.front().acts_untouched = true;
+    analysis.untouched = true;
+    return closes_nothing_untouched(analysis);
+  };
+  CHECK(closes_nothing(40.0, 0.95, 0.0106));
+  CHECK_FALSE(closes_nothing(400.0, 0.95, 0.0106));
+  CHECK_FALSE(closes_nothing(40.0, 0.90, 0.0104));
+}
+
 TEST_CASE("Counts that stood still are named by the data, whatever free runs say") {
   GapAnalysis analysis = analysis_with({finding("encoder_dropout", 400.0)}, position(2.0, 2.0));
   analysis.check.passed = false;
