@@ -5,7 +5,7 @@
 namespace wheelwright {
 namespace {
 
-constexpr double adapt_s = 20.0;
+constexpr double adapt_s = 15.0;
 constexpr int judged_blocks = 8;
 constexpr double driving_m_s = 0.03;
 
@@ -39,7 +39,7 @@ std::optional<RobotModel> ContinuousCalibration::take(const SensorFrame& frame) 
     if (is_driving(frame.command.speed_m_s)) driven_s_ += model_.linear_part.period_s;
     if (driven_s_ < adapt_s) return std::nullopt;
     candidate_ = adaptation_->adapted();
-    trial_.emplace(model_.linear_part, candidate_, model_.encoder_scale->metres_per_tick);
+    trial_.emplace(model_, candidate_);
     phase_ = Phase::judge;
     return std::nullopt;
   }
@@ -52,9 +52,9 @@ std::optional<RobotModel> ContinuousCalibration::decide() {
     begin_adapting();
     return std::nullopt;
   }
-  model_.linear_part = candidate_;
-  if (model_.left_fit) model_.left_fit->gain = dc_gain(candidate_.left);
-  if (model_.right_fit) model_.right_fit->gain = dc_gain(candidate_.right);
+  model_ = candidate_;
+  if (model_.left_fit) model_.left_fit->gain = dc_gain(model_.linear_part.left);
+  if (model_.right_fit) model_.right_fit->gain = dc_gain(model_.linear_part.right);
   filter_ = HybridFilter(model_);
   phase_ = Phase::watch;
   return model_;

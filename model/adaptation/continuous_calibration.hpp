@@ -1,8 +1,8 @@
 // The calibration that never ends (the source paper: "seamless during robot operation"): frames in, now and
-// then a better model out.
+// then a better model out, effects included.
 //
 //   watch   the hybrid filter says whether the model is still that of the robot,
-//   adapt   once it is not: 20 s of sound driving make a candidate (model_adaptation.hpp),
+//   adapt   once it is not: 15 s of sound driving make a candidate (model_adaptation.hpp),
 //   judge   the next 16 s, which the candidate has not seen, are run freely by both models (model_trial.hpp).
 //
 // Only a candidate that is better there by more than a standard error is handed out; then it is the present
@@ -46,7 +46,7 @@ class ContinuousCalibration {
   Phase phase_ = Phase::watch;
   std::optional<ModelAdaptation> adaptation_;
   std::optional<ModelTrial> trial_;
-  LinearModel candidate_;
+  RobotModel candidate_;
   double driven_s_ = 0.0;  // in this phase
 };
 

@@ -2,119 +2,94 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <vector>
 
+#include "model/adaptation/adaptation_fit.hpp"
+#include "model/adaptation/known_scale.hpp"
 #include "model/filter/filter_noise.hpp"
+#include "model/simulation/model_simulation.hpp"
 
 namespace wheelwright {
 namespace {
 
 constexpr double leak_s = 1.0;
-constexpr double memory_s = 20.0;  // of driving
-constexpr double prior_standard_deviation = 0.1;
+constexpr double kept_driving_s = 120.0;
+constexpr double settle_s = 1.5;  // until the free run has forgotten that it began at rest
 // Readings differ by the age of the counters too: more than the noise of a reading alone.
 constexpr double min_reading_sd_m = 0.001;
 constexpr int ticks_of_doubt = 10;
 constexpr std::int64_t max_ticks_left_out = 200;
-// A correction makes a response longer; one that follows on many others may not do so for ever.
-constexpr std::size_t longest_response = 100;
+constexpr double longest_stand_s = 2.0;  // the rest of it says nothing
 
-WheelPair scale_of(const RobotModel& model) {
-  if (!model.encoder_scale) {
-    throw std::invalid_argument("the model has no encoder scale: calibrate it, or give metres per tick");
-  }
-  return model.encoder_scale->metres_per_tick;
+bool is_zero(const WheelPair& pair) {
+  return pair.left == 0.0 && pair.right == 0.0;
 }
 
 }  // namespace
 
 ModelAdaptation::ModelAdaptation(const RobotModel& model)
-    : model_(model.linear_part),
-      kept_(std::exp(-model.linear_part.period_s / leak_s)),
-      predictor_(model.linear_part),
-      wheels_{Wheel{DirectionalFit({1.0, 0.0, 0.0}, prior_standard_deviation,
-                                   memory_s / model.linear_part.period_s),
-                    scale_of(model).left,
-                    std::max(min_reading_sd_m, filter_noise_of(model).position_noise_m.left)},
-              Wheel{DirectionalFit({1.0, 0.0, 0.0}, prior_standard_deviation,
-                                   memory_s / model.linear_part.period_s),
-                    scale_of(model).right,
-                    std::max(min_reading_sd_m, filter_noise_of(model).position_noise_m.right)}} {}
-
-void ModelAdaptation::predict(Wheel& wheel, double speed_m_s) const {
-  std::copy_backward(wheel.speeds_m_s.begin(), wheel.speeds_m_s.end() - 1, wheel.speeds_m_s.end());
-  wheel.speeds_m_s.front() = speed_m_s;
-  for (std::size_t j = 0; j < lags; ++j) {
-    auto& travel_m = wheel.predicted_m[static_cast<Eigen::Index>(j)];
-    travel_m = kept_ * travel_m + model_.period_s * wheel.speeds_m_s.at(lag_periods * j);
-  }
-}
-
-void ModelAdaptation::learn(Wheel& wheel, std::int64_t ticks) const {
-  wheel.counted_m =
-      kept_ * wheel.counted_m + wheel.metres_per_tick * static_cast<double>(ticks - wheel.ticks);
-  wheel.ticks = ticks;
-  wheel.fit.take(wheel.predicted_m / wheel.reading_sd_m, wheel.counted_m / wheel.reading_sd_m);
-}
-
-void ModelAdaptation::begin_sums(const SensorFrame& frame) {
-  wheels_[0].ticks = frame.ticks.left;
-  wheels_[1].ticks = frame.ticks.right;
-  for (Wheel& wheel : wheels_) {
-    wheel.predicted_m.setZero();
-    wheel.counted_m = 0.0;
-  }
+    : model_(model), max_periods_(static_cast<std::size_t>(kept_driving_s / model.linear_part.period_s)) {
+  known_scale(model);
+  periods_.reserve(max_periods_);
 }
 
 void ModelAdaptation::take(const SensorFrame& frame, bool sound) {
   const std::int64_t ticks =
       started_ ? std::clamp<std::int64_t>(frame.tick - tick_, 0, max_ticks_left_out) : 0;
-  for (std::int64_t i = 0; i < ticks; ++i) {
-    const WheelPair speed = predictor_.step(command_);
-    predict(wheels_[0], speed.left);
-    predict(wheels_[1], speed.right);
-  }
-  started_ = true;
-  tick_ = frame.tick;
-  command_ = frame.command.speed_m_s;
   if (frame.doubtful_sign) quiet_ticks_ = ticks_of_doubt;
   quiet_ticks_ = std::max(0, quiet_ticks_ - 1);
   const bool usable = sound && frame.valid && frame.armed && !frame.after_gap && quiet_ticks_ == 0;
-  if (usable && summing_ && ticks == 1) {
-    learn(wheels_[0], frame.ticks.left);
-    learn(wheels_[1], frame.ticks.right);
-  } else if (usable) {
-    begin_sums(frame);
+  remember(frame, ticks, usable);
+  started_ = true;
+  tick_ = frame.tick;
+  command_ = frame.command.speed_m_s;
+  was_usable_ = usable;
+  if (usable) ticks_ = frame.ticks;
+}
+
+void ModelAdaptation::remember(const SensorFrame& frame, std::int64_t ticks, bool usable) {
+  for (std::int64_t i = 0; i < ticks && periods_.size() < max_periods_; ++i) {
+    Period period{command_, std::nullopt};
+    if (usable && was_usable_ && ticks == 1) {
+      const WheelPair scale = known_scale(model_);
+      period.rolled_m = WheelPair{scale.left * static_cast<double>(frame.ticks.left - ticks_.left),
+                                  scale.right * static_cast<double>(frame.ticks.right - ticks_.right)};
+    }
+    const bool stands = is_zero(command_) && (!period.rolled_m || is_zero(*period.rolled_m));
+    standing_ticks_ = stands ? standing_ticks_ + 1 : 0;
+    if (standing_ticks_ * model_.linear_part.period_s <= longest_stand_s) periods_.push_back(period);
   }
-  summing_ = usable;
 }
 
-WheelResponse ModelAdaptation::corrected(const WheelResponse& response,
-                                         const DirectionalFit::Vector& weights) {
-  const auto filtered = [&](const std::vector<double>& given) {
-    std::vector<double> result(given.size() + lag_periods * (lags - 1), 0.0);
-    for (std::size_t i = 0; i < given.size(); ++i) {
-      for (std::size_t j = 0; j < lags; ++j) {
-        result[i + lag_periods * j] += weights[static_cast<Eigen::Index>(j)] * given[i];
+RobotModel ModelAdaptation::adapted() const {
+  const AdaptedParameters parameters(model_);
+  const double period_s = model_.linear_part.period_s;
+  const double kept = std::exp(-period_s / leak_s);
+  const auto settle_periods = static_cast<std::size_t>(settle_s / period_s);
+  const FilterNoise noise = filter_noise_of(model_);
+  // Sums with a leak tell one thing in each second.
+  const double share = std::sqrt(period_s / leak_s);
+  const WheelPair per_m{share / std::max(min_reading_sd_m, noise.position_noise_m.left),
+                        share / std::max(min_reading_sd_m, noise.position_noise_m.right)};
+  const auto residual_of = [&](const Eigen::VectorXd& at) {
+    const RobotModel model = parameters.model_with(at);
+    ModelSimulation simulation(model.linear_part, effect_settings(model));
+    Eigen::VectorXd residual = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * periods_.size()));
+    WheelPair off_m;  // predicted less counted, with leak
+    for (std::size_t k = 0; k < periods_.size(); ++k) {
+      const WheelPair& speed = simulation.step(periods_[k].command_m_s).wheel_m_s;
+      const auto& rolled_m = periods_[k].rolled_m;
+      if (!rolled_m || k < settle_periods) {
+        off_m = {};
+        continue;
       }
+      off_m.left = kept * off_m.left + period_s * speed.left - rolled_m->left;
+      off_m.right = kept * off_m.right + period_s * speed.right - rolled_m->right;
+      residual[static_cast<Eigen::Index>(2 * k)] = per_m.left * off_m.left;
+      residual[static_cast<Eigen::Index>(2 * k + 1)] = per_m.right * off_m.right;
     }
-    // What is left out this far back is next to nothing; the gain has to stay.
-    while (result.size() > std::max(longest_response, given.size())) {
-      const double last = result.back();
-      result.pop_back();
-      result.back() += last;
-    }
-    return result;
+    return residual;
   };
-  return {filtered(response.from_left), filtered(response.from_right), response.from_own_past};
-}
-
-LinearModel ModelAdaptation::adapted() const {
-  LinearModel model = model_;
-  model.left = corrected(model_.left, wheels_[0].fit.weights());
-  model.right = corrected(model_.right, wheels_[1].fit.weights());
-  return model;
+  return parameters.model_with(most_likely(parameters, residual_of));
 }
 
 }  // namespace wheelwright

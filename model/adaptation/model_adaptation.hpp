@@ -1,72 +1,70 @@
-// Follows a slow change of the robot while it drives: how the present model would have to be corrected for
-// its free run to agree with the encoders.
+// How the present model would have to be changed for its free run to agree with the encoders over a piece of
+// driving: what a change of the robot (worn gears, another floor, a colder day) makes of it.
 //
-// For each wheel, with y the speed that the present model predicts from the commands alone,
+// Two kinds of change are fitted together:
+//   * the linear part of each wheel, with y the speed that it makes of the commands,
 //
-//   corrected(k) = sum_j weight[j] y(k - 2 j),   j = 0, 1, 2
+//       corrected(k) = sum_j weight[j] y(k - 2 j),   j = 0, 1, 2
 //
-// which holds another gain, more delay and a slower answer, and leaves the type of the model and its poles as
-// they are; before anything is learnt the weights are 1, 0, 0. The regressors are predictions, free of the
-// encoders' noise, so that there is no bias by errors in variables, which an ARX fit on measured past speeds
-// has (model/identification/arx_accumulator.hpp). Both sides are summed up to travel with a leak of one
-// second: differences of counts are mostly noise, and sums without a leak carry an error on for ever.
+//     which holds another gain, more delay and a slower answer, and leaves the type of the model and its
+//     poles as they are; before anything is learnt the weights are 1, 0, 0,
+//   * the sizes of the effects that act in the gears (stage `wheel`): friction and play change as a robot is
+//     used. What firmware makes of a command stays as it is, and so does what encoders do not see.
+//
+// Least squares on travel, with a prior around the present model, which says how large changes are; so what
+// the driving does not excite stays as it was. The free run is that of the whole model, by Gauss and Newton's
+// method with derivatives by differences. Regressors are free of the encoders' noise, so that there is no
+// bias by errors in variables, which an ARX fit on measured past speeds has
+// (model/identification/arx_accumulator.hpp). Both sides are summed up to travel with a leak of one second:
+// differences of counts are mostly noise, and sums without a leak carry an error on for ever.
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <vector>
 
-#include "model/adaptation/directional_fit.hpp"
 #include "model/log/sensor_frame.hpp"
-#include "model/simulation/linear_model.hpp"
 #include "model/simulation/robot_model.hpp"
 
 namespace wheelwright {
 
 class ModelAdaptation {
  public:
-  // Throws std::invalid_argument where the model has no encoder scale.
+  // Throws std::invalid_argument where the model has no encoder scale. Allocates room for two minutes of
+  // driving, and keeps no more.
   explicit ModelAdaptation(const RobotModel& model);
 
   // Each frame in order. Of one that is not `sound` (a sensor fault, a robot that is not driven) only the
   // command is used, and nothing is learnt.
   void take(const SensorFrame& frame, bool sound);
 
-  // The present model with the corrections so far.
-  LinearModel adapted() const;
+  // The present model, changed so that it agrees with what was driven so far. Takes some ten free runs of it
+  // for each iteration.
+  RobotModel adapted() const;
 
-  const DirectionalFit& left() const { return wheels_[0].fit; }
-  const DirectionalFit& right() const { return wheels_[1].fit; }
+  // Periods that are kept.
+  std::size_t size() const { return periods_.size(); }
 
  private:
-  static constexpr std::size_t lag_periods = 2;
-  static constexpr std::size_t lags = 3;
-
-  struct Wheel {
-    DirectionalFit fit;
-    double metres_per_tick;
-    double reading_sd_m;
-    std::array<double, lag_periods*(lags - 1) + 1> speeds_m_s{};          // predicted, newest first
-    DirectionalFit::Vector predicted_m = DirectionalFit::Vector::Zero();  // travel with leak
-    double counted_m = 0.0;
-    std::int64_t ticks = 0;
+  struct Period {
+    WheelPair command_m_s;  // in force
+    std::optional<WheelPair>
+        rolled_m;  // by the counts, since the period before; absent where they say nothing
   };
 
-  void predict(Wheel& wheel, double speed_m_s) const;
-  void learn(Wheel& wheel, std::int64_t ticks) const;
-  void begin_sums(const SensorFrame& frame);
-  static WheelResponse corrected(const WheelResponse& response, const DirectionalFit::Vector& weights);
+  void remember(const SensorFrame& frame, std::int64_t ticks, bool usable);
 
-  LinearModel model_;
-  double kept_;  // of the sums over one period
-  LinearPredictor predictor_;
-  std::array<Wheel, 2> wheels_;
+  RobotModel model_;
+  std::size_t max_periods_;
+  std::vector<Period> periods_;
   WheelPair command_;
+  WheelTicks ticks_;
   std::int64_t tick_ = 0;
   bool started_ = false;
-  bool summing_ = false;
-  int quiet_ticks_ = 0;  // until counts whose signs were in doubt are behind
+  bool was_usable_ = false;
+  int quiet_ticks_ = 0;     // until counts whose signs were in doubt are behind
+  int standing_ticks_ = 0;  // for which nothing was commanded and nothing rolled
 };
 
 }  // namespace wheelwright

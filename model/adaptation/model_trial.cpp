@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/adaptation/known_scale.hpp"
+
 namespace wheelwright {
 namespace {
 
@@ -14,13 +16,12 @@ constexpr std::int64_t max_ticks_left_out = 200;
 
 }  // namespace
 
-ModelTrial::ModelTrial(const LinearModel& present, const LinearModel& candidate,
-                       const WheelPair& metres_per_tick)
-    : period_s_(present.period_s),
-      metres_per_tick_(metres_per_tick),
+ModelTrial::ModelTrial(const RobotModel& present, const RobotModel& candidate)
+    : period_s_(present.linear_part.period_s),
+      metres_per_tick_(known_scale(present)),
       present_(present),
       candidate_(candidate),
-      settle_ticks_(static_cast<int>(settle_s / present.period_s)) {}
+      settle_ticks_(static_cast<int>(settle_s / present.linear_part.period_s)) {}
 
 void ModelTrial::begin_block(const SensorFrame& frame) {
   start_ = frame.ticks;
@@ -54,7 +55,7 @@ void ModelTrial::take(const SensorFrame& frame, bool sound) {
       started_ ? std::clamp<std::int64_t>(frame.tick - tick_, 0, max_ticks_left_out) : 0;
   for (std::int64_t i = 0; i < ticks; ++i) {
     for (Runner* runner : {&present_, &candidate_}) {
-      const WheelPair speed = runner->predictor.step(command_);
+      const WheelPair& speed = runner->simulation.step(command_).wheel_m_s;
       runner->travel_m.left += period_s_ * speed.left;
       runner->travel_m.right += period_s_ * speed.right;
     }

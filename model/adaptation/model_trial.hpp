@@ -7,13 +7,16 @@
 
 #include "model/geometry/pose.hpp"
 #include "model/log/sensor_frame.hpp"
-#include "model/simulation/linear_model.hpp"
+#include "model/simulation/model_simulation.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright {
 
 class ModelTrial {
  public:
-  ModelTrial(const LinearModel& present, const LinearModel& candidate, const WheelPair& metres_per_tick);
+  // With their effects. Throws std::invalid_argument where `present` has no encoder scale, which both are
+  // judged by.
+  ModelTrial(const RobotModel& present, const RobotModel& candidate);
 
   // Each frame in order. A block with a frame that is not `sound` does not count.
   void take(const SensorFrame& frame, bool sound);
@@ -28,8 +31,8 @@ class ModelTrial {
 
  private:
   struct Runner {
-    explicit Runner(const LinearModel& model) : predictor(model) {}
-    LinearPredictor predictor;
+    explicit Runner(const RobotModel& model) : simulation(model.linear_part, effect_settings(model)) {}
+    ModelSimulation simulation;
     WheelPair travel_m;  // since the start of the block
     double block_squares = 0.0;
     double square_sum = 0.0;  // of the mean squares of all blocks

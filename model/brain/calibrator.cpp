@@ -77,9 +77,7 @@ Calibrator::Calibrator(const Mission& mission, const RobotLimits& limits,
 
 void Calibrator::watch(const std::optional<RobotModel>& model) {
   continuous_.reset();
-  // A linear part that stands among effects is not to be had from the encoders alone.
-  const bool possible = model && model->encoder_scale && model->effects.empty();
-  if (mission_.adapt && mission_.route && possible) continuous_.emplace(*model);
+  if (mission_.adapt && mission_.route && model && model->encoder_scale) continuous_.emplace(*model);
 }
 
 std::optional<CalibrationOutcome> Calibrator::take(const SensorFrame& frame) {

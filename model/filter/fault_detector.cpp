@@ -105,6 +105,16 @@ void FaultDetector::look_for_stall_end(std::size_t wheel, const TickEvidence& ev
   side.kind = FaultKind::none;
 }
 
+// What was taken for drifting encoders was the model.
+void FaultDetector::end_drifts(const TickEvidence& evidence, FaultEvents& events) {
+  for (std::size_t wheel = 0; wheel < 2; ++wheel) {
+    if (sides_[wheel].kind != FaultKind::drifting) continue;
+    events.add({FaultEvent::Stage::ended, FaultKind::drifting, side_of(wheel), evidence.tick,
+                evidence.drift_collected_m[wheel]});
+    sides_[wheel].kind = FaultKind::none;
+  }
+}
+
 // Faults come to one wheel at a time. Where both misfit for long, or again and again, it is the model.
 bool FaultDetector::both_misfit(const TickEvidence& evidence) {
   bool open = evidence.driven;
@@ -187,7 +197,10 @@ FaultVerdict FaultDetector::take(const TickEvidence& evidence, FaultEvents& even
   }
   look_for_drift(evidence, verdict, events);
   look_for_slip(evidence, events);
-  verdict.model_is_off = both_misfit(evidence) || verdict.model_is_off;
+  if (both_misfit(evidence)) {
+    verdict.model_is_off = true;
+    end_drifts(evidence, events);
+  }
   for (std::size_t wheel = 0; wheel < 2; ++wheel) {
     verdict.stalled[wheel] = sides_[wheel].kind == FaultKind::stalled;
     verdict.distrust[wheel] = sides_[wheel].kind == FaultKind::drifting;

@@ -76,6 +76,7 @@ class FaultDetector {
   void look_for_drift(const TickEvidence& evidence, FaultVerdict& verdict, FaultEvents& events);
   void look_for_stall_end(std::size_t wheel, const TickEvidence& evidence, FaultEvents& events);
   bool both_misfit(const TickEvidence& evidence);
+  void end_drifts(const TickEvidence& evidence, FaultEvents& events);
   void look_for_slip(const TickEvidence& evidence, FaultEvents& events);
   void look_for_overcurrent(const TickEvidence& evidence, FaultEvents& events);
   void look_for_lift(const TickEvidence& evidence, FaultEvents& events);

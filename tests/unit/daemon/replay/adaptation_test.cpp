@@ -33,7 +33,7 @@ daemon::VirtualRunResult drive(const RobotModel& model, std::uint64_t seed, int 
 // Of the free run over blocks of 2 s, on a drive of another robot of the same make.
 double free_run_error_m(const RobotModel& model) {
   static const auto frames = test::record_drive(test::robot_on_endless_floor("default", 72), 72, 40.0).frames;
-  ModelTrial trial(model.linear_part, model.linear_part, model.encoder_scale->metres_per_tick);
+  ModelTrial trial(model, model);
   for (const SensorFrame& frame : frames) trial.take(frame, true);
   return *trial.present_error_m();
 }
@@ -69,6 +69,20 @@ TEST_CASE("A model that is wrong by 7 per cent is due, and one exchange halves t
       CHECK(free_run_error_m(run.adapted.back()) < 0.5 * free_run_error_m(wrong));
     }
   }
+}
+
+TEST_CASE("A model with effects is adapted while it is driven by, and keeps its effects") {
+  RobotModel wrong = test::scaled(calibrated(), 0.93);
+  wrong.effects.push_back({{"coulomb_friction", "", {0.002, 0.06}}, {}, {}, {}, {}, {}});
+  wrong.effects.push_back({{"turn_scrub", "", {0.02, 0.0, 0.0}}, {}, {}, {}, {}, {}});
+  const auto run = drive(wrong, 63, 8);
+  REQUIRE(run.finished);
+  CHECK(exchanges(run) == 1);
+  REQUIRE(run.adapted.size() == 1);
+  const RobotModel& adapted = run.adapted.back();
+  REQUIRE(adapted.effects.size() == 2);
+  CHECK(adapted.effects[1].setting.parameters == wrong.effects[1].setting.parameters);
+  CHECK(free_run_error_m(adapted) < 0.5 * free_run_error_m(wrong));
 }
 
 TEST_CASE("At an exchange of models the pose goes on where it was, and no command is missing") {
