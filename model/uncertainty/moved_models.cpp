@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "model/effects/library/effect_library.hpp"
-#include "model/filter/filter_noise.hpp"
 
 namespace wheelwright {
 namespace {
@@ -19,7 +18,7 @@ void add_gain_moves(const RobotModel& model, WheelResponse LinearModel::*wheel, 
                     std::vector<MovedModels>& moved) {
   const auto add = [&](Weights weights, double gain, double standard_error) {
     if (gain == 0.0 || standard_error <= 0.0) return;
-    const double relative = std::hypot(standard_error / gain, min_gain_error);
+    const double relative = std::hypot(standard_error / gain, gain_discrepancy);
     MovedModels& both = moved.emplace_back(MovedModels{model, model});
     scale(both.up.linear_part.*wheel.*weights, 1.0 + relative);
     scale(both.down.linear_part.*wheel.*weights, 1.0 - relative);

@@ -84,9 +84,9 @@ RobotModel drawn(RobotModel model, std::mt19937& random) {
   const DcGain left = dc_gain(model.linear_part.left);
   const DcGain right = dc_gain(model.linear_part.right);
   scale_by(model.linear_part.left.from_left,
-           scale * (1.0 + std::hypot(0.003 / left.from_left, min_gain_error) * normal(random)));
+           scale * (1.0 + std::hypot(0.003 / left.from_left, gain_discrepancy) * normal(random)));
   scale_by(model.linear_part.right.from_right,
-           scale * (1.0 + std::hypot(0.004 / right.from_right, min_gain_error) * normal(random)));
+           scale * (1.0 + std::hypot(0.004 / right.from_right, gain_discrepancy) * normal(random)));
   if (model.effects.size() > 1) model.effects[1].setting.parameters[0] += 0.003 / 1.96 * normal(random);
   return model;
 }
