@@ -48,7 +48,7 @@ void print_proof(std::ostream& out, const Proof& proof) {
     out << "none came to its end: " << proof.failure << "; the calibrated model drives\n";
     return;
   }
-  out << "calibrated " << fixed_number(1e3 * *proof.calibrated_m, 1) << " mm off after 10 s, found "
+  out << "calibrated " << fixed_number(1e3 * *proof.calibrated_m, 1) << " mm off, found "
       << fixed_number(1e3 * *proof.found_m, 1) << " mm; the " << (proof.is_better() ? "found" : "calibrated")
       << " model drives\n";
 }

@@ -25,7 +25,7 @@ struct Experiment {
   std::string failure;  // why it did not come to its end
 };
 
-// How far the free runs of both models are off the reference position after 10 s, on drives that neither has
+// How far the free runs of both models are off the reference position, over whole drives that neither has
 // seen. The found model drives only if it is closer.
 struct Proof {
   std::optional<double> calibrated_m;

@@ -9,8 +9,9 @@
 
 namespace wheelwright::tools {
 
-// Root mean square of how far a free run is off the reference position after 10 s, in m
-// (model/prediction/score.hpp); absent where no log has a reference pose.
+// Root mean square of how far a free run from the start is off the reference position, over all rows of the
+// drives, in m; absent where no log has a reference position. Windows of some seconds would not do: errors of
+// heading that hardly show in them decide where a route ends.
 std::optional<double> position_error_m(const RobotModel& model, std::span<const DriveLog> logs);
 
 }  // namespace wheelwright::tools
