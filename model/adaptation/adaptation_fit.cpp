@@ -66,7 +66,8 @@ AdaptedParameters::AdaptedParameters(const RobotModel& model) : model_(model) {
     const EffectInfo* info = find_effect(setting.name);
     if (info == nullptr) continue;
     const std::size_t variant = variant_index(*info, setting.variant);
-    if (info->variants[variant].stage != EffectStage::wheel) continue;
+    if (info->variants[variant].stage != EffectStage::wheel || info->by_pose || info->by_wheel_angle)
+      continue;
     const auto& infos = info->parameters_of(variant);
     for (std::size_t p = 0; p < infos.size(); ++p) {
       if (!infos[p].scales_effect || infos[p].sizes.empty()) continue;

@@ -19,7 +19,7 @@ ContinuousCalibration::ContinuousCalibration(const RobotModel& model) : model_(m
 
 void ContinuousCalibration::begin_adapting() {
   phase_ = Phase::adapt;
-  adaptation_.emplace(model_);
+  adaptation_.emplace(model_, filter_.simulation());
   driven_s_ = 0.0;
 }
 
@@ -39,7 +39,7 @@ std::optional<RobotModel> ContinuousCalibration::take(const SensorFrame& frame) 
     if (is_driving(frame.command.speed_m_s)) driven_s_ += model_.linear_part.period_s;
     if (driven_s_ < adapt_s) return std::nullopt;
     candidate_ = adaptation_->adapted();
-    trial_.emplace(model_, candidate_);
+    trial_.emplace(model_, candidate_, filter_.simulation());
     phase_ = Phase::judge;
     return std::nullopt;
   }

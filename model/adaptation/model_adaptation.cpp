@@ -26,8 +26,10 @@ bool is_zero(const WheelPair& pair) {
 
 }  // namespace
 
-ModelAdaptation::ModelAdaptation(const RobotModel& model)
-    : model_(model), max_periods_(static_cast<std::size_t>(kept_driving_s / model.linear_part.period_s)) {
+ModelAdaptation::ModelAdaptation(const RobotModel& model, const ModelSimulation& start)
+    : model_(model),
+      start_(start),
+      max_periods_(static_cast<std::size_t>(kept_driving_s / model.linear_part.period_s)) {
   known_scale(model);
   periods_.reserve(max_periods_);
 }
@@ -38,6 +40,7 @@ void ModelAdaptation::take(const SensorFrame& frame, bool sound) {
   if (frame.doubtful_sign) quiet_ticks_ = ticks_of_doubt;
   quiet_ticks_ = std::max(0, quiet_ticks_ - 1);
   const bool usable = sound && frame.valid && frame.armed && !frame.after_gap && quiet_ticks_ == 0;
+  if (frame.valid && frame.battery_v > 0.0) battery_v_ = frame.battery_v;
   remember(frame, ticks, usable);
   started_ = true;
   tick_ = frame.tick;
@@ -48,7 +51,7 @@ void ModelAdaptation::take(const SensorFrame& frame, bool sound) {
 
 void ModelAdaptation::remember(const SensorFrame& frame, std::int64_t ticks, bool usable) {
   for (std::int64_t i = 0; i < ticks && periods_.size() < max_periods_; ++i) {
-    Period period{command_, std::nullopt};
+    Period period{command_, battery_v_, std::nullopt};
     if (usable && was_usable_ && ticks == 1) {
       const WheelPair scale = known_scale(model_);
       period.rolled_m = WheelPair{scale.left * static_cast<double>(frame.ticks.left - ticks_.left),
@@ -73,10 +76,11 @@ RobotModel ModelAdaptation::adapted() const {
   const auto residual_of = [&](const Eigen::VectorXd& at) {
     const RobotModel model = parameters.model_with(at);
     ModelSimulation simulation(model.linear_part, effect_settings(model));
+    simulation.take_over(start_);
     Eigen::VectorXd residual = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * periods_.size()));
     WheelPair off_m;  // predicted less counted, with leak
     for (std::size_t k = 0; k < periods_.size(); ++k) {
-      const WheelPair& speed = simulation.step(periods_[k].command_m_s).wheel_m_s;
+      const WheelPair& speed = simulation.step(periods_[k].command_m_s, periods_[k].battery_v).wheel_m_s;
       const auto& rolled_m = periods_[k].rolled_m;
       if (!rolled_m || k < settle_periods) {
         off_m = {};

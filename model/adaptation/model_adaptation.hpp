@@ -8,32 +8,36 @@
 //
 //     which holds another gain, more delay and a slower answer, and leaves the type of the model and its
 //     poles as they are; before anything is learnt the weights are 1, 0, 0,
-//   * the sizes of the effects that act in the gears (stage `wheel`): friction and play change as a robot is
-//     used. What firmware makes of a command stays as it is, and so does what encoders do not see.
+//   * the sizes of the effects that act on the wheels behind the linear part (stage `wheel`): friction, play
+//     and the limits of motors change as a robot is used. What the firmware makes of a command stays as it
+//     is, and so does what hangs on place, heading or the angle of a wheel, and what encoders do not see.
 //
 // Least squares on travel, with a prior around the present model, which says how large changes are; so what
-// the driving does not excite stays as it was. The free run is that of the whole model, by Gauss and Newton's
-// method with derivatives by differences. Regressors are free of the encoders' noise, so that there is no
-// bias by errors in variables, which an ARX fit on measured past speeds has
+// the driving does not excite stays as it was. The free run is that of the whole model, from where the
+// filter has the robot; adaptation_fit.hpp has the method. Regressors are free of the encoders' noise, so
+// that there is no bias by errors in variables, which an ARX fit on measured past speeds has
 // (model/identification/arx_accumulator.hpp). Both sides are summed up to travel with a leak of one second:
 // differences of counts are mostly noise, and sums without a leak carry an error on for ever.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
 #include "model/log/sensor_frame.hpp"
+#include "model/simulation/model_simulation.hpp"
 #include "model/simulation/robot_model.hpp"
 
 namespace wheelwright {
 
 class ModelAdaptation {
  public:
-  // Throws std::invalid_argument where the model has no encoder scale. Allocates room for two minutes of
-  // driving, and keeps no more.
-  explicit ModelAdaptation(const RobotModel& model);
+  // `start` has pose, way of the wheels and time of the robot at the first frame. Throws
+  // std::invalid_argument where the model has no encoder scale. Allocates room for two minutes of driving,
+  // and keeps no more.
+  ModelAdaptation(const RobotModel& model, const ModelSimulation& start);
 
   // Each frame in order. Of one that is not `sound` (a sensor fault, a robot that is not driven) only the
   // command is used, and nothing is learnt.
@@ -49,16 +53,18 @@ class ModelAdaptation {
  private:
   struct Period {
     WheelPair command_m_s;  // in force
-    std::optional<WheelPair>
-        rolled_m;  // by the counts, since the period before; absent where they say nothing
+    double battery_v;
+    std::optional<WheelPair> rolled_m;  // by the counts, since the period before; none where they say nothing
   };
 
   void remember(const SensorFrame& frame, std::int64_t ticks, bool usable);
 
   RobotModel model_;
+  ModelSimulation start_;
   std::size_t max_periods_;
   std::vector<Period> periods_;
   WheelPair command_;
+  double battery_v_ = std::numeric_limits<double>::quiet_NaN();  // of the last reading
   WheelTicks ticks_;
   std::int64_t tick_ = 0;
   bool started_ = false;

@@ -23,6 +23,11 @@ ModelTrial::ModelTrial(const RobotModel& present, const RobotModel& candidate)
       candidate_(candidate),
       settle_ticks_(static_cast<int>(settle_s / present.linear_part.period_s)) {}
 
+ModelTrial::ModelTrial(const RobotModel& present, const RobotModel& candidate, const ModelSimulation& start)
+    : ModelTrial(present, candidate) {
+  for (Runner* runner : {&present_, &candidate_}) runner->simulation.take_over(start);
+}
+
 void ModelTrial::begin_block(const SensorFrame& frame) {
   start_ = frame.ticks;
   block_ticks_ = 0;
@@ -55,7 +60,7 @@ void ModelTrial::take(const SensorFrame& frame, bool sound) {
       started_ ? std::clamp<std::int64_t>(frame.tick - tick_, 0, max_ticks_left_out) : 0;
   for (std::int64_t i = 0; i < ticks; ++i) {
     for (Runner* runner : {&present_, &candidate_}) {
-      const WheelPair& speed = runner->simulation.step(command_).wheel_m_s;
+      const WheelPair& speed = runner->simulation.step(command_, battery_v_).wheel_m_s;
       runner->travel_m.left += period_s_ * speed.left;
       runner->travel_m.right += period_s_ * speed.right;
     }
@@ -63,6 +68,7 @@ void ModelTrial::take(const SensorFrame& frame, bool sound) {
   }
   tick_ = frame.tick;
   command_ = frame.command.speed_m_s;
+  if (frame.valid && frame.battery_v > 0.0) battery_v_ = frame.battery_v;
   const bool usable = started_ && sound && frame.valid && frame.armed && !frame.after_gap;
   started_ = true;
   if (settle_ticks_ > 0) --settle_ticks_;

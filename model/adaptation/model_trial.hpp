@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "model/geometry/pose.hpp"
@@ -17,6 +18,8 @@ class ModelTrial {
   // With their effects. Throws std::invalid_argument where `present` has no encoder scale, which both are
   // judged by.
   ModelTrial(const RobotModel& present, const RobotModel& candidate);
+  // The same from where the robot is: `start` has pose, way of the wheels and time at the first frame.
+  ModelTrial(const RobotModel& present, const RobotModel& candidate, const ModelSimulation& start);
 
   // Each frame in order. A block with a frame that is not `sound` does not count.
   void take(const SensorFrame& frame, bool sound);
@@ -48,6 +51,7 @@ class ModelTrial {
   Runner present_;
   Runner candidate_;
   WheelPair command_;
+  double battery_v_ = std::numeric_limits<double>::quiet_NaN();
   std::int64_t tick_ = 0;
   bool started_ = false;
   int settle_ticks_;  // until both models have forgotten that they began at rest

@@ -83,7 +83,7 @@ void Brain::enter_step() {
   Step& step = steps_[step_];
   if (step.manoeuvre) step.manoeuvre->restart();
   if (step.stage == Stage::random_drive) {
-    random_drive_.restart();
+    random_drive_.restart(model_ != nullptr);
     stand_at(odometry_.pose());
   } else if (step.stage == Stage::route) {
     follower_.restart();

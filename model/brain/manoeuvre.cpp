@@ -111,7 +111,7 @@ class ResponseActions final : public Manoeuvre {
  public:
   ResponseActions(const ResponsePlan& plan, double period_s)
       : plan_(plan),
-        on_ticks_(ticks_of(plan.on_s, period_s)),
+        period_s_(period_s),
         shortest_off_ticks_(ticks_of(0.6, period_s)),
         stillness_(period_s) {}
 
@@ -124,7 +124,7 @@ class ResponseActions final : public Manoeuvre {
     const bool still = stillness_.still(latest);
     const bool off = action_ % 2 == 1;
     ++ticks_in_action_;
-    if (!off && ticks_in_action_ > on_ticks_) begin_next_action();
+    if (!off && ticks_in_action_ > on_ticks()) begin_next_action();
     if (off && ticks_in_action_ > shortest_off_ticks_ && still) begin_next_action();
     if (repetition_ >= plan_.repetitions) return std::nullopt;
     return order();
@@ -138,27 +138,35 @@ class ResponseActions final : public Manoeuvre {
     if (action_ == 0) ++repetition_;
   }
 
-  WheelOrder order() const {
-    constexpr std::array activities{Activity::left_on, Activity::left_off, Activity::right_on,
-                                    Activity::right_off};
-    // One wheel forward, the other back, then the reverse: the robot swings where it stands.
-    const bool backwards = plan_.alternate_direction && (repetition_ % 2 == 1) != (action_ == 2);
-    // Multiples of the golden ratio fill the spread evenly from the first repetitions on.
+  // Multiples of the golden ratio fill the spread evenly from the first repetitions on.
+  double size_m_s() const {
     const double place = std::fmod(0.618034 * repetition_, 1.0) - 0.5;
-    const double size = plan_.speed_m_s * (1.0 + plan_.speed_spread * place);
-    const double speed = backwards ? -size : size;
-    WheelOrder order{
-        {}, activities.at(static_cast<std::size_t>(action_)), static_cast<std::uint16_t>(repetition_)};
-    if (action_ == 0) order.speed_m_s.left = speed;
-    if (action_ == 2) order.speed_m_s.right = speed;
+    return plan_.speed_m_s * (1.0 + plan_.speed_spread * place);
+  }
+
+  // Each action rolls the same way, so that another one undoes it, whatever its speed.
+  int on_ticks() const { return ticks_of(plan_.on_s * plan_.speed_m_s / size_m_s(), period_s_); }
+
+  // Left forward, right back; then right forward, left back, which undoes both in the reverse order. So the
+  // robot is back where it was after every second repetition, and never far from there.
+  WheelOrder order() const {
+    constexpr std::array left{Activity::left_on, Activity::left_off};
+    constexpr std::array right{Activity::right_on, Activity::right_off};
+    const bool undoes = plan_.alternate_direction && repetition_ % 2 == 1;
+    const bool is_left = (action_ < 2) != undoes;
+    const auto phase = static_cast<std::size_t>(action_ % 2);
+    WheelOrder order{{}, is_left ? left.at(phase) : right.at(phase), static_cast<std::uint16_t>(repetition_)};
+    if (phase == 1) return order;
+    const bool backwards = plan_.alternate_direction && action_ == 2;
+    (is_left ? order.speed_m_s.left : order.speed_m_s.right) = backwards ? -size_m_s() : size_m_s();
     return order;
   }
 
   ResponsePlan plan_;
-  int on_ticks_;
+  double period_s_;
   int shortest_off_ticks_;
   StillnessDetector stillness_;
-  int action_ = 0;  // left on, left off, right on, right off
+  int action_ = 0;  // one wheel on and off, the other on and off
   int repetition_ = 0;
   int ticks_in_action_ = 0;
 };

@@ -27,10 +27,11 @@ struct ResponsePlan {
   double speed_spread = 0.3;  // relative, over the repetitions: ticks and speed steps then round differently
   // Long enough that what a wheel loses to friction as it starts is small beside its way, and that a slow
   // speed controller has settled.
-  double on_s = 2.5;
+  double on_s = 2.5;  // at `speed_m_s`; slower actions are longer, so that all roll the same way
   int repetitions = 6;
-  bool alternate_direction = true;  // half of the actions backwards, so that the robot stays where it is
-  bool use_fall = true;             // false with the wheel PID off, where stopping is slower than starting
+  bool alternate_direction =
+      true;              // each repetition undoes the one before, so that the robot stays where it is
+  bool use_fall = true;  // false with the wheel PID off, where stopping is slower than starting
 };
 
 // The random drive (calibration C of the source paper), and a tour at the end of it;

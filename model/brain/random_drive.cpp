@@ -28,13 +28,16 @@ RandomDrive::RandomDrive(const RandomDrivePlan& plan, const RobotLimits& limits)
       period_s_(limits.period_s),
       wheel_base_m_(limits.wheel_base_m),
       largest_speed_m_s_(limits.largest_wheel_speed_m_s),
-      random_ticks_(ticks_of((1.0 - plan.tour_share) * plan.duration_s, limits.period_s)),
-      tour_ticks_(ticks_of(plan.duration_s, limits.period_s) - random_ticks_),
       rest_ticks_(ticks_of(rest_s, limits.period_s)),
       random_(plan.seed),
-      tour_(tour_of(plan, limits)) {}
+      tour_(tour_of(plan, limits)) {
+  restart();
+}
 
-void RandomDrive::restart() {
+void RandomDrive::restart(bool has_model) {
+  const double share = has_model ? plan_.tour_share : 0.0;
+  random_ticks_ = ticks_of((1.0 - share) * plan_.duration_s, period_s_);
+  tour_ticks_ = ticks_of(plan_.duration_s, period_s_) - random_ticks_;
   random_ = PortableRandom(plan_.seed);
   tour_.restart();
   tick_ = hold_ = 0;

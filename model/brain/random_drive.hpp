@@ -14,7 +14,8 @@
 // the way cannot lead the robot out of its circle, and no noise of the sensors gets into the commands, where
 // it would be taken for their cause (identification in closed loop is biased by just that). Without a model
 // nobody knows what a command does, and staying in the circle comes first: then by odometry. What feeds back
-// is little, as only the choice between a draw and its negative depends on it.
+// is little, as only the choice between a draw and its negative depends on it; a tour is steered all the
+// time, so it is left out.
 #pragma once
 
 #include <cstdint>
@@ -32,8 +33,9 @@ class RandomDrive {
  public:
   RandomDrive(const RandomDrivePlan& plan, const RobotLimits& limits);
 
-  // Back to the start, with the same draws to come.
-  void restart();
+  // Back to the start, with the same draws to come. Without a model there is no tour, and the random speeds
+  // last as long as both.
+  void restart(bool has_model = true);
 
   // Wheel speeds wanted for the coming period, in m/s on the floor; nothing once the tour is over and the
   // robot has had time to come to rest. `rest` is the pose at which the robot would come to rest if it were
@@ -52,8 +54,8 @@ class RandomDrive {
   double period_s_;
   double wheel_base_m_;
   double largest_speed_m_s_;
-  int random_ticks_;  // of the random speeds; a rest follows, and the tour, and a rest
-  int tour_ticks_;
+  int random_ticks_ = 0;  // of the random speeds; a rest follows, and the tour, and a rest
+  int tour_ticks_ = 0;
   int rest_ticks_;
   PortableRandom random_;
   Tour tour_;

@@ -12,6 +12,7 @@ constexpr std::size_t legs_of_part = 2;
 constexpr double speed_spread = 0.2;      // relative, either way
 constexpr double shortest_leg = 0.8;      // in radii; two random points are 0.9 apart on average
 constexpr double largest_distance = 0.9;  // of a point from the middle, in radii: curves lead beyond the legs
+constexpr double largest_radius_m = 0.75;  // in larger circles legs stay as short, so that there are many
 
 Checkpoint point_in_circle(const TourPlan& plan, PortableRandom& random) {
   const double angle = 2.0 * std::numbers::pi * random.uniform();
@@ -28,7 +29,8 @@ Checkpoint next_point(const TourPlan& plan, const Checkpoint& at, PortableRandom
 
 }  // namespace
 
-Tour::Tour(const TourPlan& plan, const FollowerLimits& limits, PortableRandom& random) {
+Tour::Tour(TourPlan plan, const FollowerLimits& limits, PortableRandom& random) {
+  plan.radius_m = std::min(plan.radius_m, largest_radius_m);
   Checkpoint at = plan.middle;
   for (double needed_s = 0.0; parts_.empty() || needed_s < plan.duration_s;) {
     Route part;

@@ -1,5 +1,5 @@
 // A drive between random points of a circle, as a route is driven: turns in place, straight legs, and curves
-// where the corner is shallow.
+// where the corner is shallow. In a circle too small for the speed its legs are too short to reach it.
 //
 // A linear model of a robot with friction is a compromise between the speeds that it was fitted to. A model
 // that has seen starts, turns and legs at the speed of the route is right there. The speed varies a little
@@ -24,7 +24,7 @@ struct TourPlan {
 
 class Tour {
  public:
-  Tour(const TourPlan& plan, const FollowerLimits& limits, PortableRandom& random);
+  Tour(TourPlan plan, const FollowerLimits& limits, PortableRandom& random);
 
   // Back to the first leg, from where the robot stands.
   void restart();

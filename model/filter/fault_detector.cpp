@@ -197,10 +197,8 @@ FaultVerdict FaultDetector::take(const TickEvidence& evidence, FaultEvents& even
   }
   look_for_drift(evidence, verdict, events);
   look_for_slip(evidence, events);
-  if (both_misfit(evidence)) {
-    verdict.model_is_off = true;
-    end_drifts(evidence, events);
-  }
+  verdict.model_is_off = both_misfit(evidence) || verdict.model_is_off;
+  if (verdict.model_is_off) end_drifts(evidence, events);
   for (std::size_t wheel = 0; wheel < 2; ++wheel) {
     verdict.stalled[wheel] = sides_[wheel].kind == FaultKind::stalled;
     verdict.distrust[wheel] = sides_[wheel].kind == FaultKind::drifting;

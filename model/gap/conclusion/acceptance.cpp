@@ -12,10 +12,13 @@ bool of_free_runs(const Finding& found) {
   return found.setting.name != dropout_name;
 }
 
+bool is_sure_by(const Finding& found, double nats) {
+  return found.heldout_gain_nats > nats && found.posterior > sure;
+}
+
 bool some_is_sure_by(const GapAnalysis& analysis, double nats) {
-  return std::ranges::any_of(analysis.found, [nats](const Finding& found) {
-    return found.heldout_gain_nats > nats && found.posterior > sure;
-  });
+  return std::ranges::any_of(analysis.found,
+                             [nats](const Finding& found) { return is_sure_by(found, nats); });
 }
 
 }  // namespace
@@ -61,7 +64,10 @@ bool closes_nothing_untouched(const GapAnalysis& analysis) {
   if (!analysis.untouched || std::ranges::none_of(analysis.found, acts_there)) return false;
   if (!some_figure_falls(analysis.test, min_fall, 0.0)) return true;
   const auto fall = common_fall(analysis.test);
-  return fall && *fall < min_fall && !some_is_sure_by(analysis, beyond_doubt_nats);
+  const bool is_beyond_doubt = std::ranges::any_of(analysis.found, [&](const Finding& found) {
+    return acts_there(found) && is_sure_by(found, beyond_doubt_nats);
+  });
+  return fall && *fall < min_fall && !is_beyond_doubt;
 }
 
 bool explains_the_smaller_part(const GapAnalysis& analysis) {

@@ -45,7 +45,8 @@ void print_laps(std::ostream& out, const std::string& title, const Laps& laps) {
 void print_proof(std::ostream& out, const Proof& proof) {
   out << "on drives that neither has seen: ";
   if (!proof.calibrated_m || !proof.found_m) {
-    out << "none came to its end: " << proof.failure << "; the calibrated model drives\n";
+    out << (proof.failure.empty() ? "no reference position" : "none came to its end: " + proof.failure)
+        << "; the calibrated model drives\n";
     return;
   }
   out << "calibrated " << fixed_number(1e3 * *proof.calibrated_m, 1) << " mm off, found "
@@ -93,7 +94,10 @@ void print_circle(std::ostream& out, const CircleReport& report) {
   out << "the gap workflow:               " << report.verdict
       << (report.named.empty() ? "" : ": " + joined(report.named, ", ")) << "\n";
   print_proof(out, report.proof);
-  print_laps(out, "B, with what the workflow added: ", report.after);
+  print_laps(
+      out,
+      report.proof.is_better() ? "B, with what the workflow added: " : "B, by the calibrated model:     ",
+      report.after);
   out << "\nopened: " << report.sealed_file << "\n";
   for (const auto& imperfection : report.hidden) {
     out << "  hidden: " << imperfection.what << " (rightly named " << joined(imperfection.effects, " or ")

@@ -64,6 +64,7 @@ AttemptOutcome run_attempt(const EvaluationPlan& plan, std::uint64_t number) {
     if (is_by_gap_workflow(candidate.model) && !gap) continue;
     const MaybeModel model = model_of(candidate.model, calibrated, gap);
     outcome.at(i) = trial.drive(plan.route, candidate.source, model);
+    outcome.at(i)->has_model = model.has_value();
     if (!model) continue;
     for (const AddedEffect& effect : model->effects) outcome.at(i)->effects.push_back(effect.setting.name);
   }

@@ -101,8 +101,8 @@ std::string names_of(const std::vector<AttemptOutcome>& outcomes) {
   std::map<std::string, std::size_t> counts;
   for (const AttemptOutcome& outcome : outcomes) {
     const auto& drive = outcome.back();
-    if (drive && drive->effects.empty()) ++counts["nothing"];
     if (!drive) continue;
+    if (drive->effects.empty()) ++counts[drive->has_model ? "nothing" : "failed"];
     for (const std::string& name : drive->effects) ++counts[name];
   }
   std::string text = "before each attempt:";

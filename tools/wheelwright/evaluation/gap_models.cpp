@@ -14,7 +14,7 @@ tl::expected<LearnedGap, std::string> learn_gap_models(const EvaluationPlan& pla
                                                        const RobotModel& calibrated,
                                                        const gap::ParallelFor& parallel_for) {
   RobotTrial trial = trial_of(plan, number, Purpose::learn);
-  simulation::Noise chance(plan.seed + number);
+  simulation::Noise chance(simulation::Noise(plan.seed).bits() + number);
   const auto logs = learning_drives(recorded_drives, trial, calibrated, chance);
   if (!logs) return tl::make_unexpected(logs.error());
 

@@ -39,7 +39,8 @@ struct DriveOutcome {
   std::optional<Pose> end;  // truly, as seen from where the route was begun; absent if it did not get there
   std::string failure{};    // then: why
   std::optional<EndEstimate> estimate{};  // absent for odometry, which states no uncertainty
-  std::vector<std::string> effects{};     // in the model that steered
+  bool has_model = false;                 // calibration and gap workflow made the model that was to steer
+  std::vector<std::string> effects{};     // in it
 };
 
 // Whether the robot ended within the 95 % ellipse around its estimate; absent where there is none.

@@ -33,7 +33,7 @@ std::string quoted_for_shell(const std::string& text) {
   return quoted + "'";
 }
 
-void replace_all(std::string& text, std::string_view mark, const std::string& by) {
+void fill_in(std::string& text, std::string_view mark, const std::string& by) {
   for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + by.size()))
     text.replace(at, mark.size(), by);
 }
@@ -160,8 +160,8 @@ void run_once(const Simulator& simulator, const DriveLog& run, const RunFiles& f
   std::error_code ignored;
   fs::remove(out, ignored);  // what an earlier run wrote is not to be taken for this one's
   std::string command = simulator.command;
-  replace_all(command, commands_mark, quoted_for_shell(commands.string()));
-  replace_all(command, out_mark, quoted_for_shell(out.string()));
+  fill_in(command, commands_mark, quoted_for_shell(commands.string()));
+  fill_in(command, out_mark, quoted_for_shell(out.string()));
   ShellCommand shell(command, said);
   const auto status = shell.ends_within(simulator.limit_s);
   const std::string where =

@@ -13,6 +13,10 @@ using namespace wheelwright;
 
 namespace {
 
+ModelSimulation at_rest(const RobotModel& model) {
+  return {model.linear_part, effect_settings(model)};
+}
+
 const RobotModel& calibrated() {
   static const RobotModel made = test::calibrated_model("default", "box", 61);
   return made;
@@ -46,7 +50,7 @@ const std::vector<SensorFrame>& drive_onto_carpet() {
 
 TEST_CASE("Driving straight, or standing for an hour, leaves what it does not show as it was") {
   for (const double speed_m_s : {0.0, 0.2}) {
-    ModelAdaptation adaptation(calibrated());
+    ModelAdaptation adaptation(calibrated(), at_rest(calibrated()));
     SensorFrame frame = drive().back();
     frame.command.speed_m_s = {speed_m_s, speed_m_s};
     double travelled_m = 0.0;
@@ -90,7 +94,7 @@ TEST_CASE(
 
 TEST_CASE("A candidate that was made from corrupted data is not accepted") {
   // What it learns from is wrong by a fifth, what it is judged on is right.
-  ModelAdaptation adaptation(calibrated());
+  ModelAdaptation adaptation(calibrated(), at_rest(calibrated()));
   for (SensorFrame frame : drive()) {
     frame.ticks.left = frame.ticks.left * 6 / 5;
     adaptation.take(frame, true);
@@ -124,14 +128,14 @@ TEST_CASE("A candidate that is worse on driving that it has not seen is never ha
 
 TEST_CASE("A correction of a correction for ever does not make the response longer for ever") {
   RobotModel model = calibrated();
-  for (int k = 0; k < 50; ++k) model = ModelAdaptation(model).adapted();
+  for (int k = 0; k < 50; ++k) model = ModelAdaptation(model, at_rest(model)).adapted();
   CHECK(model.linear_part.left.from_left.size() <= 100);
   CHECK_THAT(dc_gain(model.linear_part.left).from_left,
              WithinAbs(dc_gain(calibrated().linear_part.left).from_left, 1e-9));
 }
 
 TEST_CASE("While a fault is there nothing is learnt") {
-  ModelAdaptation adaptation(calibrated());
+  ModelAdaptation adaptation(calibrated(), at_rest(calibrated()));
   for (const SensorFrame& frame : drive()) adaptation.take(frame, false);
   CHECK_THAT(dc_gain(adaptation.adapted().linear_part.left).from_left,
              WithinAbs(dc_gain(calibrated().linear_part.left).from_left, 1e-9));

@@ -99,6 +99,25 @@ TEST_CASE("A tour leads all over the circle, on legs at the speed of the route a
   CHECK(quadrants.size() == 4);
 }
 
+TEST_CASE("Without a model there is no tour, and the random speeds last as long as both") {
+  RandomDrivePlan plan;
+  plan.duration_s = 20.0;
+  RandomDrivePlan without_tour = plan;
+  without_tour.tour_share = 0.0;
+  RobotLimits limits;
+  RandomDrive with_tour(plan, limits);
+  RandomDrive random_alone(without_tour, limits);
+  with_tour.restart(false);
+  for (Pose pose;;) {
+    const auto speed = with_tour.next(pose);
+    const auto other = random_alone.next(pose);
+    REQUIRE(speed.has_value() == other.has_value());
+    if (!speed) break;
+    REQUIRE(speed->left == other->left);
+    pose = move_along_arc(pose, twist_of_wheels(*speed, limits.wheel_base_m), limits.period_s);
+  }
+}
+
 TEST_CASE("A random drive lasts as long with a tour as without, but for the rest before the tour") {
   RandomDrivePlan plan;
   const auto with_tour = drive(plan).speeds.size();
