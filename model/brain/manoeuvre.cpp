@@ -147,8 +147,9 @@ class ResponseActions final : public Manoeuvre {
   // Each action rolls the same way, so that another one undoes it, whatever its speed.
   int on_ticks() const { return ticks_of(plan_.on_s * plan_.speed_m_s / size_m_s(), period_s_); }
 
-  // Left forward, right back; then right forward, left back, which undoes both in the reverse order. So the
-  // robot is back where it was after every second repetition, and never far from there.
+  // Left forward, right forward, which keeps the heading; then right back, left back, which undoes both in
+  // the reverse order. So the robot is back where it was after every second repetition, and never far from
+  // there.
   WheelOrder order() const {
     constexpr std::array left{Activity::left_on, Activity::left_off};
     constexpr std::array right{Activity::right_on, Activity::right_off};
@@ -157,8 +158,7 @@ class ResponseActions final : public Manoeuvre {
     const auto phase = static_cast<std::size_t>(action_ % 2);
     WheelOrder order{{}, is_left ? left.at(phase) : right.at(phase), static_cast<std::uint16_t>(repetition_)};
     if (phase == 1) return order;
-    const bool backwards = plan_.alternate_direction && action_ == 2;
-    (is_left ? order.speed_m_s.left : order.speed_m_s.right) = backwards ? -size_m_s() : size_m_s();
+    (is_left ? order.speed_m_s.left : order.speed_m_s.right) = undoes ? -size_m_s() : size_m_s();
     return order;
   }
 
