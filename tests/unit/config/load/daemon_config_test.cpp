@@ -12,7 +12,7 @@ using config::load_daemon_config;
 namespace {
 
 std::filesystem::path written(const std::string& text) {
-  const auto path = test::temporary_folder() / "wheelwright_daemon_config_test.yaml";
+  auto path = test::temporary_folder() / "wheelwright_daemon_config_test.yaml";
   std::ofstream(path) << text;
   return path;
 }

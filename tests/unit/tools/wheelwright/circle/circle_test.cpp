@@ -25,7 +25,7 @@ tools::HiddenRobot hidden_by(std::uint64_t seed) {
 }  // namespace
 
 TEST_CASE("A hidden robot is a robot file that loads, and differs from what it is based on") {
-  const auto folder = test::temporary_folder();
+  const auto& folder = test::temporary_folder();
   std::set<std::string> kinds;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const auto hidden = hidden_by(seed);
