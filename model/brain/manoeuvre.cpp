@@ -147,9 +147,9 @@ class ResponseActions final : public Manoeuvre {
   // Each action rolls the same way, so that another one undoes it, whatever its speed.
   int on_ticks() const { return ticks_of(plan_.on_s * plan_.speed_m_s / size_m_s(), period_s_); }
 
-  // Left forward, right forward, which keeps the heading; then right back, left back, which undoes both in
-  // the reverse order. So the robot is back where it was after every second repetition, and never far from
-  // there.
+  // Left forward, right back; then right forward, left back, which undoes both in the reverse order. So the
+  // robot is back where it was after every second repetition, and never far from there. A last repetition
+  // that none undoes goes forward with both, which keeps the heading.
   WheelOrder order() const {
     constexpr std::array left{Activity::left_on, Activity::left_off};
     constexpr std::array right{Activity::right_on, Activity::right_off};
@@ -158,7 +158,9 @@ class ResponseActions final : public Manoeuvre {
     const auto phase = static_cast<std::size_t>(action_ % 2);
     WheelOrder order{{}, is_left ? left.at(phase) : right.at(phase), static_cast<std::uint16_t>(repetition_)};
     if (phase == 1) return order;
-    (is_left ? order.speed_m_s.left : order.speed_m_s.right) = undoes ? -size_m_s() : size_m_s();
+    const bool is_undone = undoes || repetition_ + 1 < plan_.repetitions;
+    const bool backwards = plan_.alternate_direction && is_undone && action_ == 2;
+    (is_left ? order.speed_m_s.left : order.speed_m_s.right) = backwards ? -size_m_s() : size_m_s();
     return order;
   }
 

@@ -44,11 +44,11 @@ Walk walk(const ResponsePlan& plan) {
 }  // namespace
 
 TEST_CASE(
-    "After the response actions the robot is where it was, and it was never further than 0.4 m from there") {
+    "After the response actions the robot is where it was, and it was never further than 0.3 m from there") {
   const Walk all = walk(ResponsePlan{});
   CHECK(std::hypot(all.end.x_m, all.end.y_m) < 0.02);
   CHECK(std::abs(wrap_angle(all.end.theta_rad)) < 0.05);
-  CHECK(all.farthest_m < 0.4);
+  CHECK(all.farthest_m < 0.3);
   CHECK(all.sizes_m_s.size() == 6);
 }
 
