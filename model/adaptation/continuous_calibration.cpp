@@ -19,7 +19,7 @@ ContinuousCalibration::ContinuousCalibration(const RobotModel& model) : model_(m
 
 void ContinuousCalibration::begin_adapting() {
   phase_ = Phase::adapt;
-  adaptation_.emplace(model_, filter_.simulation());
+  adaptation_.reset();
   driven_s_ = 0.0;
 }
 
@@ -35,6 +35,7 @@ std::optional<RobotModel> ContinuousCalibration::take(const SensorFrame& frame) 
     return std::nullopt;
   }
   if (phase_ == Phase::adapt) {
+    if (!adaptation_) adaptation_.emplace(model_, filter_.simulation());
     adaptation_->take(frame, sound);
     if (is_driving(frame.command.speed_m_s)) driven_s_ += model_.linear_part.period_s;
     if (driven_s_ < adapt_s) return std::nullopt;

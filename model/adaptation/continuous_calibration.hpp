@@ -44,7 +44,7 @@ class ContinuousCalibration {
   RobotModel model_;
   HybridFilter filter_;
   Phase phase_ = Phase::watch;
-  std::optional<ModelAdaptation> adaptation_;
+  std::optional<ModelAdaptation> adaptation_;  // from the first frame on that is not spoilt by a fault
   std::optional<ModelTrial> trial_;
   RobotModel candidate_;
   double driven_s_ = 0.0;  // in this phase

@@ -58,7 +58,7 @@ std::string table(const json& models) {
                      rows) +
          "<p class=\"quiet\">Offset: true distance from start to end of the closed route. Brackets: 95 % "
          "intervals by "
-         "bootstrap over attempts. Met: the mean is within 30 % of the published one.</p>\n";
+         "bootstrap over attempts. Met: the mean is at most 30 % above the published one.</p>\n";
 }
 
 PlotPoints end_points(const config::CsvTable& csv, std::string_view key) {

@@ -48,26 +48,29 @@ const std::vector<SensorFrame>& drive_onto_carpet() {
 
 }  // namespace
 
-TEST_CASE("Driving straight, or standing for an hour, leaves what it does not show as it was") {
+TEST_CASE("Driving straight corrects what it shows and leaves the rest; standing for an hour shows nothing") {
+  // Both wheels roll 3 % further than the model says.
   for (const double speed_m_s : {0.0, 0.2}) {
     ModelAdaptation adaptation(calibrated(), at_rest(calibrated()));
+    const auto gain_of = [](const RobotModel& model) { return dc_gain(model.linear_part.left).from_left; };
     SensorFrame frame = drive().back();
     frame.command.speed_m_s = {speed_m_s, speed_m_s};
     double travelled_m = 0.0;
     const WheelTicks start = frame.ticks;
-    const double gain = dc_gain(calibrated().linear_part.left).from_left;
     for (int k = 0; k < 200000; ++k) {
       adaptation.take(frame, true);
       ++frame.tick;
-      travelled_m += 0.018 * gain * speed_m_s;
+      travelled_m += 0.018 * 1.03 * gain_of(calibrated()) * speed_m_s;
       const auto counts = std::llround(travelled_m / calibrated().encoder_scale->metres_per_tick.left);
       frame.ticks = {start.left + counts, start.right + counts};
     }
     INFO(speed_m_s << " m/s");
     if (speed_m_s == 0.0) CHECK(adaptation.size() < 200);
+    const RobotModel adapted = adaptation.adapted();
+    CHECK_THAT(gain_of(adapted) / gain_of(calibrated()), WithinAbs(speed_m_s > 0.0 ? 1.03 : 1.0, 0.002));
+    // One speed does not tell gain, delay and lag apart: the prior shares the change among the three.
     const auto& before = calibrated().linear_part.left.from_left;
-    const auto after = adaptation.adapted().linear_part.left.from_left;
-    REQUIRE(after.size() >= before.size());
+    const auto after = adapted.linear_part.left.from_left;
     for (std::size_t i = 0; i < before.size(); ++i) CHECK_THAT(after[i], WithinAbs(before[i], 0.01));
   }
 }
@@ -126,12 +129,17 @@ TEST_CASE("A candidate that is worse on driving that it has not seen is never ha
   CHECK(trials > 0);
 }
 
-TEST_CASE("A correction of a correction for ever does not make the response longer for ever") {
-  RobotModel model = calibrated();
-  for (int k = 0; k < 50; ++k) model = ModelAdaptation(model, at_rest(model)).adapted();
-  CHECK(model.linear_part.left.from_left.size() <= 100);
-  CHECK_THAT(dc_gain(model.linear_part.left).from_left,
-             WithinAbs(dc_gain(calibrated().linear_part.left).from_left, 1e-9));
+TEST_CASE(
+    "A correction of a correction for ever does not make the response longer for ever, and keeps its gain") {
+  RobotModel model = outdated(0.93);
+  for (int k = 0; k < 60; ++k) {
+    ModelAdaptation adaptation(model, at_rest(model));
+    for (std::size_t i = 0; i < 600; ++i) adaptation.take(drive()[i], true);
+    model = adaptation.adapted();
+  }
+  CHECK(model.linear_part.left.from_left.size() == 100);
+  CHECK_THAT(dc_gain(model.linear_part.left).from_left / dc_gain(calibrated().linear_part.left).from_left,
+             WithinAbs(1.0, 0.02));
 }
 
 TEST_CASE("While a fault is there nothing is learnt") {

@@ -38,6 +38,7 @@ TEST_CASE("Faults that would move the pose are found, named and kept out of it")
   CHECK(left_m < 0.05 * by_fault_m);
 }
 
+// A call is chance: of 96 quarter hours of this kind one had one.
 TEST_CASE("Two hours of clean driving give no alarm and at most one call for a recalibration") {
   int calls = 0;
   for (std::uint64_t seed = 201; seed <= 208; ++seed) {

@@ -11,6 +11,7 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tools/wheelwright/circle/circle_report.hpp"
 #include "tools/wheelwright/evaluation/learning_drives.hpp"
+#include "tools/wheelwright/evaluation/prediction_error.hpp"
 
 using namespace wheelwright;
 
@@ -76,6 +77,42 @@ TEST_CASE("Where no lap came to its end the report says why instead of an offset
   std::ostringstream out;
   print_circle(out, report);
   CHECK_THAT(out.str(), ContainsSubstring("did not come to its end: stopped: bump"));
+}
+
+TEST_CASE(
+    "The found model drives only if it predicted unseen drives better, and the report says which drove") {
+  const auto printed = [](const tools::Proof& proof) {
+    tools::CircleReport report;
+    report.before.offsets_m = report.after.offsets_m = {0.1};
+    report.proof = proof;
+    std::ostringstream out;
+    print_circle(out, report);
+    return out.str();
+  };
+  CHECK_THAT(printed({0.090, 0.028, {}}), ContainsSubstring("the found model drives") &&
+                                              ContainsSubstring("B, with what the workflow added"));
+  CHECK_THAT(printed({0.028, 0.090, {}}), ContainsSubstring("the calibrated model drives") &&
+                                              ContainsSubstring("B, by the calibrated model"));
+  CHECK_THAT(printed({{}, {}, "stopped: bump"}),
+             ContainsSubstring("stopped: bump; the calibrated model drives"));
+}
+
+TEST_CASE("Of two models the one that is right is closer to the reference over a whole drive") {
+  auto robot = config::load_simulation_config(perfect);
+  tools::RobotTrial trial(robot, RobotLimits{}, roomba::LinkConfig{}, simulation::Noise(1));
+  const auto model = trial.calibrate_response({});
+  REQUIRE(model);
+  Mission mission;
+  mission.route = Route{"angle", 0.2, 0.02, {{0.5, 0.0}, {0.5, 0.5}}};
+  const auto log = trial.record(mission, *model, {0.0, 0.0});
+  REQUIRE(log);
+  RobotModel wrong = *model;
+  for (double& weight : wrong.linear_part.left.from_left) weight *= 1.03;
+  const auto error_m = [&](const RobotModel& of) { return tools::position_error_m(of, std::span(&*log, 1)); };
+  CHECK(*error_m(*model) < 0.5 * *error_m(wrong));
+  DriveLog without_reference = *log;
+  for (DriveSample& sample : without_reference.samples) sample.reference_x_m.reset();
+  CHECK_FALSE(tools::position_error_m(*model, std::span(&without_reference, 1)));
 }
 
 TEST_CASE("A recorded experiment holds its commands as they stand") {
