@@ -11,6 +11,11 @@ constexpr double sharp_corner_rad = 0.8;  // from here on the robot stops and tu
 constexpr double aligned_rad = 0.012;     // heading error at which a turn in place ends
 constexpr double look_ahead_m = 0.12;     // on the leg, beyond the robot
 constexpr double heading_gain_per_s = 3.0;
+// With a dead band in turning: heading errors at which a correction begins and ends, and the least turn rate
+// of one, in dead bands.
+constexpr double correct_from_rad = 0.024;
+constexpr double corrected_rad = 0.003;
+constexpr double clear_of_band = 3.0;
 constexpr double stop_short_m = 0.0004;  // less than one tick at the slowest speed
 
 double angle_of(const Checkpoint& from, const Checkpoint& to) {
@@ -30,6 +35,7 @@ void RouteFollower::restart(const Checkpoint& start) {
   leg_start_ = start;
   further_tries_ = 3;
   speed_now_ = 0.0;
+  correcting_ = false;
 }
 
 bool RouteFollower::stops_at(std::size_t checkpoint) const {
@@ -40,19 +46,19 @@ bool RouteFollower::stops_at(std::size_t checkpoint) const {
   return std::abs(corner) > sharp_corner_rad;
 }
 
-WheelPair RouteFollower::steer(const Pose& rest) {
-  if (state_ == State::turning) return turn(rest);
-  if (state_ == State::driving) return drive(rest);
+WheelPair RouteFollower::steer(const Pose& rest, double turn_dead_band_rad_s) {
+  if (state_ == State::turning) return turn(rest, turn_dead_band_rad_s);
+  if (state_ == State::driving) return drive(rest, turn_dead_band_rad_s);
   return {};
 }
 
-WheelPair RouteFollower::turn(const Pose& rest) {
+WheelPair RouteFollower::turn(const Pose& rest, double turn_dead_band_rad_s) {
   const Checkpoint here{rest.x_m, rest.y_m};
   const double error = wrap_angle(angle_of(here, route_.checkpoints[visited_]) - rest.theta_rad);
   if (std::abs(error) < aligned_rad) {
     state_ = State::driving;
     speed_now_ = 0.0;
-    return drive(rest);
+    return drive(rest, turn_dead_band_rad_s);
   }
   const double radius = 0.5 * limits_.wheel_base_m;
   const double braking = std::sqrt(2.0 * limits_.braking_m_s2 * std::abs(error) * radius);
@@ -62,7 +68,7 @@ WheelPair RouteFollower::turn(const Pose& rest) {
   return error > 0.0 ? WheelPair{-wheel, wheel} : WheelPair{wheel, -wheel};
 }
 
-WheelPair RouteFollower::drive(const Pose& rest) {
+WheelPair RouteFollower::drive(const Pose& rest, double turn_dead_band_rad_s) {
   const Checkpoint& target = route_.checkpoints[visited_];
   const double direction = angle_of(leg_start_, target);
   const double c = std::cos(direction);
@@ -72,14 +78,23 @@ WheelPair RouteFollower::drive(const Pose& rest) {
   const bool stops = stops_at(visited_);
   if (remaining <= (stops ? stop_short_m : 0.0)) {
     arrive(rest);
-    return stops ? WheelPair{} : steer(rest);
+    return stops ? WheelPair{} : steer(rest, turn_dead_band_rad_s);
   }
   const double error = wrap_angle(direction - std::atan2(beside, look_ahead_m) - rest.theta_rad);
   double wanted = route_.speed_m_s * std::max(0.2, std::cos(error));
   if (stops) wanted = std::min(wanted, std::sqrt(2.0 * limits_.braking_m_s2 * remaining));
   speed_now_ = std::min(speed_now_ + limits_.acceleration_m_s2 * limits_.period_s, wanted);
   speed_now_ = std::max(speed_now_, limits_.slowest_wheel_speed_m_s);
-  return limited(speed_now_, heading_gain_per_s * error);
+  return limited(speed_now_, turn_rate_for(error, turn_dead_band_rad_s));
+}
+
+// Beyond a dead band in proportion would mean along its edge for most of the way, where a model knows least.
+double RouteFollower::turn_rate_for(double error_rad, double turn_dead_band_rad_s) {
+  const double proportional = heading_gain_per_s * error_rad;
+  if (turn_dead_band_rad_s == 0.0) return proportional;
+  correcting_ = std::abs(error_rad) > (correcting_ ? corrected_rad : correct_from_rad);
+  if (!correcting_) return 0.0;
+  return proportional + std::copysign(clear_of_band * turn_dead_band_rad_s, error_rad);
 }
 
 void RouteFollower::arrive(const Pose& rest) {

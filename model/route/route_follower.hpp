@@ -30,8 +30,9 @@ class RouteFollower {
   void restart(const Checkpoint& start = {});
 
   // Wheel speeds wanted for the coming period, in m/s at the floor. `rest` is relative to the start of the
-  // route.
-  WheelPair steer(const Pose& rest);
+  // route. Where turn rates below `turn_dead_band_rad_s` hardly turn the robot, it is steered straight until
+  // the heading is off enough for a correction well beyond them.
+  WheelPair steer(const Pose& rest, double turn_dead_band_rad_s = 0.0);
 
   // All checkpoints were visited and the robot is told to stand.
   bool finished() const { return state_ == State::finished; }
@@ -43,8 +44,9 @@ class RouteFollower {
   enum class State { turning, driving, finished };
 
   bool stops_at(std::size_t checkpoint) const;
-  WheelPair turn(const Pose& rest);
-  WheelPair drive(const Pose& rest);
+  WheelPair turn(const Pose& rest, double turn_dead_band_rad_s);
+  WheelPair drive(const Pose& rest, double turn_dead_band_rad_s);
+  double turn_rate_for(double error_rad, double turn_dead_band_rad_s);
   void arrive(const Pose& rest);
   WheelPair limited(double v_m_s, double w_rad_s);
 
@@ -55,6 +57,7 @@ class RouteFollower {
   Checkpoint leg_start_;   // differs from the last checkpoint after a second try
   int further_tries_ = 3;  // to come within tolerance of the end
   double speed_now_ = 0.0;
+  bool correcting_ = false;  // the heading, beyond a dead band
 };
 
 }  // namespace wheelwright

@@ -12,6 +12,9 @@ constexpr int steps_each_way = 100;
 constexpr double largest_command_m_s = 0.5;  // of the Open Interface
 constexpr double settling_s = 2.0;
 constexpr double averaged_s = 1.0;  // of the settled motion: a ripple is not the curve
+constexpr double driving_m_s = 0.2;
+constexpr int turn_steps = 25;
+constexpr double largest_turn_band_rad_s = 0.25;
 
 WheelPair settled_at(ModelSimulation simulation, double command, double period_s) {
   const auto periods = [period_s](double time_s) { return static_cast<int>(std::lround(time_s / period_s)); };
@@ -26,6 +29,33 @@ WheelPair settled_at(ModelSimulation simulation, double command, double period_s
   return {sum.left / count, sum.right / count};
 }
 
+double turn_rate_at(ModelSimulation simulation, const WheelPair& command, double period_s) {
+  const auto periods = [period_s](double time_s) { return static_cast<int>(std::lround(time_s / period_s)); };
+  for (int k = 0; k < periods(settling_s); ++k) simulation.step(command);
+  double sum_rad_s = 0.0;
+  const int count = std::max(1, periods(averaged_s));
+  for (int k = 0; k < count; ++k) sum_rad_s += simulation.step(command).twist.w_rad_s;
+  return sum_rad_s / count;
+}
+
+// The largest commanded turn rate, to both sides, that gives less than half of itself.
+double turn_dead_band(const ModelSimulation& at_rest, const LinearModel& linear_part) {
+  const auto turned_rad_s = [&](double w_rad_s) {
+    return turn_rate_at(at_rest, wheels_of_twist({driving_m_s, w_rad_s}, linear_part.wheel_base_m),
+                        linear_part.period_s);
+  };
+  const double straight_rad_s = turned_rad_s(0.0);
+  double band_rad_s = 0.0;
+  for (int i = 1; i <= turn_steps; ++i) {
+    const double w_rad_s = largest_turn_band_rad_s * i / turn_steps;
+    if (turned_rad_s(w_rad_s) - straight_rad_s > 0.5 * w_rad_s &&
+        straight_rad_s - turned_rad_s(-w_rad_s) > 0.5 * w_rad_s)
+      break;
+    band_rad_s = w_rad_s;
+  }
+  return band_rad_s;
+}
+
 }  // namespace
 
 SteadyStateMap::SteadyStateMap(const LinearModel& linear_part, std::span<const EffectSetting> effects) {
@@ -36,6 +66,7 @@ SteadyStateMap::SteadyStateMap(const LinearModel& linear_part, std::span<const E
     left_.push_back({command, left_.empty() ? speed.left : std::max(speed.left, left_.back().speed)});
     right_.push_back({command, right_.empty() ? speed.right : std::max(speed.right, right_.back().speed)});
   }
+  turn_dead_band_rad_s_ = turn_dead_band(at_rest, linear_part);
 }
 
 WheelPair SteadyStateMap::command_for(const WheelPair& speed_m_s) const {

@@ -21,6 +21,10 @@ class SteadyStateMap {
   // that can: in a dead zone either rest or the slowest motion, beyond saturation the fastest.
   WheelPair command_for(const WheelPair& speed_m_s) const;
 
+  // The turn rate up to which a robot that drives ahead turns by less than half of what is commanded, as with
+  // tyres that scrub; 0 where it follows any.
+  double turn_dead_band_rad_s() const { return turn_dead_band_rad_s_; }
+
  private:
   struct Point {
     double command;
@@ -30,6 +34,7 @@ class SteadyStateMap {
 
   std::vector<Point> left_;  // rising in both
   std::vector<Point> right_;
+  double turn_dead_band_rad_s_ = 0.0;
 };
 
 }  // namespace wheelwright

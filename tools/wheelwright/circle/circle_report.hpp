@@ -25,8 +25,8 @@ struct Experiment {
   std::string failure;  // why it did not come to its end
 };
 
-// How far the free runs of both models are off the reference position, over whole drives that neither has
-// seen. The found model drives only if it is closer.
+// How far the free run of each model is off the reference position, over whole tours that it drove itself and
+// was not made from. The found model drives the route only if it is closer.
 struct Proof {
   std::optional<double> calibrated_m;
   std::optional<double> found_m;

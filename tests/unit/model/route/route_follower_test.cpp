@@ -28,6 +28,14 @@ LinearModel lagging_model() {
   return model;
 }
 
+// Whose tyres take `dry_rad_s` of any turn rate.
+RobotModel scrubbing_model(double dry_rad_s) {
+  RobotModel model;
+  model.linear_part = lagging_model();
+  model.effects.emplace_back().setting = {"turn_scrub", "", {0.0, 0.0, dry_rad_s}};
+  return model;
+}
+
 struct Drive {
   Pose end;
   bool finished = false;
@@ -108,4 +116,52 @@ TEST_CASE("No wheel is asked for more than its limit, nor for less than what mov
   const Drive drive = follow({"fast", 0.3, 0.02, {{1, 0}, {0.5, 0.8}, {0, 0}}});
   CHECK(drive.largest_wheel_speed_m_s <= 0.3 + 1e-12);
   CHECK(drive.slowest_moving_m_s >= 0.039);
+}
+
+TEST_CASE("Along the legs a robot with a dead band in turning is steered straight or turned clearly") {
+  for (const double dry_rad_s : {0.02, 0.05, 0.1}) {
+    MotionPredictor robot(scrubbing_model(dry_rad_s));
+    const double band_rad_s = robot.turn_dead_band_rad_s();
+    // Half of twice what is lost is left.
+    CHECK_THAT(band_rad_s, WithinAbs(2.0 * dry_rad_s, 0.011));
+    RouteFollower follower({"loop", 0.2, 0.02, {{0.9, 0.0}, {1.5, 0.3}, {1.4, 1.4}, {0.1, 0.5}, {0.0, 0.0}}},
+                           {});
+    int straight = 0;
+    int turned = 0;
+    for (int ticks = 0; ticks < 20000 && !follower.finished(); ++ticks) {
+      const WheelPair speed = follower.steer(robot.rest_pose(), band_rad_s);
+      robot.step(robot.command_for(speed));
+      if (speed.left <= 0.0 || speed.right <= 0.0) continue;
+      const double turn_rad_s = std::abs(twist_of_wheels(speed, 0.235).w_rad_s);
+      CHECK((turn_rad_s < 1e-9 || turn_rad_s > 2.0 * band_rad_s));
+      ++(turn_rad_s < 1e-9 ? straight : turned);
+    }
+    CHECK(follower.finished());
+    CHECK(std::hypot(robot.pose().x_m, robot.pose().y_m) < 0.02);
+    CHECK(straight > turned);
+  }
+}
+
+TEST_CASE(
+    "A dead band that is wider than the model says moves the end of a drive less than under proportional "
+    "steering") {
+  const auto missed_by_m = [](bool steered_by_band) {
+    MotionPredictor model(scrubbing_model(0.05));
+    MotionPredictor robot(scrubbing_model(0.06));
+    RouteFollower follower({"legs", 0.2, 0.02, {{1.0, 0.1}, {2.0, 0.0}, {3.0, 0.1}, {4.0, 0.0}}}, {});
+    for (int ticks = 0; ticks < 20000 && !follower.finished(); ++ticks) {
+      const WheelPair command = model.command_for(
+          follower.steer(model.rest_pose(), steered_by_band ? model.turn_dead_band_rad_s() : 0.0));
+      model.step(command);
+      robot.step(command);
+    }
+    CHECK(follower.finished());
+    return std::hypot(robot.pose().x_m - model.pose().x_m, robot.pose().y_m - model.pose().y_m);
+  };
+  CHECK(missed_by_m(true) < 0.6 * missed_by_m(false));
+}
+
+TEST_CASE("A robot that follows small turn rates has no dead band in turning") {
+  CHECK(MotionPredictor(lagging_model()).turn_dead_band_rad_s() == 0.0);
+  CHECK(MotionPredictor(scrubbing_model(0.0)).turn_dead_band_rad_s() == 0.0);
 }

@@ -80,7 +80,8 @@ TEST_CASE("Where no lap came to its end the report says why instead of an offset
 }
 
 TEST_CASE(
-    "The found model drives only if it predicted unseen drives better, and the report says which drove") {
+    "The found model drives only if it predicted its own new drives better, and the report says which "
+    "drove") {
   const auto printed = [](const tools::Proof& proof) {
     tools::CircleReport report;
     report.before.offsets_m = report.after.offsets_m = {0.1};
