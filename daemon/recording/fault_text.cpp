@@ -7,9 +7,9 @@
 namespace wheelwright::daemon {
 namespace {
 
-std::string_view name_of(WheelSide wheel) {
-  if (wheel == WheelSide::both) return "both";
-  return wheel == WheelSide::left ? "left" : "right";
+std::string_view name_of(FaultyWheel wheel) {
+  if (wheel == FaultyWheel::both) return "both";
+  return wheel == FaultyWheel::left ? "left" : "right";
 }
 
 std::string_view name_of(FaultEvent::Stage stage) {
@@ -25,7 +25,7 @@ bool is_seen_by_current(FaultKind kind) {
 
 std::string sentence_of(const FaultEvent& event) {
   const std::string wheel =
-      event.wheel == WheelSide::both ? "both wheels" : fmt::format("{} wheel", name_of(event.wheel));
+      event.wheel == FaultyWheel::both ? "both wheels" : fmt::format("{} wheel", name_of(event.wheel));
   const auto kind = wheelwright::name_of(event.kind);
   const bool ended = event.stage == FaultEvent::Stage::ended;
   if (event.kind == FaultKind::lifted)

@@ -24,7 +24,7 @@ enum class FaultKind : std::uint8_t {
 };
 std::string_view name_of(FaultKind kind);
 
-enum class WheelSide : std::uint8_t { left, right, both };
+enum class FaultyWheel : std::uint8_t { left, right, both };
 
 struct FaultEvent {
   enum class Stage : std::uint8_t {
@@ -34,7 +34,7 @@ struct FaultEvent {
   };
   Stage stage = Stage::began;
   FaultKind kind = FaultKind::none;
-  WheelSide wheel = WheelSide::left;
+  FaultyWheel wheel = FaultyWheel::left;
   std::int64_t tick = 0;
   // How far the readings are off: the innovation when it began, the travel kept out of the pose when it
   // ended. Signed, metres of wheel travel. Amperes too many for `stalled` and `slipping`.

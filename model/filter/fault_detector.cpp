@@ -17,8 +17,8 @@ constexpr double too_many_misfits = 3.5;
 constexpr double slip_excess_a = 0.25;
 constexpr double slip_after_s = 0.5;
 
-WheelSide side_of(std::size_t wheel) {
-  return wheel == 0 ? WheelSide::left : WheelSide::right;
+FaultyWheel side_of(std::size_t wheel) {
+  return wheel == 0 ? FaultyWheel::left : FaultyWheel::right;
 }
 
 }  // namespace
@@ -137,18 +137,18 @@ void FaultDetector::look_for_slip(const TickEvidence& evidence, FaultEvents& eve
   if (!slips_ && held_s_ > slip_after_s) {
     slips_ = true;
     for (const auto stage : {FaultEvent::Stage::began, FaultEvent::Stage::named}) {
-      events.add({stage, FaultKind::slipping, WheelSide::both, evidence.tick, size});
+      events.add({stage, FaultKind::slipping, FaultyWheel::both, evidence.tick, size});
     }
   } else if (slips_ && !held) {
     slips_ = false;
-    events.add({FaultEvent::Stage::ended, FaultKind::slipping, WheelSide::both, evidence.tick, size});
+    events.add({FaultEvent::Stage::ended, FaultKind::slipping, FaultyWheel::both, evidence.tick, size});
   }
 }
 
 void FaultDetector::look_for_lift(const TickEvidence& evidence, FaultEvents& events) {
   if (lifted_ == evidence.wheel_drop) return;
   lifted_ = evidence.wheel_drop;
-  const FaultEvent event{FaultEvent::Stage::ended, FaultKind::lifted, WheelSide::both, evidence.tick, 0.0};
+  const FaultEvent event{FaultEvent::Stage::ended, FaultKind::lifted, FaultyWheel::both, evidence.tick, 0.0};
   if (lifted_) {
     for (const auto stage : {FaultEvent::Stage::began, FaultEvent::Stage::named}) {
       events.add({stage, event.kind, event.wheel, event.tick, event.size});
@@ -182,7 +182,7 @@ FaultVerdict FaultDetector::take(const TickEvidence& evidence, FaultEvents& even
   look_for_overcurrent(evidence, events);
   if (evidence.counter_jumped) {
     for (const auto stage : {FaultEvent::Stage::began, FaultEvent::Stage::named, FaultEvent::Stage::ended}) {
-      events.add({stage, FaultKind::spike, WheelSide::both, evidence.tick, 0.0});
+      events.add({stage, FaultKind::spike, FaultyWheel::both, evidence.tick, 0.0});
     }
   }
   for (std::size_t wheel = 0; wheel < 2; ++wheel) {
@@ -191,7 +191,7 @@ FaultVerdict FaultDetector::take(const TickEvidence& evidence, FaultEvents& even
   }
   if (are_swapped(evidence)) {
     verdict.exchange = true;
-    events.add({FaultEvent::Stage::named, FaultKind::swapped, WheelSide::both, evidence.tick,
+    events.add({FaultEvent::Stage::named, FaultKind::swapped, FaultyWheel::both, evidence.tick,
                 evidence.wheels[0].innovation_m});
     sides_[0].kind = sides_[1].kind = FaultKind::swapped;
   }

@@ -26,6 +26,7 @@
 #include "model/filter/fault.hpp"
 #include "model/filter/misfit_record.hpp"
 #include "model/filter/wheel_evidence.hpp"
+#include "model/geometry/wheel_side.hpp"
 
 namespace wheelwright {
 

@@ -32,6 +32,7 @@
 #include "model/filter/pose_with_covariance.hpp"
 #include "model/filter/scale_drift_test.hpp"
 #include "model/filter/wheel_filter.hpp"
+#include "model/geometry/wheel_side.hpp"
 #include "model/log/sensor_frame.hpp"
 #include "model/simulation/linear_model.hpp"
 #include "model/simulation/model_simulation.hpp"

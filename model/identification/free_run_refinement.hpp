@@ -18,6 +18,7 @@
 #include <optional>
 #include <span>
 
+#include "model/geometry/wheel_side.hpp"
 #include "model/identification/arx_layout.hpp"
 #include "model/identification/response_prior.hpp"
 #include "model/identification/small_solve.hpp"
@@ -25,8 +26,6 @@
 #include "model/identification/travel_whitener.hpp"
 
 namespace wheelwright {
-
-enum class WheelSide { left, right };
 
 // A pole beyond this is no wheel's: it would remember a command for a thousand periods.
 inline constexpr double largest_allowed_pole = 0.999;

@@ -128,14 +128,14 @@ DriveFigures drive_figures(const RobotModel& model) {
 }
 
 std::string value_of(const Figure& figure) {
-  return short_number(figure.value);
+  return nine_digits(figure.value);
 }
 
 std::string remark_of(const Figure& figure) {
   if (figure.from.empty()) return "no effect of the model changes it";
   if (!figure.interval) return "no interval; " + figure.from;
-  return "95 % interval " + short_number(figure.interval->lower) + " to " +
-         short_number(figure.interval->upper) + "; " + figure.from;
+  return "95 % interval " + nine_digits(figure.interval->lower) + " to " +
+         nine_digits(figure.interval->upper) + "; " + figure.from;
 }
 
 Figure shifted(Figure figure, double by) {

@@ -8,7 +8,7 @@
 
 namespace wheelwright::tools {
 
-std::string short_number(double value) {
+std::string nine_digits(double value) {
   constexpr int digits = 9;
   std::array<char, 32> buffer{};
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value == 0.0 ? 0.0 : value,
@@ -25,11 +25,11 @@ std::string with_intervals(const AddedEffect& effect) {
   const auto parameters = parameters_of(effect.setting);
   std::string text;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    text += (i == 0 ? "" : ", ") + parameters[i].name + " " + short_number(effect.setting.parameters[i]);
+    text += (i == 0 ? "" : ", ") + parameters[i].name + " " + nine_digits(effect.setting.parameters[i]);
     if (parameters[i].unit != "1") text += " " + parameters[i].unit;
     if (i >= effect.intervals.size()) continue;
-    text += " (95 % interval " + short_number(effect.intervals[i].lower) + " to " +
-            short_number(effect.intervals[i].upper) + ")";
+    text += " (95 % interval " + nine_digits(effect.intervals[i].lower) + " to " +
+            nine_digits(effect.intervals[i].upper) + ")";
   }
   if (!effect.created.empty()) text += "; of " + config::printable(effect.created);
   return text;

@@ -19,8 +19,8 @@ struct ModelText {
   std::vector<Unsaid> unsaid;
 };
 
-// With nine digits: no parameter of a robot is known better.
-std::string short_number(double value);
+// No parameter of a robot is known better.
+std::string nine_digits(double value);
 
 // "coulomb_friction", or "surface_patch (wheel_round)".
 std::string full_name(const EffectSetting& setting);

@@ -225,7 +225,7 @@ ModelText to_mujoco(const RobotModel& model, const WheelGeometry& wheel, const M
   }
   return {xml_head("wheelwright_mujoco", model, all) + places + joints +
               "<!-- Controls are in rad/s of the wheel: the command in m/s divided by " +
-              short_number(wheel.radius_m) + " m. The timestep is " + short_number(target.timestep_s) +
+              nine_digits(wheel.radius_m) + " m. The timestep is " + nine_digits(target.timestep_s) +
               " s. -->\n<actuator>\n" + actuators + "</actuator>\n",
           std::move(all.unsaid)};
 }

@@ -137,9 +137,9 @@ ModelNumbers ros2_control_numbers(const RobotModel& model, double wheel_radius_m
              turning(figures.largest_change_m_s2));
   add_smoother(result.numbers, figures, turn_per_speed);
   result.unsaid = unsaid_of(model, ros2_put, ros2_reasons);
-  result.notes = "Of the linear part there is no place for its gain (left " +
-                 short_number(figures.gain.left) + ", right " + short_number(figures.gain.right) +
-                 ") and its delay (" + config::fixed_number(figures.left_response.mean_delay_s, 3) + " s, " +
+  result.notes = "Of the linear part there is no place for its gain (left " + nine_digits(figures.gain.left) +
+                 ", right " + nine_digits(figures.gain.right) + ") and its delay (" +
+                 config::fixed_number(figures.left_response.mean_delay_s, 3) + " s, " +
                  config::fixed_number(figures.right_response.mean_delay_s, 3) + " s)." +
                  (model.left_fit && model.right_fit
                       ? ""

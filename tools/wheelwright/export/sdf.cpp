@@ -61,7 +61,7 @@ void add_plugin(std::vector<PlacedNumber>& numbers, const DriveFigures& figures,
   const Figure mean_m = mean_of(left_m, right_m);
   numbers.push_back(
       measured(Part::drive_plugin, "wheel_separation", {separation_m}, "m",
-               "given " + short_number(figures.wheel_separation_m) + " m: " + remark_of(separation_m)));
+               "given " + nine_digits(figures.wheel_separation_m) + " m: " + remark_of(separation_m)));
   numbers.push_back(measured(Part::drive_plugin, "wheel_radius", {mean_m}, "m",
                              "the mean of left " + value_of(left_m) + " m and right " + value_of(right_m) +
                                  " m: " + remark_of(mean_m)));
@@ -109,7 +109,7 @@ ModelNumbers sdf_numbers(const RobotModel& model, const WheelGeometry& wheel) {
   result.unsaid =
       torques ? unsaid_of(model, sdf_put_with_torque, sdf_reasons) : unsaid_of(model, sdf_put, sdf_reasons);
   result.notes = "Of the linear part the plugin has no place for its gain (left " +
-                 short_number(figures.gain.left) + ", right " + short_number(figures.gain.right) + ")" +
+                 nine_digits(figures.gain.left) + ", right " + nine_digits(figures.gain.right) + ")" +
                  (torques ? "." : " and its delay; dynamics of the joints take the inertia of a wheel.");
   return result;
 }

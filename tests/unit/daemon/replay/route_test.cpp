@@ -94,7 +94,7 @@ TEST_CASE("An encoder that freezes for a while leads odometry astray, and the hy
     for (const PoseRecord& record : result->records) {
       if (!record.hybrid) continue;
       for (const FaultEvent& event : record.hybrid->events) {
-        named = named || (event.kind == FaultKind::frozen && event.wheel == WheelSide::left);
+        named = named || (event.kind == FaultKind::frozen && event.wheel == FaultyWheel::left);
       }
     }
     CHECK(named);

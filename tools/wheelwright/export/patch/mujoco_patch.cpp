@@ -23,9 +23,9 @@ void check_control(const XmlFile& file, const PatchSide& side, double right) {
   constexpr double largest_change = 1.5;
   const double now = side.given.control_per_rad_s;
   if (now / right > 1.0 / largest_change && now / right < largest_change) return;
-  file.fail(side.wheel.actuator, "turns its wheel with 1 rad/s at a control of " + short_number(now) +
-                                     ", not of " + short_number(right) + "; add --control-per-speed " +
-                                     short_number(now) +
+  file.fail(side.wheel.actuator, "turns its wheel with 1 rad/s at a control of " + nine_digits(now) +
+                                     ", not of " + nine_digits(right) + "; add --control-per-speed " +
+                                     nine_digits(now) +
                                      " where controls are so, or mend its gear or its gains");
 }
 

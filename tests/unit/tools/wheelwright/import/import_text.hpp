@@ -31,7 +31,7 @@ inline bool has_words(const std::vector<std::string>& lines, const std::string& 
                              [&](const std::string& line) { return line.find(words) != std::string::npos; });
 }
 
-struct Outcome {
+struct ImportOutcome {
   import::Understood understood;
   tl::expected<import::Conversion, std::string> conversion;
 
@@ -40,7 +40,7 @@ struct Outcome {
   bool remarks(const std::string& words) const { return conversion && has_words(conversion->remarks, words); }
 };
 
-inline Outcome import_text(const std::string& text, const std::vector<std::string>& settings = {}) {
+inline ImportOutcome import_text(const std::string& text, const std::vector<std::string>& settings = {}) {
   auto understood =
       import::understand({{file_of("log.txt", text)}, std::nullopt, import::GivenMapping("", settings)});
   REQUIRE(understood);
@@ -49,8 +49,8 @@ inline Outcome import_text(const std::string& text, const std::vector<std::strin
 }
 
 // Commands and counts of the run are those of the drive.
-inline void check_same(const Outcome& outcome, const ForeignDrive& drive, double command_tolerance_m_s = 1e-3,
-                       double scale_tolerance = 0.02) {
+inline void check_same(const ImportOutcome& outcome, const ForeignDrive& drive,
+                       double command_tolerance_m_s = 1e-3, double scale_tolerance = 0.02) {
   if (!outcome.conversion) FAIL(outcome.conversion.error());
   REQUIRE(outcome.conversion->runs.size() == 1);
   const DriveLog& log = outcome.conversion->runs.front();

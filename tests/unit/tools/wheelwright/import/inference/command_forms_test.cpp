@@ -25,8 +25,8 @@ double turn_rate(const ForeignDrive& drive, std::size_t k) {
   return (drive.rows[k].theta - drive.rows[k - 1].theta) / drive.period_s;
 }
 
-Outcome with_gyro(const ForeignDrive& drive, const std::string& name, double per_rad_s, double offset,
-                  const std::vector<std::string>& settings = known) {
+ImportOutcome with_gyro(const ForeignDrive& drive, const std::string& name, double per_rad_s, double offset,
+                        const std::vector<std::string>& settings = known) {
   std::size_t k = 0;
   return import_text(
       foreign_text(drive, "t,cmd_left,cmd_right,ticks_left,ticks_right," + name,
