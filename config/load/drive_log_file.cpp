@@ -8,12 +8,14 @@
 #include <new>
 #include <string_view>
 #include <unordered_set>
+#include <utility>
 
 #include "config/load/cut_row.hpp"
 #include "config/load/drive_log_columns.hpp"
 #include "config/load/printable_text.hpp"
 #include "config/load/text_file.hpp"
 #include "config/load/text_format.hpp"
+#include "model/statistics/order_statistics.hpp"
 
 namespace wheelwright::config {
 namespace {
@@ -118,7 +120,7 @@ class Parser {
     while (true) {
       const auto comma = line.find(',');
       const string_view name = trim(line.substr(0, comma));
-      if (!seen.insert(name).second) fail("column '" + excerpt(name) + "' stands twice");
+      if (!seen.insert(name).second) fail("column '" + excerpt(name) + "' occurs twice");
       const auto* known = std::find(column_names.begin(), column_names.end(), name);
       if (known != column_names.end()) {
         position_.at(static_cast<std::size_t>(known - column_names.begin())) = column_count_;
@@ -271,9 +273,7 @@ class Parser {
     for (std::size_t i = 1; i < run.samples.size(); ++i) {
       steps.push_back(run.samples[i].t_s - run.samples[i - 1].t_s);
     }
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    return *middle;
+    return median(std::move(steps));
   }
 
   string_view text_;

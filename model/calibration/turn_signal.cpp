@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/statistics/order_statistics.hpp"
+
 namespace wheelwright {
 namespace {
 
@@ -31,9 +33,8 @@ void weigh_by_noise(TurnSignal& signal) {
           std::abs(signal.values[i][s] - 2.0 * signal.values[i - 1][s] + signal.values[i - 2][s]));
     }
     if (bends.empty()) continue;
-    const auto middle = bends.begin() + static_cast<std::ptrdiff_t>(bends.size() / 2);
-    std::nth_element(bends.begin(), middle, bends.end());
-    const double deviation = std::max(*middle / (0.6745 * std::sqrt(6.0)), 1.0);
+    const double deviation =
+        std::max(deviations_of_median_size * median(std::move(bends)) / std::sqrt(6.0), 1.0);
     signal.weight.at(s) = 1.0 / (deviation * deviation);
   }
 }

@@ -15,6 +15,7 @@
 #include "model/gap/selection/search_start.hpp"
 #include "model/identification/excitation.hpp"
 #include "model/log/near_periods.hpp"
+#include "model/statistics/significant_digits.hpp"
 
 namespace wheelwright::gap {
 namespace {

@@ -6,17 +6,13 @@
 #include <sstream>
 #include <string>
 
+#include "model/statistics/significant_digits.hpp"
+
 namespace wheelwright::gap {
 namespace {
 
-std::string in_words(double value, int digits = 3) {
-  std::ostringstream words;
-  words << std::setprecision(digits) << value;
-  return words.str();
-}
-
 std::string size_in_words(double size, bool angle) {
-  return in_words(1000.0 * size, 2) + (angle ? " mrad" : " mm");
+  return in_digits(1000.0 * size, 2) + (angle ? " mrad" : " mm");
 }
 
 bool is_visible(double size, Channel channel) {
@@ -46,7 +42,7 @@ CheckStatistic statistic_of(const ChannelWords& of, const PeriodicResidual& foun
   statistic.size = found.amplitude;
   statistic.visible = is_visible(found.amplitude, of.channel);
   const std::string every =
-      over_time ? in_words(found.period) + " s" : in_words(1000.0 * found.period) + " mm of travel";
+      over_time ? in_digits(found.period, 3) + " s" : in_digits(1000.0 * found.period, 3) + " mm of travel";
   statistic.sentence = "the error of the " + std::string(of.name) + " swings every " + every + " by " +
                        size_in_words(found.amplitude, of.angle);
   statistic.regime = "a swing every " + every;
@@ -67,7 +63,7 @@ CheckStatistic statistic_of(const ChannelWords& of, const Covariate& covariate, 
   statistic.p_value = found.p_value;
   statistic.size = found.size;
   statistic.visible = is_visible(found.size, of.channel);
-  statistic.regime = quantity + " from " + in_words(found.from, 2) + " to " + in_words(found.to, 2) + " " +
+  statistic.regime = quantity + " from " + in_digits(found.from, 2) + " to " + in_digits(found.to, 2) + " " +
                      std::string(covariate.unit);
   statistic.sentence = "the error of the " + std::string(of.name) + " depends on " +
                        std::string(covariate.name) + " (" + size_in_words(found.size, of.angle) +
@@ -120,8 +116,8 @@ CheckStatistic statistic_of(const ChannelWords& of, const Problem& problem, cons
                      in_milli(found.changes)};
   statistic.regime = "events like " + events.str();
   statistic.sentence = "something happens to the " + std::string(of.name) +
-                       " now and then: " + in_words(100.0 * found.share_of_time, 2) +
-                       " % of the time holds " + in_words(100.0 * found.share, 2) + " % of what is left (" +
+                       " now and then: " + in_digits(100.0 * found.share_of_time, 2) +
+                       " % of the time holds " + in_digits(100.0 * found.share, 2) + " % of what is left (" +
                        events.str() + ")";
   statistic.share_of_gap = found.share;
   statistic.share_of_time = found.share_of_time;
@@ -139,7 +135,7 @@ CheckStatistic statistic_of(const ChannelWords& of, const ReversalResidual& foun
   statistic.regime = "within 0.7 s of a reversal";
   statistic.curve = {"time since a reversal [s]", "mean squared innovation", found.power};
   statistic.sentence = "where the " + std::string(of.name) + " changes direction, what is left is " +
-                       in_words(found.ratio, 2) + " times what is left elsewhere";
+                       in_digits(found.ratio, 2) + " times what is left elsewhere";
   statistic.share_of_gap = found.share;
   statistic.share_of_time = found.share_of_time;
   statistic.detail = {{"ratio", found.ratio}, {"size_m", found.size}};

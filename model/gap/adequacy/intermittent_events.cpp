@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "model/gap/adequacy/tail_probability.hpp"
+#include "model/statistics/order_statistics.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -41,13 +42,10 @@ std::vector<Window> windows_of(const ResidualTrack& track) {
 
 // Of a normal distribution, by the median size.
 double deviation_of(const std::vector<Window>& windows) {
-  constexpr double deviations_of_median = 1.4826;
   std::vector<double> sizes;
   sizes.reserve(windows.size());
   for (const Window& window : windows) sizes.push_back(std::abs(window.standardised()));
-  const auto middle = sizes.begin() + std::ssize(sizes) / 2;
-  std::ranges::nth_element(sizes, middle);
-  return deviations_of_median * *middle;
+  return deviations_of_median_size * median(sizes);
 }
 
 }  // namespace

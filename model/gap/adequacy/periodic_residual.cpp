@@ -5,8 +5,10 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <utility>
 
 #include "model/gap/adequacy/tail_probability.hpp"
+#include "model/statistics/order_statistics.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -83,9 +85,7 @@ double median_around(const std::vector<double>& power, std::size_t place) {
     if (i + peak < place || i > place + peak) context.push_back(power[i]);
   }
   if (context.empty()) return 0.0;
-  const auto middle = context.begin() + std::ssize(context) / 2;
-  std::ranges::nth_element(context, middle);
-  return *middle;
+  return median(std::move(context));
 }
 
 // Of the free-run error at one frequency, its line from first to last value taken out, under a Hann window.

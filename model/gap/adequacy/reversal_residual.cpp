@@ -4,7 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
+
+#include "model/statistics/order_statistics.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -112,9 +115,7 @@ double median_of(const std::vector<Window>& windows, Value value) {
   std::vector<double> values;
   values.reserve(windows.size());
   for (const Window& window : windows) values.push_back((window.*value)());
-  const auto middle = values.begin() + std::ssize(values) / 2;
-  std::ranges::nth_element(values, middle);
-  return *middle;
+  return median(std::move(values));
 }
 
 // One-sided: that the first are larger. By the normal approximation of the rank sum.

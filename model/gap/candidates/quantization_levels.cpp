@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "model/gap/candidates/command_spectrum.hpp"
+#include "model/statistics/order_statistics.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -197,9 +199,7 @@ double likeness(const WheelCommands& wheels, const EffectInfo& info, const Comma
 
 double median_size(std::vector<double> values) {
   for (double& value : values) value = std::abs(value);
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
+  return median(std::move(values));
 }
 
 struct BestSteps {
@@ -212,9 +212,8 @@ BestSteps best_of(const std::vector<CommandSteps>& steps, const WheelCommands& w
   std::vector<double> likenesses(steps.size());
   parallel_for(steps.size(), [&](std::size_t i) { likenesses[i] = likeness(wheels, info, steps[i]); });
   const auto best = std::ranges::max_element(likenesses);
-  constexpr double deviations_of_median = 1.4826;
   return {steps[static_cast<std::size_t>(best - likenesses.begin())],
-          *best >= stands_out * deviations_of_median * median_size(likenesses)};
+          *best >= stands_out * deviations_of_median_size * median_size(likenesses)};
 }
 
 // Commands that change all the time, so that there is little to learn of any one of them.

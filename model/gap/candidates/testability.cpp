@@ -11,6 +11,7 @@
 #include "model/gap/candidates/decoys.hpp"
 #include "model/gap/candidates/travel_directions.hpp"
 #include "model/gap/runs/gyro_turns.hpp"
+#include "model/statistics/significant_digits.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -93,20 +94,14 @@ std::string missing_for(const EffectInfo& info, const Contents& contents) {
   return "";
 }
 
-std::string in_digits(double value, const std::string& unit) {
-  std::ostringstream text;
-  text << std::setprecision(2) << value << " " << unit;
-  return text.str();
-}
-
 // Where no size of it would show: of what there was too little, if that can be said.
 std::string too_little_for(const EffectInfo& info, const Excitation& driven) {
   const std::string no_size = "no size within reason would show";
   const double min_m = std::min(driven.reverse_m, driven.forward_m);
   if (info.needs.turning)
-    return "the runs turn by " + in_digits(driven.turned_rad, "rad") + " in all: " + no_size;
+    return "the runs turn by " + in_digits(driven.turned_rad, 2) + " rad" + " in all: " + no_size;
   if (info.needs.reversal) {
-    return "the runs go " + in_digits(min_m, "m") +
+    return "the runs go " + in_digits(min_m, 2) + " m" +
            (driven.reverse_m < driven.forward_m ? " backward" : " forward") + " in all: " + no_size;
   }
   return no_size + " in these drives";

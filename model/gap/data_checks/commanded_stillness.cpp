@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "model/statistics/order_statistics.hpp"
+
 namespace wheelwright::gap {
 namespace {
 
@@ -28,9 +30,7 @@ double default_command_m_s(const DriveLog& log, const Freeze& freeze) {
     for (std::size_t k = freeze.first; k <= freeze.end; ++k) {
       sizes.push_back(size_of(log, k - earlier, freeze.left));
     }
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::ranges::nth_element(sizes, middle);
-    min_m_s = std::min(min_m_s, *middle);
+    min_m_s = std::min(min_m_s, median(sizes));
   }
   return min_m_s;
 }

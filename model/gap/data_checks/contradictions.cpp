@@ -10,6 +10,7 @@
 
 #include "model/gap/runs/gyro_turns.hpp"
 #include "model/log/command_timeline.hpp"
+#include "model/statistics/significant_digits.hpp"
 
 namespace wheelwright::gap {
 namespace {

@@ -15,6 +15,7 @@
 #include "model/gap/data_checks/held_reference.hpp"
 #include "model/identification/run_scales.hpp"
 #include "model/prediction/segments.hpp"
+#include "model/statistics/significant_digits.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -191,12 +192,6 @@ GatedLog gate_beside(const DriveLog& log, std::size_t frozen_elsewhere) {
 }
 
 }  // namespace
-
-std::string in_digits(double value, int digits) {
-  std::ostringstream text;
-  text << std::setprecision(digits) << value;
-  return text.str();
-}
 
 GatedLog gate(const DriveLog& log) {
   return gate_beside(log, 0);

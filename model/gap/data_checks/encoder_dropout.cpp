@@ -6,6 +6,7 @@
 
 #include "model/gap/data_checks/commanded_stillness.hpp"
 #include "model/gap/data_checks/missed_encoder_edges.hpp"
+#include "model/statistics/significant_digits.hpp"
 
 namespace wheelwright::gap {
 namespace {

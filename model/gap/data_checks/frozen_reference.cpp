@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "model/geometry/pose.hpp"
+#include "model/statistics/significant_digits.hpp"
 
 namespace wheelwright::gap {
 namespace {

@@ -30,7 +30,4 @@ struct GateState {
   }
 };
 
-// A number for a message.
-std::string in_digits(double value, int digits);
-
 }  // namespace wheelwright::gap

@@ -4,6 +4,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "model/statistics/order_statistics.hpp"
+#include "model/statistics/significant_digits.hpp"
+
 namespace wheelwright::gap {
 namespace {
 
@@ -54,11 +57,9 @@ void leave_out_repeated_poses(GateState& gate) {
   if (moving < enough_rows || apart_s.empty() ||
       static_cast<double>(held) < share_of_held * static_cast<double>(moving))
     return;
-  const auto middle = apart_s.begin() + static_cast<std::ptrdiff_t>(apart_s.size() / 2);
-  std::ranges::nth_element(apart_s, middle);
   gate.fault(repeated.front(), "the reference repeats its last pose until the next one, " +
-                                   in_digits(*middle, 2) + " s later; " + std::to_string(repeated.size()) +
-                                   " repeated poses were left out");
+                                   in_digits(median(apart_s), 2) + " s later; " +
+                                   std::to_string(repeated.size()) + " repeated poses were left out");
   for (const std::size_t row : repeated) {
     samples[row].reference_x_m.reset();
     samples[row].reference_y_m.reset();

@@ -8,6 +8,9 @@
 #include <numbers>
 #include <sstream>
 
+#include "model/statistics/order_statistics.hpp"
+#include "model/statistics/significant_digits.hpp"
+
 namespace wheelwright::gap {
 namespace {
 
@@ -28,16 +31,7 @@ struct Moment {
 };
 
 std::string number(double value) {
-  std::ostringstream text;
-  text << std::setprecision(2) << value;
-  return text.str();
-}
-
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0.0;
-  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::ranges::nth_element(values, values.begin() + at);
-  return values[static_cast<std::size_t>(at)];
+  return in_digits(value, 2);
 }
 
 std::vector<std::vector<Moment>> moments_of(const Problem& problem, const TrialModel& model) {

@@ -7,6 +7,7 @@
 
 #include "model/gap/runs/gyro_turns.hpp"
 #include "model/log/command_timeline.hpp"
+#include "model/statistics/order_statistics.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -173,8 +174,7 @@ bool far_apart(const GapRun& run) {
   for (std::size_t i = 1; i < run.references.size(); ++i) {
     between.push_back(seconds_at(run, run.references[i].at) - seconds_at(run, run.references[i - 1].at));
   }
-  std::ranges::nth_element(between, between.begin() + static_cast<std::ptrdiff_t>(between.size() / 2));
-  return between[between.size() / 2] > sparse_from_s;
+  return median(std::move(between)) > sparse_from_s;
 }
 
 // What the gyro says that the robot turned beyond its counts.

@@ -7,9 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <sstream>
+#include <utility>
 
 #include "config/load/printable_text.hpp"
 #include "config/load/text_format.hpp"
+#include "model/statistics/order_statistics.hpp"
 #include "tools/wheelwright/common/commands.hpp"
 #include "tools/wheelwright/common/json_text.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
@@ -45,12 +47,7 @@ std::optional<Steps> steps_of(const import::Stream& stream, const import::TimeMa
     if (t_s[i] > t_s[i - 1]) steps.push_back(t_s[i] - t_s[i - 1]);
   }
   if (steps.empty()) return std::nullopt;
-  const auto at = [&](double part) {
-    const auto place =
-        steps.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(steps.size() - 1));
-    std::ranges::nth_element(steps, place);
-    return *place;
-  };
+  const auto at = [&](double share) { return quantile(steps, share); };
   return Steps{at(0.05), at(0.5), at(0.95), std::ranges::max(steps)};
 }
 

@@ -12,6 +12,7 @@
 #include "model/log/near_periods.hpp"
 #include "model/log/run_periods.hpp"
 #include "model/prediction/segments.hpp"
+#include "model/statistics/order_statistics.hpp"
 #include "tools/wheelwright/common/commands.hpp"
 
 namespace wheelwright::tools {
@@ -64,10 +65,9 @@ void check_distance_of_rows(const DriveLog& run) {
     steps.push_back(run.samples[k].t_s - run.samples[k - 1].t_s);
   }
   if (steps.empty()) return;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::ranges::nth_element(steps, middle);
-  if (*middle <= longest_step_periods * run.period_s) return;
-  throw UsageError(line_of(run, 0) + ": its rows are " + config::fixed_number(*middle, 6) +
+  const double step_s = median(std::move(steps));
+  if (step_s <= longest_step_periods * run.period_s) return;
+  throw UsageError(line_of(run, 0) + ": its rows are " + config::fixed_number(step_s, 6) +
                    " s apart (median), but '# period_s' says " + plain_number(run.period_s) +
                    " s; correct it, or log every period");
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/statistics/order_statistics.hpp"
 #include "tools/wheelwright/import/conversion/counts.hpp"
 
 namespace wheelwright::import {
@@ -20,9 +21,7 @@ double large_step(std::span<const double> travel, std::span<const std::size_t> f
     if (step > 0.0) steps.push_back(step);
   }
   if (steps.size() < min_steps) return 0.0;
-  const auto at = steps.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(steps.size() - 1));
-  std::nth_element(steps.begin(), at, steps.end());
-  return *at;
+  return quantile(std::move(steps), 0.95);
 }
 
 // Most logs have no value that could begin again: they are not looked at further.

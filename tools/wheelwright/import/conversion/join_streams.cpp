@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "model/statistics/order_statistics.hpp"
+
 namespace wheelwright::import {
 namespace {
 
@@ -29,9 +31,7 @@ double longest_step(const std::vector<Sample>& samples) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < samples.size(); ++i) steps.push_back(samples[i].t_s - samples[i - 1].t_s);
   if (steps.empty()) return 0.0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return std::max(hole_s, hole_in_steps * *middle);
+  return std::max(hole_s, hole_in_steps * median(steps));
 }
 
 // The row nearest to a time.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "config/load/text_format.hpp"
+#include "model/statistics/order_statistics.hpp"
 
 namespace wheelwright::import {
 namespace {
@@ -15,12 +16,6 @@ constexpr double max_apart_in_steps = 3.0;  // stamps from even times
 constexpr std::size_t half_window = 4;      // rows on each side that tell the speed at a row
 // By how much the travel has to go by rows rather than by stamps: ratio of the sums of squares.
 constexpr double smoother_by = 0.5;
-
-double percentile(std::vector<double> values, double part) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
 
 struct Roughness {
   double sum = 0.0;
@@ -87,11 +82,11 @@ std::optional<EvenStamps> even_stamps(std::span<const double> t_s, std::span<con
   std::vector<double> steps;
   for (std::size_t i = 1; i < t_s.size(); ++i) steps.push_back(t_s[i] - t_s[i - 1]);
   EvenStamps result;
-  result.shortest_s = percentile(steps, 0.05);
-  result.longest_s = percentile(steps, 0.95);
+  result.shortest_s = quantile(steps, 0.05);
+  result.longest_s = quantile(steps, 0.95);
   if (result.longest_s < uneven_from * result.shortest_s) return std::nullopt;
   // Between holes; the median of steps in bunches says little, their mean does.
-  const double median_s = percentile(steps, 0.5);
+  const double median_s = quantile(steps, 0.5);
   double sum_s = 0.0;
   double count = 0.0;
   for (const double step : steps) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "model/statistics/order_statistics.hpp"
 #include "tools/wheelwright/import/conversion/time_units.hpp"
 #include "tools/wheelwright/import/inference/column_names.hpp"
 #include "tools/wheelwright/import/inference/name_words.hpp"
@@ -30,9 +31,7 @@ bool agree(const std::vector<double>& stamps, const std::vector<double>& receive
     if (std::isfinite(stamps[i])) differences.push_back(std::abs(received_s[i] - stamps[i]));
   }
   if (differences.size() < stamps.size()) return false;
-  const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
-  std::nth_element(differences.begin(), middle, differences.end());
-  return middle != differences.end() && *middle < max_between_stamps_s;
+  return !differences.empty() && median(std::move(differences)) < max_between_stamps_s;
 }
 
 // A time of day goes on past midnight.

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "config/load/text_format.hpp"
+#include "model/statistics/order_statistics.hpp"
 
 namespace wheelwright::import {
 namespace {
@@ -17,17 +19,6 @@ constexpr double hole_s = 10.0;
 constexpr double restart_below_s = 1.0;
 constexpr std::size_t max_out_of_order = 5;  // rows by which one may be late
 constexpr std::size_t max_remarks = 5;       // of a kind, with their places
-
-double median_step(std::span<const double> t_s) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < t_s.size(); ++i) {
-    if (t_s[i] > t_s[i - 1]) steps.push_back(t_s[i] - t_s[i - 1]);
-  }
-  if (steps.empty()) return 0.0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
-}
 
 // Says the first few of a kind, and how many there are.
 class Kind {
@@ -50,7 +41,7 @@ class Kind {
 class Repair {
  public:
   Repair(std::span<const double> t_s, const RowQuestions& ask) : stamps_s_(t_s), ask_(ask) {
-    pause_s_ = std::max(longest_pause_s, longest_pause_steps * median_step(t_s));
+    pause_s_ = std::max(longest_pause_s, longest_pause_steps * median_step_s(t_s));
     result_.t_s.assign(t_s.begin(), t_s.end());
   }
 
@@ -161,6 +152,14 @@ class Repair {
 };
 
 }  // namespace
+
+double median_step_s(std::span<const double> t_s) {
+  std::vector<double> steps_s;
+  for (std::size_t i = 1; i < t_s.size(); ++i) {
+    if (t_s[i] > t_s[i - 1]) steps_s.push_back(t_s[i] - t_s[i - 1]);
+  }
+  return steps_s.empty() ? 0.0 : median(std::move(steps_s));
+}
 
 std::size_t spread_coarse_stamps(std::vector<double>& t_s) {
   std::size_t repeated = 0;

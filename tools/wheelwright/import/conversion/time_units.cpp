@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "model/statistics/order_statistics.hpp"
+
 namespace wheelwright::import {
 namespace {
 
@@ -37,9 +39,7 @@ Numbers examine(const std::vector<double>& times) {
     last = t;
   }
   if (steps.empty()) return numbers;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  numbers.step = *middle;
+  numbers.step = median(steps);
   return numbers;
 }
 

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "model/statistics/order_statistics.hpp"
+
 namespace wheelwright::import {
 
 double evenness(const std::vector<double>& values) {
@@ -14,12 +16,7 @@ double evenness(const std::vector<double>& values) {
     if (std::isfinite(step)) steps.push_back(step);
   }
   if (steps.size() + 10 < values.size() || steps.size() < 2) return 0.0;
-  const auto at = [&](double part) {
-    const auto place =
-        steps.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(steps.size() - 1));
-    std::ranges::nth_element(steps, place);
-    return *place;
-  };
+  const auto at = [&](double share) { return quantile(steps, share); };
   return at(0.02) > 0.0 ? at(0.1) / at(0.9) : 0.0;
 }
 

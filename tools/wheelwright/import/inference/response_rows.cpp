@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "model/statistics/order_statistics.hpp"
 #include "tools/wheelwright/import/conversion/run_repair.hpp"
 #include "tools/wheelwright/import/conversion/stamps.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
@@ -23,9 +25,7 @@ double median_step_of(const std::vector<double>& t_s, const Column& values) {
     last_s = t_s[i];
   }
   if (steps.empty()) return 0.0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return median(std::move(steps));
 }
 
 // Measured speed per row from travel or speeds; commands as they were in force before each row.
