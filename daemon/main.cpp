@@ -38,7 +38,7 @@ void describe(CLI::App& app, Options& options) {
       ->required();
   app.add_option("--device", options.device, "serial port of the robot, instead of link.device");
   app.add_option("--commands", options.commands_file,
-                 "drive the commands of this drive log as they stand, such as next_experiment.csv of "
+                 "drive the commands of this drive log unchanged, such as next_experiment.csv of "
                  "'wheelwright gap', instead of calibrating and driving a route");
   app.add_option("--status", options.status_file,
                  "write how things are to this file every second, for 'wheelwright status' (service: "

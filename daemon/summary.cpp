@@ -106,7 +106,7 @@ void add_route(Table& table, const config::DaemonConfig& config, const LogReport
 void add_commanded_drive(Table& table, const config::DaemonConfig& config, const LogReport& log) {
   if (!config.commanded_drive || !log.last_driven_record) return;
   const PoseRecord& last = *log.last_driven_record;
-  table.title("Commands of '" + config.commanded_drive->name + "', given as they stand");
+  table.title("Commands of '" + config.commanded_drive->name + "', as given");
   const auto end = [&](const std::string& by, const Pose& pose) {
     table.row("end by " + by, "x {:.3f} m, y {:.3f} m, heading {:.1f} deg", pose.x_m, pose.y_m,
               pose.theta_rad * 180.0 / std::numbers::pi);

@@ -177,7 +177,7 @@ void read_run(YamlReader& file, DaemonConfig& config) {
         load_commands(run->existing_file("commands"), config.limits.largest_wheel_speed_m_s);
   }
   if (config.route && config.commanded_drive)
-    run->fail("commands", "stands beside a route; keep one of them");
+    run->fail("commands", "is given together with a route; keep one of them");
   config.pose_source = run->choice<PoseSource>("pose_source",
                                                {{"fir", PoseSource::fir},
                                                 {"arma", PoseSource::arma},

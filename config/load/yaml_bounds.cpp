@@ -21,7 +21,7 @@ class ValueCounter final : public YAML::EventHandler {
   }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto known = values_of_.find(anchor);
-    if (known == values_of_.end()) throw YAML::ParserException(mark, "an alias must not stand for itself");
+    if (known == values_of_.end()) throw YAML::ParserException(mark, "an alias must not refer to itself");
     add(mark, known->second);
   }
   void OnSequenceStart(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t anchor,

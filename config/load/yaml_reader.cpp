@@ -79,7 +79,7 @@ struct YamlReader::Node {
       if (!entry.first.IsScalar()) fail_at(entry.first.Mark(), "a key must be a word");
       const std::string& key = entry.first.Scalar();
       if (!seen.insert(key).second) {
-        fail_at(entry.first.Mark(), "'" + excerpt(key) + "' stands here a second time; keep one");
+        fail_at(entry.first.Mark(), "'" + excerpt(key) + "' occurs here a second time; keep one");
       }
     }
   }

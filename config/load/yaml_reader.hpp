@@ -2,8 +2,12 @@
 // not asked for is an error that names the nearest right key. Every error says file, line and column.
 //
 //   YamlReader file = YamlReader::load("robot.yaml");
-//   config.period_s = file.number("period_s", {0.005, 0.5, "s"}, config.period_s);   // optional, with its
-//   default if (auto wheels = file.section("wheels")) { ...; wheels->finish(); } file.finish();
+//   config.period_s = file.number("period_s", {0.005, 0.5, "s"}, config.period_s);  // optional
+//   if (auto wheels = file.section("wheels")) {
+//     ...
+//     wheels->finish();
+//   }
+//   file.finish();
 #pragma once
 
 #include <cstdint>

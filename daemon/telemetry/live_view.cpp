@@ -76,7 +76,7 @@ LiveView::LiveView(const config::DaemonConfig& config, roomba::Session& session,
                                               live_view.token, config.robot_name, session_id, page()},
                                  std::move(hooks));
   } catch (const std::exception& error) {
-    spdlog::warn("no live view: {} is not to be had ({}); live_view.port says another", where(live_view),
+    spdlog::warn("no live view: {} is not available ({}); live_view.port says another", where(live_view),
                  error.what());
     return;
   }

@@ -1,13 +1,12 @@
-// What a linear model of a robot lacks: physical effects that stand before, behind and around its linear
-// part.
+// What a linear model of a robot lacks: physical effects before, after and around its linear part.
 //
 //   command -> [command effects] -> linear part -> [wheel effects] -> what the encoders count
-//           -> [floor effects] -> rolling on the floor -> [body effects] -> motion -> [observation] ->
-//           reference
+//           -> [floor effects] -> rolling on the floor -> [body effects] -> motion
+//           -> [observation] -> reference
 //
 // An effect is a small block with a name, a cause, and parameters with units and bounds. It is one file in
 // this folder: a class that overrides the hook of its stage, and a function of the file's own name that
-// returns its EffectInfo. The build finds the file (model/CMakeLists.txt); nothing else has to be told of it.
+// returns its EffectInfo. The build finds the file (model/CMakeLists.txt); nothing else needs a change.
 #pragma once
 
 #include <functional>

@@ -23,7 +23,7 @@ EffectInfo effective_track() {
           "the distance between wheels that turning shows is not the given one",
           "Wide or soft tyres touch the floor elsewhere than in the middle. The same ratio at every turn "
           "rate, which "
-          "tells it from scrub.",
+          "distinguishes it from scrub.",
           {{"", EffectStage::body}},
           {{"excess",
             "m",

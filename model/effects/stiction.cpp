@@ -58,7 +58,7 @@ EffectInfo stiction() {
         false},
        {"sticking_speed",
         "m/s",
-        "at which friction has risen so far that a moving wheel stands (Stribeck)",
+        "at which friction has risen so far that a moving wheel stops (Stribeck)",
         0.0005,
         0.1,
         {0.002, 0.012},

@@ -41,7 +41,7 @@ EffectInfo transport_delay() {
       "transport_delay",
       "more delay than the linear model holds",
       "Radio, USB or buffering between the program and the motors. A pure shift in time; fast changes of the "
-      "command tell it from lag.",
+      "command distinguish it from lag.",
       {{"", EffectStage::command}},
       {{"delay",
         "s",

@@ -31,9 +31,9 @@ class YawBias final : public EffectOf<YawBias> {
 EffectInfo yaw_bias() {
   return {"yaw_bias",
           "the robot turns when it should not, at a constant rate while driving",
-          "A dragging brush or caster. The same rate at any speed and in both directions, which tells it "
-          "from unequal "
-          "wheels. 'driving': while it goes forward or back, 'moving': in turns on the spot too.",
+          "A dragging brush or caster. The same rate at any speed and in both directions, which "
+          "distinguishes it from unequal wheels. 'driving': while it goes forward or back, 'moving': in "
+          "turns on the spot too.",
           {{"driving", EffectStage::body}, {"moving", EffectStage::body}},
           {{"rate",
             "rad/s",

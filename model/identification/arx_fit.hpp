@@ -7,13 +7,13 @@
 // of one wheel is a pole of both.
 //
 // Two methods:
-//   * equation_error: the paper's. Linear least squares on measured past speeds (ArxAccumulator). A
-//   difference
-//     of counts is mostly noise (one tick is 24-28 mm/s), and noise on the regressors biases the result.
-//   * free_run: starts from there and makes the model's own recursion, fed with commands alone, agree with
-//   wheel
-//     travel undifferenced (free_run_refinement.hpp). This is what the model is used for, so it is the
-//     default.
+//
+// equation_error, the paper's: linear least squares on measured past speeds (ArxAccumulator). A difference of
+// counts is mostly noise (one tick is 24-28 mm/s), and noise on the regressors biases the result.
+//
+// free_run, the default: starts from there and makes the model's own recursion, fed with commands alone,
+// agree with the wheel travel itself, not its differences (free_run_refinement.hpp). This is what the model
+// is used for.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Commands that are given as they stand: what a gap analysis wants to know next is a drive of the daemon.
+// Commands that are as given: what a gap analysis wants to know next is a drive of the daemon.
 #include "config/load/drive_log_file.hpp"
 #include "tests/loopback/bench/bench.hpp"
 #include "tests/support/catch.hpp"
@@ -26,7 +26,7 @@ TEST_CASE("The daemon drives the commands of a log instead of its route, and its
   const auto commands = bench.write("next.csv", both_ways_round);
   const auto daemon = start_with_commands(bench, bench.configure({}), commands);
   REQUIRE(daemon->wait(30s) == 0);
-  CHECK_THAT(daemon->out(), ContainsSubstring("Commands of 'next.csv', given as they stand"));
+  CHECK_THAT(daemon->out(), ContainsSubstring("Commands of 'next.csv', as given"));
 
   const Table log = bench.drive_log();
   int one_way = 0;

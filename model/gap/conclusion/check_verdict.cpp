@@ -29,7 +29,7 @@ void apply_check(GapAnalysis& analysis) {
     return;
   }
   const bool has_names = !analysis.found.empty();
-  analysis.summary += has_names ? " And something else: " : " What stands out most: ";
+  analysis.summary += has_names ? " And something else: " : " The largest: ";
   analysis.summary += failed.sentence + ".";
   if (analysis.verdict == Verdict::unnamed && analysis.where.empty()) analysis.where = {regime};
 }

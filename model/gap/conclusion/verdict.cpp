@@ -27,7 +27,7 @@ Judgement of_findings(const std::vector<Finding>& found) {
   const auto doubtful = std::ranges::find_if(found, [](const Finding& one) { return one.posterior < sure; });
   if (doubtful != found.end()) {
     return {Verdict::ambiguous,
-            "Something is missing, but these runs do not tell " + doubtful->setting.name + " from " +
+            "Something is missing, but these runs do not distinguish " + doubtful->setting.name + " from " +
                 (doubtful->rivals.empty() ? std::string("others") : doubtful->rivals.front().effect) + "."};
   }
   Judgement named{Verdict::named, "Missing:"};
@@ -138,7 +138,7 @@ std::string gains_in_words(const TrialModel& model) {
              " than it drives";
   }
   if (!words.empty())
-    words += " by the same commands; these logs do not tell why, and the linear part holds it.";
+    words += " by the same commands; these logs do not show why, and the linear part contains it.";
   return words;
 }
 
@@ -147,10 +147,10 @@ constexpr double default_gyro_scale = 0.05;
 
 std::string gyro_scale_in_words(double scale) {
   std::ostringstream words;
-  words << "The gyro tells of " << (std::abs(scale) < largest_gyro_scale ? "" : "at least ")
+  words << "The gyro shows " << (std::abs(scale) < largest_gyro_scale ? "" : "at least ")
         << std::setprecision(2) << 100.0 * std::abs(scale) << " % " << (scale > 0.0 ? "more" : "less")
         << " turn than the counts: the wheel base or the gyro's scale is off, and only turns against an "
-        << "outside mark tell which.";
+        << "outside mark show which.";
   return words.str();
 }
 

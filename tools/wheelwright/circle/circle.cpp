@@ -249,7 +249,7 @@ Action add_circle(CLI::App& app) {
   command->add_option("--laps", options->laps, "Drives of the route by each model")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  command->add_option("-o,--output", options->output, "Folder for everything that comes of it")->required();
+  command->add_option("-o,--output", options->output, "Folder for all results")->required();
   command->add_flag("--json", options->json, "As JSON");
   command->footer(
       "All on the virtual clock. Offsets are true distances from start to end of the route, driven by the\n"

@@ -62,7 +62,7 @@ ExitStatus run_doctor(const DoctorOptions& options, Streams streams) {
 Action add_doctor(CLI::App& app) {
   const auto options = std::make_shared<DoctorOptions>();
   CLI::App* command =
-      app.add_subcommand("doctor", "What stands between this machine and a robot that drives");
+      app.add_subcommand("doctor", "Checks this machine and its robot, and says what to mend");
   command->add_option("--device", options->device,
                       "Serial port of the robot (default: link.device of the configuration, /dev/roomba)");
   command->add_option("--config", options->config,

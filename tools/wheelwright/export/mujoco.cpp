@@ -18,10 +18,10 @@ constexpr std::array<std::string_view, 5> mujoco_put_without_delay{
 
 constexpr std::array<UnsaidReason, 21> mujoco_reasons{{
     {"acceleration_slip",
-     "slip comes of the contact of wheel and ground, which has no parameter in acceleration"},
+     "slip results from the contact of wheel and ground, which has no parameter in acceleration"},
     {"asymmetric_response", "an actuator is as quick both ways"},
     {"backlash", "it takes two joints with a gap between them, in the body's own tree"},
-    {"caster_kick", "it comes of the caster's own body and joints, where the model has one"},
+    {"caster_kick", "it results from the caster's own body and joints, where the model has one"},
     {"command_quantization", "controls are continuous"},
     {"dead_zone", "an actuator passes every control"},
     {"direction_gain", "an actuator has one gain both ways"},
@@ -34,8 +34,8 @@ constexpr std::array<UnsaidReason, 21> mujoco_reasons{{
     {"stiction", "frictionloss is as large at rest as in motion"},
     {"surface_patch", "it is a property of the world: give that place a geometry with friction of its own"},
     {"transport_delay", "an actuator has a delay from MuJoCo 3.5 on, and the file is to be for an older one"},
-    {"turn_scrub", "it comes of the contact of wheel and ground, and has no parameter in turn rate"},
-    {"turn_speed_loss", "it comes of the contact of wheel and ground, and has no parameter in turn rate"},
+    {"turn_scrub", "it results from the contact of wheel and ground, and has no parameter in turn rate"},
+    {"turn_speed_loss", "it results from the contact of wheel and ground, and has no parameter in turn rate"},
     {"voltage_sag", "an actuator has no supply voltage"},
     {"wheel_eccentricity", "move the joint in the wheel's own body; there is no parameter for it"},
     {"yaw_bias", "there is no disturbance on the body"},

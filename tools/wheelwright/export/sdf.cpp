@@ -15,10 +15,10 @@ constexpr std::array<std::string_view, 6> sdf_put_with_torque{
 
 constexpr std::array<UnsaidReason, 22> sdf_reasons{{
     {"acceleration_slip",
-     "slip comes of the contact of wheel and ground, which has no parameter in acceleration"},
+     "slip results from the contact of wheel and ground, which has no parameter in acceleration"},
     {"asymmetric_response", "the plugin sets speeds at once, both ways alike"},
     {"backlash", "a joint has no play"},
-    {"caster_kick", "it comes of the caster's own links and joints, where the world has one"},
+    {"caster_kick", "it results from the caster's own links and joints, where the world has one"},
     {"command_quantization", "commands of the plugin are continuous"},
     {"coulomb_friction",
      "joints take torques and the model knows speeds; export it with the inertia of a wheel"},
@@ -32,8 +32,8 @@ constexpr std::array<UnsaidReason, 22> sdf_reasons{{
     {"stiction", "joints take torques and the model knows speeds; export it with the inertia of a wheel"},
     {"surface_patch", "it is a property of the world: give that place a surface of its own"},
     {"transport_delay", "the plugin acts on a command at once"},
-    {"turn_scrub", "it comes of the contact of wheel and ground, and has no parameter in turn rate"},
-    {"turn_speed_loss", "it comes of the contact of wheel and ground, and has no parameter in turn rate"},
+    {"turn_scrub", "it results from the contact of wheel and ground, and has no parameter in turn rate"},
+    {"turn_speed_loss", "it results from the contact of wheel and ground, and has no parameter in turn rate"},
     {"voltage_sag", "the plugin has no supply voltage"},
     {"wheel_eccentricity", "the plugin's wheels are round; move the axle in the wheel's own link"},
     {"wheel_scale_mismatch", "the plugin has one radius for both wheels"},

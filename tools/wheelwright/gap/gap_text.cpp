@@ -29,8 +29,8 @@ void print_finding(std::ostream& out, const gap::Finding& found) {
     }
     out << (parameters[i].unit == "1" ? "" : " " + parameters[i].unit) << "\n";
   }
-  out << "    on held-out runs " << fixed_number(found.heldout_gain_nats, 1)
-      << " nats more likely than without; probability " << fixed_number(found.posterior, 3);
+  out << "    log likelihood of held-out runs higher by " << fixed_number(found.heldout_gain_nats, 1)
+      << "; probability " << fixed_number(found.posterior, 3);
   for (std::size_t i = 0; i < found.rivals.size() && i < 2; ++i) {
     if (found.rivals[i].posterior > 0.001) {
       out << ", " << found.rivals[i].effect << " " << fixed_number(found.rivals[i].posterior, 3);
@@ -105,7 +105,7 @@ std::string late_references_text(const gap::GapAnalysis& analysis) {
   const double late_s = analysis.search.final.model.reference_lag_s();
   if (std::abs(late_s) < min_s) return "";
   const bool by_gyro = analysis.search.final.model.shape.gyro_scaled;
-  return std::string(by_gyro ? "The gyro tells" : "Reference poses tell") + " of the robot " +
+  return std::string(by_gyro ? "The gyro shows" : "Reference poses show") + " the robot " +
          fixed_number(1000.0 * std::abs(late_s), 0) + " ms " + (late_s > 0.0 ? "later" : "earlier") +
          " than the counts do, which the figures allow for.";
 }
@@ -114,7 +114,7 @@ std::string experiment_text(const gap::NextExperiment& next) {
   const auto named = [](const std::string& name) { return name == "nothing" ? "nothing missing" : name; };
   std::string text = "Drive " + next.manoeuvre + " (" + fixed_number(next.seconds, 0) + " s): it separates " +
                      named(next.separates[0]) + " from " + named(next.separates[1]) + " by " +
-                     fixed_number(next.nats, 0) + " nats";
+                     fixed_number(next.nats, 0) + " of log likelihood";
   if (next.makes_testable.size() > 1) {
     text += ", and makes testable:";
     for (const auto& name : next.makes_testable) text += " " + name;

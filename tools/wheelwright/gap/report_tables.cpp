@@ -46,8 +46,9 @@ std::string finding(const gap::Finding& found) {
                     unit_text(parameter.unit), parameter.meaning});
   }
   text += html::table({"parameter", "value", "95 % interval", "unit", "meaning"}, rows);
-  text += html::element("p", "On held-out runs " + fixed_number(found.heldout_gain_nats, 1) +
-                                 " nats of log likelihood more than without it (corrected for correlation); "
+  text += html::element("p", "With it the log likelihood of held-out runs is higher by " +
+                                 fixed_number(found.heldout_gain_nats, 1) +
+                                 " (corrected for correlation); "
                                  "probability of this name " +
                                  fixed_number(found.posterior, 3) + ".");
   Rows rivals;
@@ -121,13 +122,13 @@ std::string selection_steps(const std::vector<gap::SelectionStep>& list, const s
                       fixed_number(candidate.train_nats, 1), fixed_number(candidate.heldout_nats, 1),
                       fixed_number(candidate.autocorrelation_factor, 1), fixed_number(candidate.score, 1)});
     }
-    const std::string summary = title + " " + std::to_string(i + 1) + ": who could be added to " +
+    const std::string summary = title + " " + std::to_string(i + 1) + ": effects that could be added to " +
                                 present_effects(list[i].without.model);
-    text += "<details" + std::string(i == 0 && title == "Round" ? " open" : "") + "><summary>" +
+    text += "<details" + std::string(i == 0 && title == "Step" ? " open" : "") + "><summary>" +
             html::escaped(summary) + "</summary>\n" +
             (rows.empty() ? html::element("p", "No effect was worth a fit.")
-                          : html::table({"effect", "", "parameters", "training nats", "held-out nats",
-                                         "inflation", "score"},
+                          : html::table({"effect", "", "parameters", "training gain", "held-out gain",
+                                         "autocorrelation factor", "score"},
                                         rows)) +
             "</details>\n";
   }
@@ -193,18 +194,19 @@ std::string residual_section(const std::optional<gap::ResidualTable>& table) {
           percent(table->explained) +
           " of its variance. This is a tabulated correction, not an explanation: it was not added to "
           "model.yaml.</p>\n";
-  return section("What is left, over " + table->over + " (tabulated correction)", text);
+  return section("Residuals over " + table->over + " (tabulated correction)", text);
 }
 
 std::string search_section(const gap::GapAnalysis& analysis) {
-  std::string text = selection_steps(analysis.search.selection_steps, "Round") +
+  std::string text = selection_steps(analysis.search.selection_steps, "Step") +
                      selection_steps(analysis.search.checks, "Check");
   if (text.empty()) return "";
   return section(
       "The search",
-      "<p class=\"quiet\">Nats are gains of log likelihood over the model without the effect; inflation is "
-      "by how much correlation makes them look too large; the score is both gains, deflated, less the price "
-      "of the parameters. Decoys have no name and no cause: a name must beat them. Checks: each accepted "
+      "<p class=\"quiet\">Gains are of log likelihood, over the model without the effect; autocorrelated "
+      "residuals "
+      "overstate them by the factor; the score is the sum of both, divided by it, less a penalty for "
+      "the parameters. Decoys have no name and no cause: a name must beat them. Checks: each accepted "
       "effect taken out again, and who would take its place.</p>\n" +
           text);
 }

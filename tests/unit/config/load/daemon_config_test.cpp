@@ -133,7 +133,7 @@ TEST_CASE("Commands are read from a drive log beside the configuration, and kept
              ContainsSubstring("forth_and_back.csv:5: commands 0.2 m/s, more than limits.largest_speed_m_s"));
   CHECK_THAT(error_of("run:\n  commands: forth_and_back.csv\n"
                       "  route: {name: there, checkpoints: [[0.5, 0.25]]}\n"),
-             ContainsSubstring("'commands' stands beside a route"));
+             ContainsSubstring("'commands' is given together with a route"));
 }
 
 TEST_CASE("Commands in the configuration itself that are no drive are refused") {

@@ -53,9 +53,9 @@ TEST_CASE("An unknown key is an error that names the nearest right one") {
         "robot.yaml:1:1: unknown key 'period_ms'; did you mean 'period_s'?");
 }
 
-TEST_CASE("A key that stands twice is refused") {
+TEST_CASE("A key that occurs twice is refused") {
   CHECK(error_of([] { YamlReader::parse("a: 1\na: 2\n", "robot.yaml"); }) ==
-        "robot.yaml:2:1: 'a' stands here a second time; keep one");
+        "robot.yaml:2:1: 'a' occurs here a second time; keep one");
 }
 
 TEST_CASE("A missing key, a wrong word and a wrong type are each refused with their place") {
@@ -110,7 +110,7 @@ TEST_CASE("YAML that is nested too deep, or in itself, is refused with its place
                ContainsSubstring("robot.yaml:1:") && ContainsSubstring("is nested deeper than 64 levels"));
   }
   CHECK_THAT(error_of([] { YamlReader::parse("a: &a [*a]\n", "robot.yaml"); }),
-             ContainsSubstring("an alias must not stand for itself"));
+             ContainsSubstring("an alias must not refer to itself"));
 }
 
 TEST_CASE("A value is quoted in a message as far as it helps, and printable") {

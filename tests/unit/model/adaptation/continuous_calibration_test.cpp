@@ -48,7 +48,8 @@ const std::vector<SensorFrame>& drive_onto_carpet() {
 
 }  // namespace
 
-TEST_CASE("Driving straight corrects what it shows and leaves the rest, and standing for an hour shows nothing") {
+TEST_CASE(
+    "Driving straight corrects what it shows and leaves the rest, and standing for an hour shows nothing") {
   // Both wheels roll 3 % further than the model says.
   for (const double speed_m_s : {0.0, 0.2}) {
     ModelAdaptation adaptation(calibrated(), at_rest(calibrated()));

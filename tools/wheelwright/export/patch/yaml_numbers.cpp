@@ -145,7 +145,7 @@ void YamlNumbers::insert(const Addition& addition, std::size_t behind) {
   const std::size_t key = offset_of(first);
   const auto indent = indent_at(text_, key);
   if (addition.mapping.Style() == YAML::EmitterStyle::Flow || !indent) {
-    fail(first, "stands in a mapping in braces or in a list, to which " + addition.lines.front().key +
+    fail(first, "is in a mapping in braces or in a list, to which " + addition.lines.front().key +
                     " is not added; write one key a line");
   }
   const std::string line_break = line_break_of(text_);

@@ -2,31 +2,24 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/counts.hpp"
 #include "tools/wheelwright/import/conversion/missing_keys.hpp"
 #include "tools/wheelwright/import/conversion/run_maker.hpp"
 #include "tools/wheelwright/import/conversion/run_repair.hpp"
+#include "tools/wheelwright/import/conversion/time_repair.hpp"
 
 namespace wheelwright::import {
 namespace {
-
-double median_step(const std::vector<double>& times_s) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < times_s.size(); ++i) steps.push_back(times_s[i] - times_s[i - 1]);
-  if (steps.empty()) return 0.0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
-}
 
 // Rows may be missing, or lie between the periods, but not by the hundred.
 std::string period_contradiction(const DriveLog& log) {
   constexpr double max_off = 50.0;
   std::vector<double> t_s;
   for (const auto& sample : log.samples) t_s.push_back(sample.t_s);
-  const double step_s = median_step(t_s);
+  const double step_s = median_step_s(t_s);
   if (log.period_s <= max_off * step_s && step_s <= max_off * log.period_s) return {};
   return "rows are " + config::plain_number(step_s) + " s apart (median), but the period is said to be " +
          config::plain_number(log.period_s) +

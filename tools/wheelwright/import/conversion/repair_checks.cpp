@@ -102,7 +102,7 @@ std::optional<std::string> find_repair(const DriveLog& run) {
   for (const auto side : {&WheelTicks::left, &WheelTicks::right}) {
     const auto counts = counts_of(run, side);
     if (wrapped_bits(counts)) return "a counter that wraps";
-    if (is_log_on_change(counts)) return "counts that stand only where they changed";
+    if (is_log_on_change(counts)) return "counts that are written only where they changed";
     if (!counter_resets(counts).empty()) return "counts that start again from zero";
   }
   if (has_bunched_stamps(run, counts_of(run, &WheelTicks::left))) return "stamps in bunches";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/missing_keys.hpp"
@@ -24,15 +25,6 @@ constexpr double one_wheel_base_m = 1.0;
 std::optional<double> value(const Column& column, std::size_t row) {
   if (column.empty() || !std::isfinite(column[row])) return std::nullopt;
   return column[row];
-}
-
-double median_step(const std::vector<double>& times_s) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < times_s.size(); ++i) steps.push_back(times_s[i] - times_s[i - 1]);
-  if (steps.empty()) return 0.0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
 }
 
 double gyro_in_rad_s(const ScalarMapping& gyro) {
@@ -87,7 +79,7 @@ class RunMaker {
   void name_holes(const RunRows& rows, const std::vector<double>& t_s,
                   std::vector<std::string>& remarks) const {
     constexpr std::size_t max_named = 5;
-    const double longest_s = std::max(0.3, 5.0 * median_step(t_s));
+    const double longest_s = std::max(0.3, 5.0 * median_step_s(t_s));
     std::size_t count = 0;
     for (std::size_t i = 1; i < t_s.size(); ++i) {
       if (t_s[i] - t_s[i - 1] <= longest_s || ++count > max_named) continue;
@@ -218,9 +210,9 @@ class RunMaker {
       if (sample.reference_x_m || sample.reference_theta_rad) placed.push_back(sample.t_s);
     }
     // To a tenth of a microsecond: stamps have no more.
-    return std::round(1e7 * median_step(counted.size() > 2  ? counted
-                                        : placed.size() > 2 ? placed
-                                                            : all)) /
+    return std::round(1e7 * median_step_s(counted.size() > 2  ? counted
+                                          : placed.size() > 2 ? placed
+                                                              : all)) /
            1e7;
   }
 

@@ -1,5 +1,5 @@
 // What the clock of a log says, made a time that rises: rows that were written out of order are sorted, a
-// stamp that stands twice is dropped, and where the clock was set or the log pauses a new run begins. Nothing
+// stamp that occurs twice is dropped, and where the clock was set or the log pauses a new run begins. Nothing
 // is joined across such a place, so that the time spent on a run does not grow with a hole.
 #pragma once
 
@@ -31,6 +31,9 @@ struct RowQuestions {
   std::function<bool(std::size_t, std::size_t)> are_alike;  // but for the time
   std::function<bool(std::size_t)> is_at_rest;              // whether the robot is asked to stand
 };
+
+// Of the steps forward; 0 where there are none.
+double median_step_s(std::span<const double> t_s);
 
 TimeRepair repair_time(std::span<const double> t_s, const RowQuestions& rows);
 

@@ -126,7 +126,8 @@ class TravelReader {
   void unwrap_counts(Column& values, std::size_t side, const std::string& which) {
     if (is_log_on_change(values)) {
       fill_down(values);
-      if (side == 0) say("counts stand only where they changed; a blank is taken for the count above it");
+      if (side == 0)
+        say("counts are written only where they changed; a blank is taken for the count above it");
     }
     if (wheels_.bits && wheels_.unwrap_by_command) {
       if (unwrap_fast(values, side)) return;

@@ -31,7 +31,8 @@ void add_doubts(const DriveColumns& columns, const Mapping& mapping, std::vector
   const double gained = other[0].nats + other[1].nats - own[0].nats - own[1].nats;
   if (!columns.command[1].empty() && gained > 20.0 && other[0].explained > 0.5 && other[1].explained > 0.5) {
     doubts.push_back("the sides are swapped: each wheel follows the command of the other (" +
-                     config::fixed_number(gained, 0) + " nats); exchange wheels.left and wheels.right");
+                     config::fixed_number(gained, 0) +
+                     " of log likelihood); exchange wheels.left and wheels.right");
     return;
   }
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {

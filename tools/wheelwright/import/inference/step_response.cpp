@@ -161,7 +161,7 @@ void find_step(const Stream& stream, const std::vector<double>& t_s,
   mapping.command = CommandMapping{};
   mapping.command->kind = CommandKind::duty;
   mapping.command->first = {stream.name, command->name};
-  findings.push_back("the command is " + column_in_words(*command) + ", which stands at " +
+  findings.push_back("the command is " + column_in_words(*command) + ", which is at " +
                      plain_number(constant_of(command->values)));
 }
 

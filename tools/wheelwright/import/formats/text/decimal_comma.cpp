@@ -99,8 +99,7 @@ CommaVerdict judge_comma(const TextSample& sample, const Dialect& dialect,
   if (pairs.width == 2 && (names == 1 || pairs.have_zeros)) {
     return {CommaMeaning::decimal,
             "the comma is taken for the decimal sign of one column (" +
-                std::string(names == 1 ? "there is one name above it" : "zeros stand behind it, as in 1,05") +
-                ")"};
+                std::string(names == 1 ? "there is one name above it" : "zeros follow it, as in 1,05") + ")"};
   }
   // A counter beside another does not fall whenever that goes up by one.
   constexpr std::size_t min_carries = 3;
@@ -108,7 +107,7 @@ CommaVerdict judge_comma(const TextSample& sample, const Dialect& dialect,
     return {
         CommaMeaning::decimal,
         "the comma is taken for the decimal sign of one column: as such its numbers never fall, while what "
-        "stands behind it starts again whenever what stands before it goes up by one"};
+        "follows it starts again whenever what precedes it goes up by one"};
   }
   if (pairs.width > 2 && (names == pairs.width / 2 || pairs.have_many)) {
     return {CommaMeaning::both, "the comma seems to be both the separator and the decimal sign (" +
