@@ -30,7 +30,7 @@ constexpr double restart_below_s = 1.0;
 constexpr std::size_t max_rows = 10'000'000;  // two days of 18 ms
 constexpr std::size_t max_heads = 1'000'000;  // columns and lines of metadata, times runs
 constexpr double max_off_period = 50.0;
-constexpr std::size_t fewest_for_period = 5;
+constexpr std::size_t min_rows_for_period = 5;
 
 string_view trim(string_view text) {
   constexpr string_view blanks = " \t\r";
@@ -259,7 +259,7 @@ class Parser {
 
   // Rows may be missing, or lie between the periods, but not by the hundred.
   void check_period(const DriveLog& run) const {
-    if (run.samples.size() < fewest_for_period) return;
+    if (run.samples.size() < min_rows_for_period) return;
     const double step_s = median_step(run);
     if (run.period_s <= max_off_period * step_s && step_s <= max_off_period * run.period_s) return;
     throw LogError(name_ + ":" + std::to_string(run.first_line) + ": its rows are " + plain_number(step_s) +

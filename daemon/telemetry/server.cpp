@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "daemon/telemetry/connection.hpp"
+#include "daemon/telemetry/websocket_connection.hpp"
 
 namespace wheelwright::daemon::telemetry {
 namespace {

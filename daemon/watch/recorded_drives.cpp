@@ -43,7 +43,7 @@ std::vector<fs::path> recorded_drives(const fs::path& log_folder, const fs::path
     const fs::path log = run / "drive_log.csv";
     if (drives.size() == choice.at_most || !fs::is_regular_file(fs::symlink_status(log, error))) continue;
     const std::uintmax_t size = fs::file_size(log, error);
-    if (error || size < choice.least_bytes || bytes + size > choice.most_bytes) continue;
+    if (error || size < choice.min_bytes || bytes + size > choice.max_bytes) continue;
     if (!is_of_robot(log, choice.robot)) continue;
     drives.push_back(log);
     bytes += size;

@@ -10,11 +10,11 @@
 namespace wheelwright::daemon {
 
 struct DriveChoice {
-  std::string robot;                       // as the head of a drive log names it
-  std::string not_before;                  // date and time, ISO 8601 in UTC; empty: all
-  std::size_t at_most = 6;                 // the newest ones
-  std::uintmax_t least_bytes = 40'000;     // some ten seconds of driving
-  std::uintmax_t most_bytes = 24U << 20U;  // of all together
+  std::string robot;                      // as the head of a drive log names it
+  std::string not_before;                 // date and time, ISO 8601 in UTC; empty: all
+  std::size_t at_most = 6;                // the newest ones
+  std::uintmax_t min_bytes = 40'000;      // some ten seconds of driving
+  std::uintmax_t max_bytes = 24U << 20U;  // of all together
 };
 
 // Drive logs in the run folders below `log_folder`, in the order in which they were recorded. `newest`, the

@@ -12,7 +12,7 @@ namespace wheelwright {
 namespace {
 
 constexpr double same_command_m_s = 1e-4;
-constexpr std::size_t fewest_commands = 3;
+constexpr std::size_t min_curve_commands = 3;
 constexpr double min_span = 1.5;              // largest command over smallest
 constexpr double bend_stands_out = 4.0;       // standard errors
 constexpr double min_bend = 0.02;             // of the gain
@@ -184,7 +184,7 @@ SpeedCurve find_speed_curve(const SteadyStateSpeeds& speeds) {
   add_levels(speeds.right, false, levels);
   std::ranges::sort(levels, {}, &Level::command);
   SpeedCurve curve{count_commands(levels), std::nullopt, std::nullopt};
-  if (curve.commands < fewest_commands) return curve;
+  if (curve.commands < min_curve_commands) return curve;
   curve.bend = find_bend(levels);
   curve.steps = find_steps(levels);
   return curve;

@@ -218,14 +218,14 @@ BestSteps best_of(const std::vector<CommandSteps>& steps, const WheelCommands& w
 
 // Commands that change all the time, so that there is little to learn of any one of them.
 bool hardly_repeat(const WheelCommands& wheels) {
-  constexpr double default_share = 0.05;
+  constexpr double min_share = 0.05;
   double commands = 0.0;
   double periods = 0.0;
   for (const auto& wheel : wheels) {
     commands += static_cast<double>(wheel.size());
     for (const auto& told : wheel) periods += told.periods;
   }
-  return commands > default_share * periods;
+  return commands > min_share * periods;
 }
 
 }  // namespace

@@ -143,7 +143,7 @@ std::string gains_in_words(const TrialModel& model) {
 }
 
 // Beyond what gyros err, relative: the wheel base is not what it was said to be, or the gyro's unit.
-constexpr double default_gyro_scale = 0.05;
+constexpr double min_reported_gyro_scale = 0.05;
 
 std::string gyro_scale_in_words(double scale) {
   std::ostringstream words;
@@ -242,7 +242,7 @@ void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Resi
   }
   const double gyro_scale = analysis.search.final.model.gyro_scale();
   constexpr double worth_saying = 0.005;
-  if (analysis.verdict == Verdict::nothing_missing && std::abs(gyro_scale) > default_gyro_scale) {
+  if (analysis.verdict == Verdict::nothing_missing && std::abs(gyro_scale) > min_reported_gyro_scale) {
     analysis.verdict = Verdict::unnamed;
     analysis.summary = gyro_scale_in_words(gyro_scale);
   } else if (std::abs(gyro_scale) > worth_saying) {

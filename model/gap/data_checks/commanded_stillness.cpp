@@ -21,7 +21,7 @@ double size_of(const DriveLog& log, std::size_t row, bool left) {
 
 // What was asked for while the counts stood still, in the middle of its sizes; how much earlier than it acted
 // is not known, and the least is taken.
-double default_command_m_s(const DriveLog& log, const Freeze& freeze) {
+double median_command_m_s(const DriveLog& log, const Freeze& freeze) {
   double min_m_s = std::numeric_limits<double>::infinity();
   std::vector<double> sizes;
   for (std::size_t earlier = 0; earlier <= freeze.first; ++earlier) {
@@ -67,7 +67,7 @@ bool stand_by_command(const DriveLog& log, std::span<const Freeze> freezes) {
   double max_m_s = 0.0;
   std::size_t standing = 0;
   for (const Freeze& freeze : freezes) {
-    max_m_s = std::max(max_m_s, default_command_m_s(log, freeze));
+    max_m_s = std::max(max_m_s, median_command_m_s(log, freeze));
     standing += freeze.end - freeze.first;
   }
   const std::size_t moving = rows_that_move(log, true, max_m_s) + rows_that_move(log, false, max_m_s);

@@ -9,16 +9,16 @@
 namespace wheelwright::gap {
 namespace {
 
-constexpr double block_s = 3.0;         // longer than what is left hangs together
-constexpr double fewest_blocks = 20.0;  // shorter blocks rather than fewer
-constexpr double max_blocks = 200.0;    // longer ones rather than more
+constexpr double block_s = 3.0;       // longer than what is left hangs together
+constexpr double min_blocks = 20.0;   // shorter blocks rather than fewer
+constexpr double max_blocks = 200.0;  // longer ones rather than more
 constexpr std::size_t draws = 1000;
 constexpr std::uint64_t seed = 1;
 
 double length_of_blocks_s(const Problem& problem) {
   double total_s = 0.0;
   for (const GapRun& run : problem.runs()) total_s += run.duration_s();
-  return std::clamp(block_s, total_s / max_blocks, total_s / fewest_blocks);
+  return std::clamp(block_s, total_s / max_blocks, total_s / min_blocks);
 }
 
 std::vector<BlockSums> sums_of_blocks(const Problem& problem, const Eigen::MatrixXd& columns,

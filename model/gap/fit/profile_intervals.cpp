@@ -19,7 +19,7 @@ constexpr double first_share = 0.02;  // of the usual size, where nothing is kno
 constexpr double nearly = 0.9;        // of chi squared: where the slopes are right
 
 // It stands for what is known of a parameter of which the readings say nothing.
-double default_size(const ParameterInfo* info) {
+double typical_size(const ParameterInfo* info) {
   constexpr double of_linear_part = 0.1;
   return info == nullptr ? of_linear_part : smallest_size(*info);
 }
@@ -54,7 +54,7 @@ class Profile {
     }
     Eigen::MatrixXd of_others = information(free_, free_);
     for (std::size_t i = 0; i < free_.size(); ++i) {
-      const double size = default_size(fit.model.parameter_info(static_cast<std::size_t>(free_[i])));
+      const double size = typical_size(fit.model.parameter_info(static_cast<std::size_t>(free_[i])));
       const auto at = static_cast<Eigen::Index>(i);
       of_others(at, at) += 1.0 / (size * size);
     }
@@ -197,7 +197,7 @@ Profiles profile_intervals(const Problem& problem, const Fit& fit, const Eigen::
     Profile profile(problem, fit, columns, information, parameter);
     const double chi_squared = chi_squared_95 * scatter * scatter + roughness;
     if (end != bound && (white == 0.0 || !profile.excludes(end, nearly * chi_squared))) {
-      const double begin = white > 0.0 ? 2.0 * deviation : first_share * default_size(&info);
+      const double begin = white > 0.0 ? 2.0 * deviation : first_share * typical_size(&info);
       end = end_of(profile, estimate, begin, bound, chi_squared);
     }
     (lower ? intervals[job / 2].lower : intervals[job / 2].upper) = end;

@@ -1,25 +1,53 @@
 // Prints how well the hybrid filter finds and names faults, keeps them out of the pose, and notices another
 // floor: over simulated faults of varied size and kind, and over hours of clean driving.
 //
-//   fault_study [FAULTS_PER_KIND=30] [CLEAN_HOURS=12] [FIRST_SEED=9000]
+// With `--circle`, robots and models are those of folders that `wheelwright circle` has filled: what the
+// filter makes of a model with effects.
+#include <CLI/CLI.hpp>
 #include <cstdio>
-#include <cstdlib>
+#include <filesystem>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <string>
 #include <vector>
 
+#include "config/load/model_file.hpp"
+#include "config/load/simulation_config.hpp"
 #include "tests/support/fault_scenario.hpp"
 
 using namespace wheelwright;
 
 namespace {
 
-struct Home {
+struct StudyOptions {
+  int faults_per_kind = 30;
+  double clean_hours = 12.0;
+  std::uint64_t first_seed = 9000;
+  std::vector<std::string> circles;
+  bool verbose = false;
+};
+
+struct Subject {
   std::string robot;
   std::string room;
-  std::uint64_t seed;
+  RobotModel model;
+  simulation::SimulationConfig on_endless_floor;
 };
+
+// One of those that ship, which calibrates itself in a room.
+Subject calibrated(const std::string& robot, const std::string& room, std::uint64_t seed) {
+  return {robot, room, test::calibrated_model(robot, room, seed), test::robot_on_endless_floor(robot, seed)};
+}
+
+// The sealed robot of a circle, with the model that was found.
+Subject of_circle(const std::filesystem::path& folder, std::uint64_t seed) {
+  auto robot = config::load_simulation_config(folder / "sealed" / "robot.yaml");
+  robot.room.walls.clear();
+  robot.room.obstacles.clear();
+  robot.seed = seed;
+  return {folder.filename(), "its room", config::load_model(folder / "gap" / "model.yaml"), robot};
+}
 
 double mean_of(const std::vector<double>& values) {
   return values.empty()
@@ -76,13 +104,28 @@ void print(const char* name, const Tally& tally) {
   std::printf("\n");
 }
 
-void study_faults(int per_kind, std::uint64_t first_seed) {
+Subject subject_for(const StudyOptions& options, int number, std::uint64_t seed) {
+  if (options.circles.empty()) return calibrated("default", "box", seed);
+  return of_circle(options.circles[static_cast<std::size_t>(number) % options.circles.size()], seed);
+}
+
+void print_fault(const test::FaultOutcome& outcome, std::uint64_t seed) {
+  const auto& plan = outcome.plan;
   std::printf(
-      "Faults on the default robot. 'seen of > 2 cm': found, of those that move odometry's (stall and lift: "
-      "the\n"
-      "robot's) final pose by more. 'delay': to the first alarm, median and 95 %%. 'named': rightly, of the "
-      "found.\nFinal position errors in m after 42 s: against the truth (mean, median; hybrid and odometry), "
-      "and what the\nfault alone did to both (mean).\n\n");
+      "  %s seed %llu: %s, harm %.3f m, share %.4f, counts %d, %.2f s to %.2f s, named %s, "
+      "hybrid %.3f odometry %.3f sound %.3f\n",
+      outcome.found ? "found" : "MISSED", static_cast<unsigned long long>(seed), test::name_of(plan.what),
+      outcome.harm_m, plan.share, plan.counts, 0.018 * plan.onset, 0.018 * plan.end,
+      std::string(name_of(outcome.named)).c_str(), outcome.hybrid_error_m, outcome.odometry_error_m,
+      outcome.sound_error_m);
+}
+
+void study_faults(const StudyOptions& options) {
+  std::printf(
+      "'seen of > 2 cm': found, of those that move odometry's (stall and lift: the robot's) final pose by "
+      "more.\n'delay': to the first alarm, median and 95 %%. 'named': rightly, of the found. Final position "
+      "errors in m\nafter 42 s: against the truth (mean, median; hybrid and odometry), and what the fault "
+      "alone did to both (mean).\n\n");
   std::printf("%-19s %4s %4s %11s %13s %10s %15s %13s %15s   named as\n", "fault", "n", "seen", "of > 2 cm",
               "delay s", "named", "mean hyb, odo", "median", "by the fault");
   Tally all;
@@ -93,27 +136,18 @@ void study_faults(int per_kind, std::uint64_t first_seed) {
   for (int kind = 0; kind < test::injection_count; ++kind) {
     const auto what = static_cast<test::Injection>(kind);
     Tally tally;
-    for (int i = 0; i < per_kind; ++i) {
-      const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(100 * kind + i);
-      const RobotModel model = test::calibrated_model("default", "box", seed);
+    for (int i = 0; i < options.faults_per_kind; ++i) {
+      const std::uint64_t seed = options.first_seed + static_cast<std::uint64_t>(100 * kind + i);
+      const Subject subject = subject_for(options, i, seed);
       const auto plan = test::random_fault(what, seed);
-      const auto outcome =
-          test::run_fault(model, test::robot_on_endless_floor("default", seed), plan, seed + 5000);
+      const auto outcome = test::run_fault(subject.model, subject.on_endless_floor, plan, seed + 5000);
       add(tally, outcome);
       add(all, outcome);
       if (what != test::Injection::lift && what != test::Injection::stall) add(encoder_faults, outcome);
       false_alarms += outcome.false_alarms;
       false_recalibrations += outcome.false_recalibrations;
       sound_m += outcome.sound_error_m;
-      if ((!outcome.found && outcome.harm_m > 0.02) || std::getenv("FAULT_STUDY_VERBOSE")) {
-        std::printf(
-            "  %s seed %llu: %s, harm %.3f m, share %.4f, counts %d, %.2f s to %.2f s, named %s, "
-            "hybrid %.3f odometry %.3f sound %.3f\n",
-            outcome.found ? "found" : "MISSED", static_cast<unsigned long long>(seed), test::name_of(what),
-            outcome.harm_m, plan.share, plan.counts, 0.018 * plan.onset, 0.018 * plan.end,
-            std::string(name_of(outcome.named)).c_str(), outcome.hybrid_error_m, outcome.odometry_error_m,
-            outcome.sound_error_m);
-      }
+      if ((!outcome.found && outcome.harm_m > 0.02) || options.verbose) print_fault(outcome, seed);
     }
     print(test::name_of(what), tally);
   }
@@ -125,49 +159,67 @@ void study_faults(int per_kind, std::uint64_t first_seed) {
       sound_m / all.count, false_alarms, false_recalibrations);
 }
 
-void study_clean(double hours, std::uint64_t first_seed) {
-  const std::vector<Home> homes{{"default", "box", 0},       {"default", "furniture", 1},
-                                {"default", "corner", 2},    {"default", "box_without_slip", 3},
-                                {"perfect", "box", 4},       {"create2", "box", 5},
-                                {"default", "furniture", 6}, {"default", "box", 7}};
-  std::printf("\nclean driving: alarms, calls for recalibration, discarded readings\n");
-  const double each_s = 3600.0 * hours / static_cast<double>(homes.size());
-  int total = 0;
-  double total_h = 0.0;
-  for (const Home& home : homes) {
-    const std::uint64_t seed = first_seed + 2000 + home.seed;
-    int alarms = 0;
-    int recalibrations = 0;
-    int discarded = 0;
-    double driven_h = 0.0;
-    for (double done_s = 0.0; done_s < each_s; done_s += 900.0) {
-      const auto part = seed + 100 * static_cast<std::uint64_t>(done_s / 900.0);
-      const RobotModel model = test::calibrated_model(home.robot, home.room, part);
-      const auto drive = test::record_drive(test::robot_on_endless_floor(home.robot, part), part + 7,
-                                            std::min(900.0, each_s));
-      HybridFilter filter(model);
-      for (const SensorFrame& frame : drive.frames) {
-        const HybridOutput out = filter.step(frame);
-        recalibrations += out.raised_recalibration ? 1 : 0;
-        discarded += (out.left.discarded ? 1 : 0) + (out.right.discarded ? 1 : 0);
-        driven_h += frame.armed ? 0.018 / 3600.0 : 0.0;
-        for (const FaultEvent& event : out.events) {
-          if (event.stage == FaultEvent::Stage::began) ++alarms;
-          if (event.stage != FaultEvent::Stage::ended) {
-            std::printf("  alarm: %s %s seed %llu tick %lld: %s, size %.4f\n", home.robot.c_str(),
-                        home.room.c_str(), static_cast<unsigned long long>(part),
-                        static_cast<long long>(event.tick), std::string(name_of(event.kind)).c_str(),
-                        event.size);
-          }
-        }
-      }
+struct CleanTally {
+  int alarms = 0;
+  int recalibrations = 0;
+  int discarded = 0;
+  double driven_h = 0.0;
+};
+
+void drive_clean(const Subject& subject, std::uint64_t seed, double duration_s, CleanTally& tally) {
+  const auto drive = test::record_drive(subject.on_endless_floor, seed + 7, duration_s);
+  HybridFilter filter(subject.model);
+  for (const SensorFrame& frame : drive.frames) {
+    const HybridOutput out = filter.step(frame);
+    tally.recalibrations += out.raised_recalibration ? 1 : 0;
+    tally.discarded += (out.left.discarded ? 1 : 0) + (out.right.discarded ? 1 : 0);
+    tally.driven_h += frame.armed ? 0.018 / 3600.0 : 0.0;
+    for (const FaultEvent& event : out.events) {
+      if (event.stage == FaultEvent::Stage::began) ++tally.alarms;
+      if (event.stage == FaultEvent::Stage::ended) continue;
+      std::printf("  alarm: %s %s seed %llu tick %lld: %s, size %.4f\n", subject.robot.c_str(),
+                  subject.room.c_str(), static_cast<unsigned long long>(seed),
+                  static_cast<long long>(event.tick), std::string(name_of(event.kind)).c_str(), event.size);
     }
-    std::printf("  %-10s calibrated in %-17s %5.2f h: %d alarms, %d recalibrations, %d readings discarded\n",
-                home.robot.c_str(), home.room.c_str(), driven_h, alarms, recalibrations, discarded);
-    total += alarms;
-    total_h += driven_h;
   }
-  std::printf("  %.2f h: %d false alarms, %.2f in 10 hours\n", total_h, total, 10.0 * total / total_h);
+}
+
+using MakeSubject = std::function<Subject(std::uint64_t seed)>;
+
+std::vector<MakeSubject> clean_subjects(const StudyOptions& options) {
+  std::vector<MakeSubject> all;
+  for (const auto& folder : options.circles)
+    all.emplace_back([folder](std::uint64_t seed) { return of_circle(folder, seed); });
+  if (!all.empty()) return all;
+  const std::vector<std::pair<std::string, std::string>> homes{
+      {"default", "box"}, {"default", "furniture"}, {"default", "corner"},    {"default", "box_without_slip"},
+      {"perfect", "box"}, {"create2", "box"},       {"default", "furniture"}, {"default", "box"}};
+  for (const auto& [robot, room] : homes)
+    all.emplace_back([=](std::uint64_t seed) { return calibrated(robot, room, seed); });
+  return all;
+}
+
+void study_clean(const StudyOptions& options) {
+  std::printf("\nclean driving: alarms, calls for recalibration, discarded readings\n");
+  const std::vector<MakeSubject> subjects = clean_subjects(options);
+  const double each_s = 3600.0 * options.clean_hours / static_cast<double>(subjects.size());
+  int alarms = 0;
+  double driven_h = 0.0;
+  for (std::size_t i = 0; i < subjects.size(); ++i) {
+    CleanTally tally;
+    std::string name;
+    for (double done_s = 0.0; done_s < each_s; done_s += 900.0) {
+      const auto seed = options.first_seed + 2000 + i + 100 * static_cast<std::uint64_t>(done_s / 900.0);
+      const Subject subject = subjects[i](seed);
+      name = subject.robot + ", calibrated in " + subject.room;
+      drive_clean(subject, seed, std::min(900.0, each_s), tally);
+    }
+    std::printf("  %-40s %5.2f h: %d alarms, %d recalibrations, %d readings discarded\n", name.c_str(),
+                tally.driven_h, tally.alarms, tally.recalibrations, tally.discarded);
+    alarms += tally.alarms;
+    driven_h += tally.driven_h;
+  }
+  std::printf("  %.2f h: %d false alarms, %.2f in 10 hours\n", driven_h, alarms, 10.0 * alarms / driven_h);
 }
 
 struct Floor {
@@ -175,7 +227,7 @@ struct Floor {
   simulation::Surface surface;
 };
 
-void study_floors(int runs, std::uint64_t first_seed) {
+void study_floors(const StudyOptions& options) {
   const std::vector<Floor> floors{
       {"same floor", {.grip = 0.7, .creep_per_n = 0.001}},
       {"thin carpet", {.grip = 0.6, .creep_per_n = 0.003, .rolling_drag = 0.015, .scrub_factor = 3.0}},
@@ -190,16 +242,16 @@ void study_floors(int runs, std::uint64_t first_seed) {
     int early = 0;
     int alarms = 0;
     std::vector<double> delay_s;
-    for (int i = 0; i < runs; ++i) {
-      const std::uint64_t seed = first_seed + 4000 + static_cast<std::uint64_t>(i);
-      const RobotModel model = test::calibrated_model("default", "box", seed);
+    for (int i = 0; i < options.faults_per_kind; ++i) {
+      const std::uint64_t seed = options.first_seed + 4000 + static_cast<std::uint64_t>(i);
+      const Subject subject = subject_for(options, i, seed);
       constexpr int change = 2500;
       const auto hook = [&](simulation::SimulatedRobot& robot, int tick) {
         if (tick != change) return;
         robot.inject({.kind = simulation::Fault::Kind::change_floor, .surface = floor.surface});
       };
-      const auto drive = test::record_drive(test::robot_on_endless_floor("default", seed), seed, 70.0, hook);
-      HybridFilter filter(model);
+      const auto drive = test::record_drive(subject.on_endless_floor, seed, 70.0, hook);
+      HybridFilter filter(subject.model);
       double driven_s = 0.0;
       for (std::size_t k = 0; k < drive.frames.size(); ++k) {
         const HybridOutput out = filter.step(drive.frames[k]);
@@ -219,18 +271,31 @@ void study_floors(int runs, std::uint64_t first_seed) {
       }
     }
     std::printf("  %-12s %d/%d, %d/%d, %.1f s; before the change %d; fault alarms %d\n", floor.name, in_time,
-                runs, in_time + late, runs, quantile(delay_s, 0.5), early, alarms);
+                options.faults_per_kind, in_time + late, options.faults_per_kind, quantile(delay_s, 0.5),
+                early, alarms);
   }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int per_kind = argc > 1 ? std::atoi(argv[1]) : 30;
-  const double clean_hours = argc > 2 ? std::atof(argv[2]) : 12.0;
-  const auto first_seed = static_cast<std::uint64_t>(argc > 3 ? std::atoll(argv[3]) : 9000);
-  study_faults(per_kind, first_seed);
-  study_floors(per_kind, first_seed);
-  if (clean_hours > 0.0) study_clean(clean_hours, first_seed);
+  StudyOptions options;
+  CLI::App app{"How well the hybrid filter finds and names faults, and leaves sound readings alone"};
+  app.add_option("--faults", options.faults_per_kind, "Of each kind; as many drives for each floor")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--clean-hours", options.clean_hours, "Of driving without a fault")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--seed", options.first_seed, "First of those used")->capture_default_str();
+  app.add_option("--circle", options.circles, "Folders of wheelwright circle: their robots and found models")
+      ->check(CLI::ExistingDirectory);
+  app.add_flag("--verbose", options.verbose, "Prints each fault, not only the missed ones");
+  CLI11_PARSE(app, argc, argv);
+  if (options.faults_per_kind > 0) {
+    study_faults(options);
+    study_floors(options);
+  }
+  if (options.clean_hours > 0.0) study_clean(options);
   return 0;
 }

@@ -6,7 +6,7 @@
 namespace wheelwright::tools::doctor {
 namespace {
 
-constexpr std::size_t fewest_frames = 10;
+constexpr std::size_t min_frames = 10;
 
 double quantile(const std::vector<double>& sorted, double share) {
   const auto rank = std::ceil(share * static_cast<double>(sorted.size())) - 1.0;
@@ -32,7 +32,7 @@ Spread spread_of(std::vector<double> durations_s) {
 
 std::optional<PeriodFit> fit_period(std::span<const FrameArrival> arrivals) {
   const auto count = static_cast<double>(arrivals.size());
-  if (arrivals.size() < fewest_frames) return std::nullopt;
+  if (arrivals.size() < min_frames) return std::nullopt;
   double mean_number = 0.0;
   double mean_time_s = 0.0;
   for (const auto& arrival : arrivals) {

@@ -60,7 +60,9 @@ struct Robot {
       return std::abs(command_m_s) < threshold_m_s ? 0.0 : command_m_s;
     };
     for (int i = 1; i <= count; ++i) {
-      last_run = config.log_folder / ("2026-11-26T14-0" + std::to_string(i) + "-00Z");
+      std::string name = "2026-11-26T14-00-00Z";
+      name[15] = static_cast<char>('0' + i);
+      last_run = config.log_folder / name;
       fs::create_directories(last_run);
       config::save_drive_log(test::plant_run(static_cast<unsigned>(40 + i), 2000, curve, 25),
                              last_run / "drive_log.csv");

@@ -25,7 +25,7 @@ struct Runs {
 
   Runs() {
     choice.robot = "rosie";
-    choice.least_bytes = 1000;
+    choice.min_bytes = 1000;
   }
   std::vector<std::string> chosen(const std::string& newest = "2026-11-26T09-00-00Z") const {
     std::vector<std::string> names;
@@ -67,7 +67,7 @@ TEST_CASE("No more is taken than a search can hold") {
   Runs runs;
   for (const char* time : {"2026-11-26T07-00-00Z", "2026-11-26T08-00-00Z", "2026-11-26T09-00-00Z"})
     record(runs.folder.path() / time, "rosie", 2000);
-  runs.choice.most_bytes = 5000;
+  runs.choice.max_bytes = 5000;
   CHECK(runs.chosen().size() == 2);
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double grid_s = 0.1;
 constexpr double fine_s = 0.01;
-constexpr double fewest_s = 5.0;
+constexpr double min_overlap_s = 5.0;
 constexpr double min_correlation = 0.5;
 constexpr std::size_t max_points = 40'000;  // more than an hour
 
@@ -158,7 +158,7 @@ tl::expected<ClockShift, std::string> find_clock_shift(std::span<const Recording
         "a reference without places has no clock to compare; give its shift: --set reference.shift_s=0"));
   const Speeds robot = robot_speeds(recordings, mapping, grid_s);
   const Speeds reference = reference_speeds(recordings, mapping, grid_s);
-  if (static_cast<double>(std::min(robot.values.size(), reference.values.size())) * grid_s < fewest_s) {
+  if (static_cast<double>(std::min(robot.values.size(), reference.values.size())) * grid_s < min_overlap_s) {
     return tl::unexpected(
         std::string("too little of the robot or its reference moves to compare their clocks; give the shift: "
                     "--set reference.shift_s=0"));

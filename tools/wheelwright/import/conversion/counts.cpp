@@ -9,7 +9,7 @@ namespace wheelwright::import {
 namespace {
 
 constexpr std::array counter_widths{8, 16, 24, 32};
-constexpr std::size_t fewest_changes = 5;
+constexpr std::size_t min_changes = 5;
 
 // Largest step of counts that are unwrapped at `modulus`, and how many jumps there are.
 struct Steps {
@@ -95,7 +95,7 @@ bool is_log_on_change(std::span<const double> values) {
     last = value;
     blanks = 0;
   }
-  return changes_behind_blanks >= fewest_changes && longest > shortest + 1;
+  return changes_behind_blanks >= min_changes && longest > shortest + 1;
 }
 
 void fill_down(std::span<double> values) {

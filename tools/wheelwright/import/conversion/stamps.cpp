@@ -9,7 +9,7 @@
 namespace wheelwright::import {
 namespace {
 
-constexpr std::size_t fewest_rows = 50;
+constexpr std::size_t min_stamped_rows = 50;
 constexpr double hole_in_steps = 5.0;       // a longer step than so many is a hole
 constexpr double uneven_from = 2.0;         // ratio of the percentiles 95 and 5 of the steps
 constexpr double max_apart_in_steps = 3.0;  // stamps from even times
@@ -78,7 +78,7 @@ std::string EvenStamps::text() const {
 }
 
 std::optional<EvenStamps> even_stamps(std::span<const double> t_s, std::span<const double> travel) {
-  if (t_s.size() < fewest_rows || travel.size() != t_s.size()) return std::nullopt;
+  if (t_s.size() < min_stamped_rows || travel.size() != t_s.size()) return std::nullopt;
   std::vector<double> steps;
   for (std::size_t i = 1; i < t_s.size(); ++i) steps.push_back(t_s[i] - t_s[i - 1]);
   EvenStamps result;

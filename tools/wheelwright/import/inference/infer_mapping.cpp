@@ -14,7 +14,7 @@
 #include "tools/wheelwright/import/inference/numbered_roles.hpp"
 #include "tools/wheelwright/import/inference/response_rows.hpp"
 #include "tools/wheelwright/import/inference/step_response.hpp"
-#include "tools/wheelwright/import/inference/time_of_log.hpp"
+#include "tools/wheelwright/import/inference/time_unit.hpp"
 #include "tools/wheelwright/import/inference/units_by_motion.hpp"
 #include "tools/wheelwright/import/mapping/mapping_file.hpp"
 

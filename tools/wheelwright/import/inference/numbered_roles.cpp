@@ -18,7 +18,7 @@
 namespace wheelwright::import {
 namespace {
 
-constexpr std::size_t fewest_rows = 50;
+constexpr std::size_t min_stream_rows = 50;
 constexpr std::size_t max_columns = 40;
 constexpr double sure_explained = 0.6;
 constexpr std::size_t max_rows = 20'000;
@@ -229,7 +229,7 @@ void map_by_numbers(std::span<const Recording> recordings, const GivenMapping& g
                     std::vector<std::string>& findings) {
   if (mapping.command && mapping.wheels && mapping.time.column) return;
   const Stream* stream = longest_table(recordings);
-  if (stream == nullptr || stream->rows < fewest_rows) return;
+  if (stream == nullptr || stream->rows < min_stream_rows) return;
   ByNumbers by_numbers(*stream, mapping, findings);
   if (!mapping.time.column && !given.says("time.period_s")) by_numbers.find_time();
   if (mapping.time.column && !given.says("time.unit") &&

@@ -8,7 +8,7 @@ namespace wheelwright::import {
 namespace {
 
 constexpr Eigen::Index lags = 30;  // rows of the past
-constexpr std::size_t fewest_rows = 20;
+constexpr std::size_t min_fitted_rows = 20;
 constexpr std::size_t max_rows = 20'000;  // enough to decide, and quick
 
 }  // namespace
@@ -38,7 +38,7 @@ ResponseFit fit_response(const ResponseRows& rows) {
   ResponseFit fit;
   const auto n = static_cast<double>(count);
   const double variance = squares - sum * sum / n;
-  if (count < fewest_rows || !(variance > 0.0)) return fit;
+  if (count < min_fitted_rows || !(variance > 0.0)) return fit;
   const Eigen::MatrixXd full = normal.selfadjointView<Eigen::Lower>();
   // A command that is held makes its lags alike: a small ridge keeps their sum, which is the gain.
   const double ridge = 1e-6 * full.diagonal().mean();

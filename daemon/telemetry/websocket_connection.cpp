@@ -1,4 +1,4 @@
-#include "daemon/telemetry/connection.hpp"
+#include "daemon/telemetry/websocket_connection.hpp"
 
 #include <algorithm>
 #include <array>

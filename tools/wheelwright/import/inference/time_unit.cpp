@@ -1,4 +1,4 @@
-#include "tools/wheelwright/import/inference/time_of_log.hpp"
+#include "tools/wheelwright/import/inference/time_unit.hpp"
 
 #include <cmath>
 #include <optional>
