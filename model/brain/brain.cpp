@@ -288,7 +288,7 @@ std::optional<WheelOrder> Brain::random_order() {
 
 std::optional<WheelOrder> Brain::route_order() {
   const WheelPair speed =
-      follower_.steer(steering_rest_pose(), model_ ? model_->predictor.turn_dead_band_rad_s() : 0.0);
+      follower_.steer(steering_rest_pose(), model_ ? model_->predictor.limits() : DriveLimits{});
   if (follower_.finished()) return std::nullopt;
   const WheelPair command = model_ ? model_->predictor.command_for(speed) : speed;
   return WheelOrder{command, Activity::route, static_cast<std::uint16_t>(follower_.visited())};

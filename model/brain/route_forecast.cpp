@@ -52,8 +52,7 @@ RouteForecast forecast_route(const RobotModel& model, const Route& route, const 
   driving.rest_at({});
   RouteForecast forecast;
   for (double t_s = 0.0; t_s < longest_route_s && !follower.finished(); t_s += limits.period_s) {
-    const WheelPair speed =
-        follower.steer(driving.predictor.rest_pose(), driving.predictor.turn_dead_band_rad_s());
+    const WheelPair speed = follower.steer(driving.predictor.rest_pose(), driving.predictor.limits());
     const Pose& pose = driving.predictor.pose();
     while (forecast.checkpoints.size() < follower.visited()) {
       forecast.checkpoints.push_back({t_s, pose, position_radius95_m(driving.uncertainty->covariance())});

@@ -16,6 +16,8 @@ constexpr double heading_gain_per_s = 3.0;
 constexpr double correct_from_rad = 0.024;
 constexpr double corrected_rad = 0.003;
 constexpr double clear_of_band = 3.0;
+constexpr double below_saturation =
+    0.97;                                // of the speed that a wheel can reach: there it answers to commands
 constexpr double stop_short_m = 0.0004;  // less than one tick at the slowest speed
 
 double angle_of(const Checkpoint& from, const Checkpoint& to) {
@@ -46,29 +48,29 @@ bool RouteFollower::stops_at(std::size_t checkpoint) const {
   return std::abs(corner) > sharp_corner_rad;
 }
 
-WheelPair RouteFollower::steer(const Pose& rest, double turn_dead_band_rad_s) {
-  if (state_ == State::turning) return turn(rest, turn_dead_band_rad_s);
-  if (state_ == State::driving) return drive(rest, turn_dead_band_rad_s);
+WheelPair RouteFollower::steer(const Pose& rest, const DriveLimits& robot) {
+  if (state_ == State::turning) return turn(rest, robot);
+  if (state_ == State::driving) return drive(rest, robot);
   return {};
 }
 
-WheelPair RouteFollower::turn(const Pose& rest, double turn_dead_band_rad_s) {
+WheelPair RouteFollower::turn(const Pose& rest, const DriveLimits& robot) {
   const Checkpoint here{rest.x_m, rest.y_m};
   const double error = wrap_angle(angle_of(here, route_.checkpoints[visited_]) - rest.theta_rad);
   if (std::abs(error) < aligned_rad) {
     state_ = State::driving;
     speed_now_ = 0.0;
-    return drive(rest, turn_dead_band_rad_s);
+    return drive(rest, robot);
   }
   const double radius = 0.5 * limits_.wheel_base_m;
   const double braking = std::sqrt(2.0 * limits_.braking_m_s2 * std::abs(error) * radius);
   speed_now_ = std::min(speed_now_ + limits_.acceleration_m_s2 * limits_.period_s,
-                        std::min(braking, std::min(route_.speed_m_s, limits_.largest_wheel_speed_m_s)));
+                        std::min({braking, route_.speed_m_s, fastest_m_s(robot)}));
   const double wheel = std::max(speed_now_, limits_.slowest_wheel_speed_m_s);
   return error > 0.0 ? WheelPair{-wheel, wheel} : WheelPair{wheel, -wheel};
 }
 
-WheelPair RouteFollower::drive(const Pose& rest, double turn_dead_band_rad_s) {
+WheelPair RouteFollower::drive(const Pose& rest, const DriveLimits& robot) {
   const Checkpoint& target = route_.checkpoints[visited_];
   const double direction = angle_of(leg_start_, target);
   const double c = std::cos(direction);
@@ -78,23 +80,24 @@ WheelPair RouteFollower::drive(const Pose& rest, double turn_dead_band_rad_s) {
   const bool stops = stops_at(visited_);
   if (remaining <= (stops ? stop_short_m : 0.0)) {
     arrive(rest);
-    return stops ? WheelPair{} : steer(rest, turn_dead_band_rad_s);
+    return stops ? WheelPair{} : steer(rest, robot);
   }
   const double error = wrap_angle(direction - std::atan2(beside, look_ahead_m) - rest.theta_rad);
-  double wanted = route_.speed_m_s * std::max(0.2, std::cos(error));
+  double wanted = std::min(route_.speed_m_s, fastest_m_s(robot)) * std::max(0.2, std::cos(error));
   if (stops) wanted = std::min(wanted, std::sqrt(2.0 * limits_.braking_m_s2 * remaining));
   speed_now_ = std::min(speed_now_ + limits_.acceleration_m_s2 * limits_.period_s, wanted);
   speed_now_ = std::max(speed_now_, limits_.slowest_wheel_speed_m_s);
-  return limited(speed_now_, turn_rate_for(error, turn_dead_band_rad_s));
+  return limited(speed_now_, turn_rate_for(error, robot), fastest_m_s(robot));
 }
 
 // Beyond a dead band in proportion would mean along its edge for most of the way, where a model knows least.
-double RouteFollower::turn_rate_for(double error_rad, double turn_dead_band_rad_s) {
+double RouteFollower::turn_rate_for(double error_rad, const DriveLimits& robot) {
   const double proportional = heading_gain_per_s * error_rad;
-  if (turn_dead_band_rad_s == 0.0) return proportional;
+  if (robot.turn_dead_band_rad_s == 0.0) return proportional;
   correcting_ = std::abs(error_rad) > (correcting_ ? corrected_rad : correct_from_rad);
   if (!correcting_) return 0.0;
-  return proportional + std::copysign(clear_of_band * turn_dead_band_rad_s, error_rad);
+  return std::copysign(std::max(std::abs(proportional), clear_of_band * robot.turn_dead_band_rad_s),
+                       error_rad);
 }
 
 void RouteFollower::arrive(const Pose& rest) {
@@ -116,12 +119,16 @@ void RouteFollower::arrive(const Pose& rest) {
   ++visited_;
 }
 
+double RouteFollower::fastest_m_s(const DriveLimits& robot) const {
+  return std::max(limits_.slowest_wheel_speed_m_s,
+                  std::min(limits_.largest_wheel_speed_m_s, below_saturation * robot.fastest_wheel_m_s));
+}
+
 // Keeps the curvature where a wheel would be too fast.
-WheelPair RouteFollower::limited(double v_m_s, double w_rad_s) {
-  WheelPair wheels = wheels_of_twist({v_m_s, w_rad_s}, limits_.wheel_base_m);
+WheelPair RouteFollower::limited(double v_m_s, double w_rad_s, double largest_m_s) const {
+  const WheelPair wheels = wheels_of_twist({v_m_s, w_rad_s}, limits_.wheel_base_m);
   const double fastest = std::max(std::abs(wheels.left), std::abs(wheels.right));
-  const double scale =
-      fastest > limits_.largest_wheel_speed_m_s ? limits_.largest_wheel_speed_m_s / fastest : 1.0;
+  const double scale = fastest > largest_m_s ? largest_m_s / fastest : 1.0;
   return {wheels.left * scale, wheels.right * scale};
 }
 

@@ -10,6 +10,7 @@
 
 #include "model/geometry/pose.hpp"
 #include "model/route/route.hpp"
+#include "model/simulation/drive_limits.hpp"
 
 namespace wheelwright {
 
@@ -30,9 +31,9 @@ class RouteFollower {
   void restart(const Checkpoint& start = {});
 
   // Wheel speeds wanted for the coming period, in m/s at the floor. `rest` is relative to the start of the
-  // route. Where turn rates below `turn_dead_band_rad_s` hardly turn the robot, it is steered straight until
-  // the heading is off enough for a correction well beyond them.
-  WheelPair steer(const Pose& rest, double turn_dead_band_rad_s = 0.0);
+  // route. Where the robot hardly follows small turn rates, it is steered straight until the heading is off
+  // enough for a correction well beyond them; no wheel is asked for a speed that it does not reach.
+  WheelPair steer(const Pose& rest, const DriveLimits& robot = {});
 
   // All checkpoints were visited and the robot is told to stand.
   bool finished() const { return state_ == State::finished; }
@@ -44,11 +45,12 @@ class RouteFollower {
   enum class State { turning, driving, finished };
 
   bool stops_at(std::size_t checkpoint) const;
-  WheelPair turn(const Pose& rest, double turn_dead_band_rad_s);
-  WheelPair drive(const Pose& rest, double turn_dead_band_rad_s);
-  double turn_rate_for(double error_rad, double turn_dead_band_rad_s);
+  WheelPair turn(const Pose& rest, const DriveLimits& robot);
+  WheelPair drive(const Pose& rest, const DriveLimits& robot);
+  double turn_rate_for(double error_rad, const DriveLimits& robot);
   void arrive(const Pose& rest);
-  WheelPair limited(double v_m_s, double w_rad_s);
+  double fastest_m_s(const DriveLimits& robot) const;
+  WheelPair limited(double v_m_s, double w_rad_s, double largest_m_s) const;
 
   Route route_;
   FollowerLimits limits_;

@@ -34,8 +34,8 @@ class MotionPredictor {
   // The commands that hold these wheel speeds once settled.
   WheelPair command_for(const WheelPair& speed_m_s) const;
 
-  // SteadyStateMap::turn_dead_band_rad_s; 0 without effects.
-  double turn_dead_band_rad_s() const { return settled_ ? settled_->turn_dead_band_rad_s() : 0.0; }
+  // Without effects there are none.
+  DriveLimits limits() const { return settled_ ? settled_->limits() : DriveLimits{}; }
 
   // Sets the pose, not the motion.
   void set_pose(const Pose& pose) { simulation_.set_pose(pose); }

@@ -13,6 +13,7 @@ constexpr double largest_command_m_s = 0.5;  // of the Open Interface
 constexpr double settling_s = 2.0;
 constexpr double averaged_s = 1.0;  // of the settled motion: a ripple is not the curve
 constexpr double driving_m_s = 0.2;
+constexpr double driving_share = 0.6;  // at most, of the fastest speed: both wheels can then turn the robot
 constexpr int turn_steps = 25;
 constexpr double largest_turn_band_rad_s = 0.25;
 
@@ -38,11 +39,27 @@ double turn_rate_at(ModelSimulation simulation, const WheelPair& command, double
   return sum_rad_s / count;
 }
 
-// The largest commanded turn rate, to both sides, that gives less than half of itself.
-double turn_dead_band(const ModelSimulation& at_rest, const LinearModel& linear_part) {
+}  // namespace
+
+SteadyStateMap::SteadyStateMap(const LinearModel& linear_part, std::span<const EffectSetting> effects) {
+  const ModelSimulation at_rest(linear_part, effects);
+  for (int i = -steps_each_way; i <= steps_each_way; ++i) {
+    const double command = largest_command_m_s * i / steps_each_way;
+    const WheelPair speed = settled_at(at_rest, command, linear_part.period_s);
+    left_.push_back({command, left_.empty() ? speed.left : std::max(speed.left, left_.back().speed)});
+    right_.push_back({command, right_.empty() ? speed.right : std::max(speed.right, right_.back().speed)});
+  }
+  limits_.fastest_wheel_m_s =
+      std::min({left_.back().speed, right_.back().speed, -left_.front().speed, -right_.front().speed});
+  limits_.turn_dead_band_rad_s = turn_dead_band_rad_s(at_rest, linear_part);
+}
+
+double SteadyStateMap::turn_dead_band_rad_s(const ModelSimulation& at_rest,
+                                            const LinearModel& linear_part) const {
+  const double speed_m_s = std::min(driving_m_s, driving_share * limits_.fastest_wheel_m_s);
   const auto turned_rad_s = [&](double w_rad_s) {
-    return turn_rate_at(at_rest, wheels_of_twist({driving_m_s, w_rad_s}, linear_part.wheel_base_m),
-                        linear_part.period_s);
+    const WheelPair asked = wheels_of_twist({speed_m_s, w_rad_s}, linear_part.wheel_base_m);
+    return turn_rate_at(at_rest, command_for(asked), linear_part.period_s);
   };
   const double straight_rad_s = turned_rad_s(0.0);
   double band_rad_s = 0.0;
@@ -54,19 +71,6 @@ double turn_dead_band(const ModelSimulation& at_rest, const LinearModel& linear_
     band_rad_s = w_rad_s;
   }
   return band_rad_s;
-}
-
-}  // namespace
-
-SteadyStateMap::SteadyStateMap(const LinearModel& linear_part, std::span<const EffectSetting> effects) {
-  const ModelSimulation at_rest(linear_part, effects);
-  for (int i = -steps_each_way; i <= steps_each_way; ++i) {
-    const double command = largest_command_m_s * i / steps_each_way;
-    const WheelPair speed = settled_at(at_rest, command, linear_part.period_s);
-    left_.push_back({command, left_.empty() ? speed.left : std::max(speed.left, left_.back().speed)});
-    right_.push_back({command, right_.empty() ? speed.right : std::max(speed.right, right_.back().speed)});
-  }
-  turn_dead_band_rad_s_ = turn_dead_band(at_rest, linear_part);
 }
 
 WheelPair SteadyStateMap::command_for(const WheelPair& speed_m_s) const {

@@ -9,7 +9,9 @@
 
 #include "model/effects/effect.hpp"
 #include "model/geometry/pose.hpp"
+#include "model/simulation/drive_limits.hpp"
 #include "model/simulation/linear_model.hpp"
+#include "model/simulation/model_simulation.hpp"
 
 namespace wheelwright {
 
@@ -21,20 +23,19 @@ class SteadyStateMap {
   // that can: in a dead zone either rest or the slowest motion, beyond saturation the fastest.
   WheelPair command_for(const WheelPair& speed_m_s) const;
 
-  // The turn rate up to which a robot that drives ahead turns by less than half of what is commanded, as with
-  // tyres that scrub; 0 where it follows any.
-  double turn_dead_band_rad_s() const { return turn_dead_band_rad_s_; }
+  const DriveLimits& limits() const { return limits_; }
 
  private:
   struct Point {
     double command;
     double speed;
   };
+  double turn_dead_band_rad_s(const ModelSimulation& at_rest, const LinearModel& linear_part) const;
   static double command_on(const std::vector<Point>& curve, double speed);
 
   std::vector<Point> left_;  // rising in both
   std::vector<Point> right_;
-  double turn_dead_band_rad_s_ = 0.0;
+  DriveLimits limits_;
 };
 
 }  // namespace wheelwright

@@ -121,7 +121,7 @@ TEST_CASE("No wheel is asked for more than its limit, nor for less than what mov
 TEST_CASE("Along the legs a robot with a dead band in turning is steered straight or turned clearly") {
   for (const double dry_rad_s : {0.02, 0.05, 0.1}) {
     MotionPredictor robot(scrubbing_model(dry_rad_s));
-    const double band_rad_s = robot.turn_dead_band_rad_s();
+    const double band_rad_s = robot.limits().turn_dead_band_rad_s;
     // Half of twice what is lost is left.
     CHECK_THAT(band_rad_s, WithinAbs(2.0 * dry_rad_s, 0.011));
     RouteFollower follower({"loop", 0.2, 0.02, {{0.9, 0.0}, {1.5, 0.3}, {1.4, 1.4}, {0.1, 0.5}, {0.0, 0.0}}},
@@ -129,7 +129,7 @@ TEST_CASE("Along the legs a robot with a dead band in turning is steered straigh
     int straight = 0;
     int turned = 0;
     for (int ticks = 0; ticks < 20000 && !follower.finished(); ++ticks) {
-      const WheelPair speed = follower.steer(robot.rest_pose(), band_rad_s);
+      const WheelPair speed = follower.steer(robot.rest_pose(), robot.limits());
       robot.step(robot.command_for(speed));
       if (speed.left <= 0.0 || speed.right <= 0.0) continue;
       const double turn_rad_s = std::abs(twist_of_wheels(speed, 0.235).w_rad_s);
@@ -151,7 +151,7 @@ TEST_CASE(
     RouteFollower follower({"legs", 0.2, 0.02, {{1.0, 0.1}, {2.0, 0.0}, {3.0, 0.1}, {4.0, 0.0}}}, {});
     for (int ticks = 0; ticks < 20000 && !follower.finished(); ++ticks) {
       const WheelPair command = model.command_for(
-          follower.steer(model.rest_pose(), steered_by_band ? model.turn_dead_band_rad_s() : 0.0));
+          follower.steer(model.rest_pose(), steered_by_band ? model.limits() : DriveLimits{}));
       model.step(command);
       robot.step(command);
     }
@@ -162,6 +162,27 @@ TEST_CASE(
 }
 
 TEST_CASE("A robot that follows small turn rates has no dead band in turning") {
-  CHECK(MotionPredictor(lagging_model()).turn_dead_band_rad_s() == 0.0);
-  CHECK(MotionPredictor(scrubbing_model(0.0)).turn_dead_band_rad_s() == 0.0);
+  CHECK(MotionPredictor(lagging_model()).limits().turn_dead_band_rad_s == 0.0);
+  CHECK(MotionPredictor(scrubbing_model(0.0)).limits().turn_dead_band_rad_s == 0.0);
+}
+
+TEST_CASE(
+    "A robot that is slower than its route is driven below its fastest speed, where it can be steered") {
+  RobotModel model;
+  model.linear_part = lagging_model();
+  model.effects.emplace_back().setting = {"saturation", "speed", {0.16, 0.0, 0.0}};
+  MotionPredictor robot(model);
+  CHECK_THAT(robot.limits().fastest_wheel_m_s, WithinAbs(0.16, 0.005));
+  CHECK(robot.limits().turn_dead_band_rad_s == 0.0);
+  RouteFollower follower({"loop", 0.25, 0.02, {{0.9, 0.0}, {1.5, 0.3}, {1.4, 1.4}, {0.1, 0.5}, {0.0, 0.0}}},
+                         {});
+  double fastest_m_s = 0.0;
+  for (int ticks = 0; ticks < 20000 && !follower.finished(); ++ticks) {
+    const WheelPair speed = follower.steer(robot.rest_pose(), robot.limits());
+    fastest_m_s = std::max({fastest_m_s, speed.left, speed.right});
+    robot.step(robot.command_for(speed));
+  }
+  CHECK(follower.finished());
+  CHECK(fastest_m_s < robot.limits().fastest_wheel_m_s);
+  CHECK(fastest_m_s > 0.9 * robot.limits().fastest_wheel_m_s);
 }
