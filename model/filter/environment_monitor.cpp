@@ -14,7 +14,7 @@ constexpr double excess_smoothing = 0.25;
 // CUSUM: shifts of twice the allowance are found fastest; a single block, however odd, is no proof.
 constexpr double allowance = 0.75;
 constexpr double max_of_one_block = 3.0;
-constexpr double mean_size_of_normal = 0.8;  // mean size of a standard normal deviate
+constexpr double mean_size_of_normal = 0.8;  // standard deviation 1
 constexpr double alarm = 10.0;
 constexpr double innovation_alarm = 16.0;  // its blocks hang together more than those of current
 // Of the alarm, that the sum of each wheel alone has to reach.

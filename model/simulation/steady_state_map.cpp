@@ -11,32 +11,29 @@ namespace {
 constexpr int steps_each_way = 100;
 constexpr double largest_command_m_s = 0.5;  // of the Open Interface
 constexpr double settling_s = 2.0;
-constexpr double averaged_s = 1.0;  // of the settled motion: a ripple is not the curve
-constexpr double driving_m_s = 0.2;
+constexpr double averaged_s = 1.0;     // of the settled motion: a ripple is not the curve
+constexpr double driving_m_s = 0.2;    // at which the dead band in turning is measured
 constexpr double driving_share = 0.6;  // at most, of the fastest speed: both wheels can then turn the robot
 constexpr int turn_steps = 25;
-constexpr double largest_turn_band_rad_s = 0.25;
+constexpr double largest_turn_band_rad_s = 0.25;  // looked for
 
-WheelPair settled_at(ModelSimulation simulation, double command, double period_s) {
-  const auto periods = [period_s](double time_s) { return static_cast<int>(std::lround(time_s / period_s)); };
-  for (int k = 0; k < periods(settling_s); ++k) simulation.step({command, command});
-  WheelPair sum;
-  const int count = std::max(1, periods(averaged_s));
-  for (int k = 0; k < count; ++k) {
-    const WheelPair& speed = simulation.step({command, command}).floor_m_s;
-    sum.left += speed.left;
-    sum.right += speed.right;
-  }
-  return {sum.left / count, sum.right / count};
-}
+struct SteadyState {
+  WheelPair floor_m_s;
+  double turn_rad_s = 0.0;
+};
 
-double turn_rate_at(ModelSimulation simulation, const WheelPair& command, double period_s) {
+SteadyState settled_at(ModelSimulation simulation, const WheelPair& command, double period_s) {
   const auto periods = [period_s](double time_s) { return static_cast<int>(std::lround(time_s / period_s)); };
   for (int k = 0; k < periods(settling_s); ++k) simulation.step(command);
-  double sum_rad_s = 0.0;
+  SteadyState sum;
   const int count = std::max(1, periods(averaged_s));
-  for (int k = 0; k < count; ++k) sum_rad_s += simulation.step(command).twist.w_rad_s;
-  return sum_rad_s / count;
+  for (int k = 0; k < count; ++k) {
+    const ModelSimulation::Motion& motion = simulation.step(command);
+    sum.floor_m_s.left += motion.floor_m_s.left;
+    sum.floor_m_s.right += motion.floor_m_s.right;
+    sum.turn_rad_s += motion.twist.w_rad_s;
+  }
+  return {{sum.floor_m_s.left / count, sum.floor_m_s.right / count}, sum.turn_rad_s / count};
 }
 
 }  // namespace
@@ -45,7 +42,7 @@ SteadyStateMap::SteadyStateMap(const LinearModel& linear_part, std::span<const E
   const ModelSimulation at_rest(linear_part, effects);
   for (int i = -steps_each_way; i <= steps_each_way; ++i) {
     const double command = largest_command_m_s * i / steps_each_way;
-    const WheelPair speed = settled_at(at_rest, command, linear_part.period_s);
+    const WheelPair speed = settled_at(at_rest, {command, command}, linear_part.period_s).floor_m_s;
     left_.push_back({command, left_.empty() ? speed.left : std::max(speed.left, left_.back().speed)});
     right_.push_back({command, right_.empty() ? speed.right : std::max(speed.right, right_.back().speed)});
   }
@@ -59,7 +56,7 @@ double SteadyStateMap::turn_dead_band_rad_s(const ModelSimulation& at_rest,
   const double speed_m_s = std::min(driving_m_s, driving_share * limits_.fastest_wheel_m_s);
   const auto turned_rad_s = [&](double w_rad_s) {
     const WheelPair asked = wheels_of_twist({speed_m_s, w_rad_s}, linear_part.wheel_base_m);
-    return turn_rate_at(at_rest, command_for(asked), linear_part.period_s);
+    return settled_at(at_rest, command_for(asked), linear_part.period_s).turn_rad_s;
   };
   const double straight_rad_s = turned_rad_s(0.0);
   double band_rad_s = 0.0;

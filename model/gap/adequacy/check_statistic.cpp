@@ -117,8 +117,8 @@ CheckStatistic statistic_of(const ChannelWords& of, const Problem& problem, cons
   statistic.regime = "events like " + events.str();
   statistic.sentence = "something happens to the " + std::string(of.name) +
                        " now and then: " + in_digits(100.0 * found.share_of_time, 2) +
-                       " % of the time holds " + in_digits(100.0 * found.share, 2) + " % of what is left (" +
-                       events.str() + ")";
+                       " % of the time holds " + in_digits(100.0 * found.share, 2) +
+                       " % of the residual power (" + events.str() + ")";
   statistic.share_of_gap = found.share;
   statistic.share_of_time = found.share_of_time;
   statistic.detail = {{"events", static_cast<double>(found.events.size())},
@@ -134,8 +134,8 @@ CheckStatistic statistic_of(const ChannelWords& of, const ReversalResidual& foun
   statistic.visible = is_visible(found.size, of.channel);
   statistic.regime = "within 0.7 s of a reversal";
   statistic.curve = {"time since a reversal [s]", "mean squared innovation", found.power};
-  statistic.sentence = "where the " + std::string(of.name) + " changes direction, what is left is " +
-                       in_digits(found.ratio, 2) + " times what is left elsewhere";
+  statistic.sentence = "where the " + std::string(of.name) + " changes direction, the residual variance is " +
+                       in_digits(found.ratio, 2) + " times that elsewhere";
   statistic.share_of_gap = found.share;
   statistic.share_of_time = found.share_of_time;
   statistic.detail = {{"ratio", found.ratio}, {"size_m", found.size}};

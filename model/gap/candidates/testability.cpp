@@ -99,7 +99,7 @@ std::string too_little_for(const EffectInfo& info, const Excitation& driven) {
   const std::string no_size = "no size within reason would show";
   const double min_m = std::min(driven.reverse_m, driven.forward_m);
   if (info.needs.turning)
-    return "the runs turn by " + in_digits(driven.turned_rad, 2) + " rad" + " in all: " + no_size;
+    return "the runs turn by " + in_digits(driven.turned_rad, 2) + " rad in all: " + no_size;
   if (info.needs.reversal) {
     return "the runs go " + in_digits(min_m, 2) + " m" +
            (driven.reverse_m < driven.forward_m ? " backward" : " forward") + " in all: " + no_size;

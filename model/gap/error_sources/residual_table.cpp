@@ -12,7 +12,7 @@ namespace wheelwright::gap {
 namespace {
 
 constexpr double window_s = 0.25;
-constexpr double block_s = 2.0;  // longer than what is left hangs together
+constexpr double block_s = 2.0;  // longer than the residuals are correlated
 constexpr std::size_t row_count = 8;
 constexpr std::size_t min_windows = 80;
 

@@ -9,7 +9,7 @@
 namespace wheelwright::gap {
 namespace {
 
-constexpr double block_s = 3.0;       // longer than what is left hangs together
+constexpr double block_s = 3.0;       // longer than the residuals are correlated
 constexpr double min_blocks = 20.0;   // shorter blocks rather than fewer
 constexpr double max_blocks = 200.0;  // longer ones rather than more
 constexpr std::size_t draws = 1000;

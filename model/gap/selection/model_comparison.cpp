@@ -9,7 +9,7 @@
 namespace wheelwright::gap {
 namespace {
 
-constexpr double block_s = 2.0;  // longer than what is left hangs together
+constexpr double block_s = 2.0;  // longer than the residuals are correlated
 constexpr double max_autocorrelation_factor = 30.0;
 
 // By how much the variance of an effect's likelihood gain exceeds that of white residuals: sums over blocks

@@ -253,8 +253,8 @@ Action add_circle(CLI::App& app) {
   command->add_flag("--json", options->json, "As JSON");
   command->footer(
       "All on the virtual clock. Offsets are true distances from start to end of the route, driven by the\n"
-      "model alone: A by the calibrated one, B by the one that was found if it predicts two more drives of "
-      "its own\nbetter.\n"
+      "model alone: A by the calibrated one, B by the one that was found if it predicts more drives of its\n"
+      "own better.\n"
       "Example: wheelwright circle --seed 7 -o out/circle");
   return [options](Streams streams) { return Circle(*options, streams).run(); };
 }

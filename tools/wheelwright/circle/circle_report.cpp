@@ -43,7 +43,7 @@ void print_laps(std::ostream& out, const std::string& title, const Laps& laps) {
 }
 
 void print_proof(std::ostream& out, const Proof& proof) {
-  out << "each on more drives of its own:  ";
+  out << "each on more drives of its own: ";
   if (!proof.calibrated_m || !proof.found_m) {
     out << (proof.failure.empty() ? "no reference position" : "none came to its end: " + proof.failure)
         << "; the calibrated model drives\n";

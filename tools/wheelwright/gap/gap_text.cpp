@@ -113,8 +113,8 @@ std::string late_references_text(const gap::GapAnalysis& analysis) {
 std::string experiment_text(const gap::NextExperiment& next) {
   const auto named = [](const std::string& name) { return name == "nothing" ? "nothing missing" : name; };
   std::string text = "Drive " + next.manoeuvre + " (" + fixed_number(next.seconds, 0) + " s): it separates " +
-                     named(next.separates[0]) + " from " + named(next.separates[1]) + " by " +
-                     fixed_number(next.nats, 0) + " of log likelihood";
+                     named(next.separates[0]) + " from " + named(next.separates[1]) +
+                     " (expected log-likelihood gain " + fixed_number(next.nats, 0) + ")";
   if (next.makes_testable.size() > 1) {
     text += ", and makes testable:";
     for (const auto& name : next.makes_testable) text += " " + name;

@@ -203,10 +203,10 @@ std::string search_section(const gap::GapAnalysis& analysis) {
   if (text.empty()) return "";
   return section(
       "The search",
-      "<p class=\"quiet\">Gains are of log likelihood, over the model without the effect; autocorrelated "
-      "residuals "
-      "overstate them by the factor; the score is the sum of both, divided by it, less a penalty for "
-      "the parameters. Decoys have no name and no cause: a name must beat them. Checks: each accepted "
+      "<p class=\"quiet\">The gains are those of the log likelihood over the model without the effect; "
+      "autocorrelated residuals overstate them by the factor. The score is the sum of both gains, divided by "
+      "the factor, less a penalty for the parameters. Decoys have no name and no cause: a name must beat "
+      "them. Checks: each accepted "
       "effect taken out again, and who would take its place.</p>\n" +
           text);
 }

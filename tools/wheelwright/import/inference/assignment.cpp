@@ -37,8 +37,8 @@ void take_assignment(const Stream& stream, const Assignment& best, Mapping& mapp
       !best.wheel[0].cumulative &&
       std::abs(std::log(quantum(best.wheel[0].channel->values) / quantum(best.wheel[1].channel->values))) >
           0.5;
-  const std::string evidence = " (explains " + fixed_number(100.0 * best.explained, 1) + " % of the speed, " +
-                               fixed_number(best.nats, 0) + " of log likelihood)";
+  const std::string evidence = " (explains " + fixed_number(100.0 * best.explained, 1) +
+                               " % of the speed, log-likelihood gain " + fixed_number(best.nats, 0) + ")";
   if (!mapping.command) {
     CommandMapping command;
     const bool exchanged =

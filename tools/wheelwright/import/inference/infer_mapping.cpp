@@ -30,9 +30,9 @@ void add_doubts(const DriveColumns& columns, const Mapping& mapping, std::vector
   const std::array<ResponseFit, 2> other{fit_response(rows[0]), fit_response(rows[1])};
   const double gained = other[0].nats + other[1].nats - own[0].nats - own[1].nats;
   if (!columns.command[1].empty() && gained > 20.0 && other[0].explained > 0.5 && other[1].explained > 0.5) {
-    doubts.push_back("the sides are swapped: each wheel follows the command of the other (" +
-                     config::fixed_number(gained, 0) +
-                     " of log likelihood); exchange wheels.left and wheels.right");
+    doubts.push_back(
+        "the sides are swapped: each wheel follows the command of the other (log-likelihood gain " +
+        config::fixed_number(gained, 0) + "); exchange wheels.left and wheels.right");
     return;
   }
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {

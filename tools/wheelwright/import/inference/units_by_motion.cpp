@@ -66,8 +66,8 @@ class UnitFinder {
   }
 
   std::string evidence() const {
-    return " (the command explains " + fixed_number(100.0 * explained_, 1) + " % of the speed, " +
-           fixed_number(fits_[0].nats + fits_[1].nats, 0) + " of log likelihood)";
+    return " (the command explains " + fixed_number(100.0 * explained_, 1) +
+           " % of the speed, log-likelihood gain " + fixed_number(fits_[0].nats + fits_[1].nats, 0) + ")";
   }
 
   bool unit_is_said() const { return given_.says("command.unit"); }
