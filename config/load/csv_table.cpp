@@ -6,6 +6,7 @@
 #include <limits>
 #include <new>
 
+#include "config/load/ascii_text.hpp"
 #include "config/load/cut_row.hpp"
 #include "config/load/drive_log_file.hpp"
 #include "config/load/printable_text.hpp"
@@ -15,13 +16,6 @@ namespace wheelwright::config {
 namespace {
 
 constexpr double largest_value = 1e12;  // of any column: what is larger is garbage
-
-std::string_view trim(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
-  const auto first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
 
 template <typename Take>
 void for_each_field(std::string_view line, Take take) {

@@ -14,15 +14,6 @@ class Yaml {
   void number(const std::string& key, double value) { word(key, plain_number(value)); }
   void flag(const std::string& key, bool value) { word(key, value ? "true" : "false"); }
 
-  static std::string quoted(const std::string& value) {
-    std::string result = "\"";
-    for (const char c : value) {
-      if (c == '"' || c == '\\') result += '\\';
-      result += c;
-    }
-    return result + "\"";
-  }
-
   const std::string& all() const { return text_; }
 
  private:

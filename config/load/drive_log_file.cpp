@@ -10,6 +10,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "config/load/ascii_text.hpp"
 #include "config/load/cut_row.hpp"
 #include "config/load/drive_log_columns.hpp"
 #include "config/load/printable_text.hpp"
@@ -31,13 +32,6 @@ constexpr std::size_t max_rows = 10'000'000;  // two days of 18 ms
 constexpr std::size_t max_heads = 1'000'000;  // columns and lines of metadata, times runs
 constexpr double max_off_period = 50.0;
 constexpr std::size_t min_rows_for_period = 5;
-
-string_view trim(string_view text) {
-  constexpr string_view blanks = " \t\r";
-  const auto first = text.find_first_not_of(blanks);
-  if (first == string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
 
 std::optional<double> to_number(string_view field) {
   double value = 0.0;

@@ -114,6 +114,12 @@ bool is_utf8(std::string_view text) {
   return true;
 }
 
+std::size_t utf8_length(std::string_view text) {
+  if (text.empty()) return 0;
+  const Character character = take_character(text);
+  return character.is_utf8 ? character.bytes.size() : 0;
+}
+
 std::string excerpt(std::string_view text) {
   return printable(text, longest_excerpt);
 }

@@ -23,6 +23,9 @@ std::string printable_lines(std::string_view text);
 
 bool is_utf8(std::string_view text);
 
+// Bytes of the UTF-8 character that a text begins with; 0 where it begins with none.
+std::size_t utf8_length(std::string_view text);
+
 // As much of it as a message quotes.
 std::string excerpt(std::string_view text);
 

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstddef>
+
+#include "config/load/ascii_text.hpp"
 
 namespace wheelwright::daemon::telemetry {
 namespace {
@@ -36,12 +37,6 @@ std::string_view token_in_target(std::string_view target) {
 std::string_view token_in_header(std::string_view authorization) {
   constexpr std::string_view scheme = "Bearer ";
   return authorization.starts_with(scheme) ? authorization.substr(scheme.size()) : std::string_view{};
-}
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
 }
 
 std::string_view without_port(std::string_view host) {
@@ -80,9 +75,9 @@ Access access_of(const Caller& caller, std::string_view token) {
                        is_same_secret(token_in_header(caller.authorization), token);
     return shown ? Access::control : Access::no_token;
   }
-  const std::string host = lower(caller.host);
+  const std::string host = config::lower_case(caller.host);
   if (!is_this_machine(host)) return Access::foreign;
-  return access_by_origin(host, lower(caller.origin));
+  return access_by_origin(host, config::lower_case(caller.origin));
 }
 
 }  // namespace wheelwright::daemon::telemetry

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "config/load/ascii_text.hpp"
+
 namespace wheelwright::daemon::telemetry {
 namespace {
 
@@ -31,18 +33,12 @@ std::uint32_t number_at(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 }  // namespace
 
 std::string_view choose_subprotocol(std::string_view offered) {
   while (!offered.empty()) {
     const auto comma = std::min(offered.find(','), offered.size());
-    const auto name = trimmed(offered.substr(0, comma));
+    const auto name = config::trim(offered.substr(0, comma));
     const auto* const known = std::find(subprotocols.begin(), subprotocols.end(), name);
     if (known != subprotocols.end()) return *known;
     offered.remove_prefix(std::min(comma + 1, offered.size()));

@@ -1,12 +1,12 @@
 #include "tools/wheelwright/logs/log_checks.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <ostream>
 #include <utility>
 
+#include "config/load/ascii_text.hpp"
 #include "config/load/drive_log_file.hpp"
 #include "config/load/text_format.hpp"
 #include "model/log/near_periods.hpp"
@@ -26,9 +26,8 @@ constexpr double any_robot_limit_m_s = 5.0;
 constexpr double over_limit = 4.0;  // readings that come late or early make a wheel look faster
 constexpr double always_possible_m = 0.01;
 
-bool is_roomba(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+bool is_roomba(std::string_view robot) {
+  const std::string name = config::lower_case(robot);
   return name.find("roomba") != std::string::npos || name.find("create") != std::string::npos;
 }
 

@@ -1,12 +1,12 @@
 #include "tools/wheelwright/export/patch/mujoco_drive.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <string_view>
 #include <vector>
 
+#include "config/load/ascii_text.hpp"
 #include "config/load/printable_text.hpp"
 #include "tools/wheelwright/common/commands.hpp"
 
@@ -16,11 +16,7 @@ namespace {
 using pugi::xml_attribute;
 using pugi::xml_node;
 
-std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return text;
-}
+using config::lower_case;
 
 std::string name_of(xml_node element) {
   return element.attribute("name").value();

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
 
+#include "config/load/ascii_text.hpp"
 #include "model/statistics/order_statistics.hpp"
 
 namespace wheelwright::import {
@@ -123,8 +123,7 @@ TimeUnit time_unit(const std::vector<double>& times, std::optional<double> perio
 }
 
 std::optional<TimeUnit> stated_time_unit(std::string_view text) {
-  std::string lower;
-  for (const char c : text) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string lower = config::lower_case(text);
   using Spelling = std::pair<std::string_view, TimeUnit>;
   constexpr std::array<Spelling, 28> spellings{{{"s", TimeUnit::s},
                                                 {"sec", TimeUnit::s},

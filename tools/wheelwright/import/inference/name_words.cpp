@@ -4,11 +4,13 @@
 #include <array>
 #include <cctype>
 
+#include "config/load/ascii_text.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {
 namespace {
 
+using config::is_digit;
 using std::string_view;
 
 bool is_upper(char c) {
@@ -19,9 +21,6 @@ bool is_lower(char c) {
 }
 bool is_letter(char c) {
   return std::isalpha(static_cast<unsigned char>(c)) != 0;
-}
-bool is_digit(char c) {
-  return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
 // Before which a side may stand as one letter: "vr", "encl", "rpmr".
@@ -75,7 +74,7 @@ NameWords::NameWords(string_view name) {
       add_word(words_, std::move(word));
       word.clear();
     }
-    if (belongs && c != '/') word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (belongs && c != '/') word += config::to_lower(c);
   }
   add_word(words_, std::move(word));
 }

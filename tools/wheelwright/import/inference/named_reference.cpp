@@ -1,10 +1,10 @@
 #include "tools/wheelwright/import/inference/named_reference.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
 
+#include "config/load/ascii_text.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
@@ -25,10 +25,8 @@ class ReferenceFinder {
  private:
   // How much a stream looks like a measurement from outside of the robot.
   int trust(const Named& x) const {
-    std::string words;
-    for (const char c : x.stream->name + " " + x.channel->name + " " + x.stream->type) {
-      words += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
+    const std::string words =
+        config::lower_case(x.stream->name + " " + x.channel->name + " " + x.stream->type);
     const auto says = [&](std::string_view word) { return words.find(word) != std::string::npos; };
     if (says("odom")) return has_wheels_ ? -1 : 0;  // what the robot makes of its own counts
     if (says("mocap") || says("vicon") || says("opti") || says("truth") || says("gt") || says("ref"))

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <numbers>
 #include <string>
 #include <utility>
+
+#include "config/load/ascii_text.hpp"
 
 namespace wheelwright::import {
 namespace {
@@ -106,10 +107,10 @@ constexpr std::array<Spelling, 75> spellings{{{"m/s", "m/s"},
                                               {"millivolts", "mV"},
                                               {"km/hr", "km/h"}}};
 
-std::string lower(std::string_view text) {
+std::string lower_without_blanks(std::string_view text) {
   std::string result;
   for (const char c : text) {
-    if (c != ' ') result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (c != ' ') result += config::to_lower(c);
   }
   return result;
 }
@@ -133,7 +134,7 @@ std::span<const Unit> voltage_units() {
 }
 
 std::string_view unit_by_spelling(std::string_view spelling) {
-  const std::string wanted = lower(spelling);
+  const std::string wanted = lower_without_blanks(spelling);
   const auto* at = std::ranges::find(spellings, wanted, &Spelling::first);
   return at == spellings.end() ? std::string_view() : at->second;
 }

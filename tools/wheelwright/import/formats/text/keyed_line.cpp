@@ -6,6 +6,7 @@
 #include <limits>
 #include <system_error>
 
+#include "config/load/ascii_text.hpp"
 #include "tools/wheelwright/import/formats/text/line_cursor.hpp"
 #include "tools/wheelwright/import/formats/text/number_text.hpp"
 #include "tools/wheelwright/import/formats/text/time_text.hpp"
@@ -14,13 +15,11 @@
 namespace wheelwright::import {
 namespace {
 
+using config::is_digit;
+
 constexpr std::size_t max_words = 64;
 constexpr std::size_t max_numbers = 512;
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-bool is_digit(char character) {
-  return character >= '0' && character <= '9';
-}
 
 bool is_letter(char character) {
   return (character >= 'a' && character <= 'z') || (character >= 'A' && character <= 'Z') ||

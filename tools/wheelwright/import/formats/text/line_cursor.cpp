@@ -27,11 +27,4 @@ bool LineCursor::next_filled(Line& line) {
   return false;
 }
 
-std::string_view trim(std::string_view text) {
-  constexpr std::string_view blanks = " \t\v\f";
-  const auto first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 }  // namespace wheelwright::import

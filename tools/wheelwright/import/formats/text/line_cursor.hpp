@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <string_view>
 
+#include "config/load/ascii_text.hpp"
+
 namespace wheelwright::import {
 
 struct Line {
@@ -31,7 +33,6 @@ class LineCursor {
   bool feed_is_known_ = false;
 };
 
-// Without blanks and tabulators at its ends.
-std::string_view trim(std::string_view text);
+using config::trim;
 
 }  // namespace wheelwright::import

@@ -8,18 +8,15 @@
 #include <cstdint>
 #include <system_error>
 
+#include "config/load/ascii_text.hpp"
+
 namespace wheelwright::import {
 namespace {
 
+using config::is_digit;
+using config::to_lower;
+
 constexpr std::size_t longest_number = 400;  // characters
-
-bool is_digit(char character) {
-  return character >= '0' && character <= '9';
-}
-
-char to_lower(char character) {
-  return character >= 'A' && character <= 'Z' ? static_cast<char>(character - 'A' + 'a') : character;
-}
 
 bool equals_word(std::string_view cell, std::string_view word) {
   return std::ranges::equal(cell, word, {}, to_lower);

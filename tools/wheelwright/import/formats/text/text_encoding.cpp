@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "config/load/printable_text.hpp"
+
 namespace wheelwright::import {
 namespace {
 
@@ -87,36 +89,15 @@ std::string from_utf16(std::string_view bytes, bool is_big) {
   return text;
 }
 
-// The length of the UTF-8 sequence at a place; 0 where there is none.
-std::size_t sequence_length(std::string_view bytes, std::size_t at) {
-  const std::uint8_t first = byte_at(bytes, at);
-  if (first < 0x80) return 1;
-  const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
-  if (first < 0xc2 || first > 0xf4 || length > bytes.size() - at) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte_at(bytes, at + i) & 0xc0U) != 0x80U) return 0;
-  }
-  return length;
-}
-
 bool is_ascii(std::string_view bytes) {
   return std::ranges::all_of(bytes, [](char c) { return static_cast<std::uint8_t>(c) < 0x80; });
-}
-
-bool is_utf8(std::string_view bytes) {
-  for (std::size_t at = 0; at < bytes.size();) {
-    const std::size_t length = sequence_length(bytes, at);
-    if (length == 0) return false;
-    at += length;
-  }
-  return true;
 }
 
 std::string from_latin1(std::string_view bytes) {
   std::string text;
   text.reserve(bytes.size() + bytes.size() / 16);
   for (std::size_t at = 0; at < bytes.size();) {
-    const std::size_t length = sequence_length(bytes, at);
+    const std::size_t length = config::utf8_length(bytes.substr(at));
     if (length == 0) append_utf8(text, byte_at(bytes, at));
     if (length > 0) text += bytes.substr(at, length);
     at += std::max<std::size_t>(length, 1);
@@ -160,7 +141,7 @@ DecodedText decode_text(std::string bytes) {
       decoded.text = std::move(bytes);
       break;
   }
-  if (!is_ascii(decoded.text) && !is_utf8(decoded.text)) {
+  if (!is_ascii(decoded.text) && !config::is_utf8(decoded.text)) {
     decoded.text = from_latin1(decoded.text);
     decoded.encoding = "Latin-1";
   }

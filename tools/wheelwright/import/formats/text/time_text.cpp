@@ -7,18 +7,14 @@
 #include <cstdint>
 #include <utility>
 
+#include "config/load/ascii_text.hpp"
 #include "tools/wheelwright/import/formats/text/line_cursor.hpp"
 
 namespace wheelwright::import {
 namespace {
 
-bool is_digit(char character) {
-  return character >= '0' && character <= '9';
-}
-
-char to_lower(char character) {
-  return character >= 'A' && character <= 'Z' ? static_cast<char>(character - 'A' + 'a') : character;
-}
+using config::is_digit;
+using config::to_lower;
 
 bool starts_with_word(std::string_view text, std::string_view word) {
   return text.size() >= word.size() && std::ranges::equal(text.substr(0, word.size()), word, {}, to_lower);

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "config/load/ascii_text.hpp"
 #include "config/load/printable_text.hpp"
 
 namespace wheelwright::import::ros {
@@ -21,17 +22,11 @@ constexpr std::size_t longest_definition = 256U << 10U;
 constexpr int deepest_nesting = 32;
 constexpr std::string_view blanks = " \t\r";
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 std::string_view take_line(std::string_view& text) {
   const auto end = text.find('\n');
   const std::string_view line = text.substr(0, end);
   text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-  return trimmed(line);
+  return config::trim(line);
 }
 
 std::optional<FieldKind> primitive(std::string_view name, Dialect dialect) {
@@ -91,10 +86,11 @@ tl::expected<std::optional<FieldLine>, std::string> parse_line(std::string_view 
   const auto type_end = line.find_first_of(blanks);
   if (type_end == std::string_view::npos) return not_a_field();
   const std::string_view type = line.substr(0, type_end);
-  std::string_view rest = trimmed(line.substr(type_end));
+  std::string_view rest = config::trim(line.substr(type_end));
   const auto name_end = std::min(rest.find_first_of(" \t=#"), rest.size());
   const std::string_view name = rest.substr(0, name_end);
-  if (trimmed(rest.substr(name_end)).starts_with('=')) return std::nullopt;  // a constant: not in messages
+  if (config::trim(rest.substr(name_end)).starts_with('='))
+    return std::nullopt;  // a constant: not in messages
   if (!is_identifier(name) || name.size() > longest_field_name) return not_a_field();
 
   FieldLine result;
@@ -124,7 +120,7 @@ class Parser {
       if (line.starts_with("===")) {
         is_separated = true;
       } else if (is_separated && line.starts_with("MSG:")) {
-        begin_type(trimmed(line.substr(4)));
+        begin_type(config::trim(line.substr(4)));
         is_separated = false;
       } else if (is_separated && line.starts_with("IDL:")) {
         return "its definition is in part IDL, which is not read";
