@@ -131,8 +131,12 @@ class Circle {
     Laps laps;
     for (std::size_t i = 0; i < options_.laps; ++i) {
       const DriveOutcome outcome = robot.drive(route_, PoseSource::arma, model);
-      if (outcome.end) laps.offsets_m.push_back(std::hypot(outcome.end->x_m, outcome.end->y_m));
-      if (!outcome.end) laps.failure = outcome.failure;
+      if (outcome.end) {
+        laps.offsets_m.push_back(std::hypot(outcome.end->x_m, outcome.end->y_m));
+      } else {
+        ++laps.stopped;
+        laps.failure = outcome.failure;
+      }
     }
     return laps;
   }
@@ -152,21 +156,16 @@ class Circle {
   }
 
   Proof prove(const RobotModel& calibrated, const RobotModel& found) const {
-    Proof proof;
-    proof.calibrated_m = error_of_own_drives_m(calibrated, proof.failure);
-    proof.found_m = error_of_own_drives_m(found, proof.failure);
-    return proof;
+    return {own_drives(calibrated), own_drives(found)};
   }
 
   // On tours at the speed of the route, which the model has not seen and drives itself: where it steers, the
   // commands may be others than those it was learned from. All models with the same luck.
-  std::optional<double> error_of_own_drives_m(const RobotModel& model, std::string& failure) const {
+  OwnDrives own_drives(const RobotModel& model) const {
     RobotTrial robot = trial(Purpose::prove);
     simulation::Noise chance(simulation::Noise(options_.seed).bits() + 1);
-    const auto logs = proof_drives(proving_drives, route_.speed_m_s, robot, model, chance);
-    if (logs) return position_error_m(model, *logs);
-    failure = logs.error();
-    return std::nullopt;
+    const ProofDrives drives = proof_drives(proving_drives, route_.speed_m_s, robot, model, chance);
+    return {position_error_m(model, drives.logs), drives.stopped, drives.failure};
   }
 
   // Where the workflow cannot decide, what it asks for is driven, and it is asked again.

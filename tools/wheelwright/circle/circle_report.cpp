@@ -38,32 +38,42 @@ void print_laps(std::ostream& out, const std::string& title, const Laps& laps) {
   const auto [least, most] = std::ranges::minmax(laps.offsets_m);
   out << fixed_number(mean_m(laps.offsets_m), 3) << " m, mean of " << laps.offsets_m.size() << " drives ("
       << fixed_number(least, 3) << " to " << fixed_number(most, 3) << ")";
-  if (!laps.failure.empty()) out << "; another did not come to its end: " << laps.failure;
+  if (laps.stopped > 0) out << "; " << laps.stopped << " did not come to an end: " << laps.failure;
   out << "\n";
 }
 
+void print_own_drives(std::ostream& out, const OwnDrives& drives) {
+  if (drives.error_m) out << fixed_number(1e3 * *drives.error_m, 1) << " mm off";
+  if (drives.error_m && drives.stopped > 0) out << ", ";
+  if (drives.stopped > 0) out << drives.stopped << " stopped (" << drives.failure << ")";
+  if (!drives.error_m && drives.stopped == 0) out << "no reference position";
+}
+
 void print_proof(std::ostream& out, const Proof& proof) {
-  out << "each on more drives of its own: ";
-  if (!proof.calibrated_m || !proof.found_m) {
-    out << (proof.failure.empty() ? "no reference position" : "none came to its end: " + proof.failure)
-        << "; the calibrated model drives\n";
-    return;
-  }
-  out << "calibrated " << fixed_number(1e3 * *proof.calibrated_m, 1) << " mm off, found "
-      << fixed_number(1e3 * *proof.found_m, 1) << " mm; the " << (proof.is_better() ? "found" : "calibrated")
-      << " model drives\n";
+  out << "each on more drives of its own: calibrated ";
+  print_own_drives(out, proof.calibrated);
+  out << "; found ";
+  print_own_drives(out, proof.found);
+  out << "; the " << (proof.is_better() ? "found" : "calibrated") << " model drives\n";
 }
 
 ordered_json to_json(const Proof& proof) {
-  ordered_json json{{"calibrated_m", nullptr}, {"found_m", nullptr}, {"drives", "calibrated"}};
-  if (proof.calibrated_m) json["calibrated_m"] = *proof.calibrated_m;
-  if (proof.found_m) json["found_m"] = *proof.found_m;
+  ordered_json json{{"calibrated_m", nullptr},
+                    {"found_m", nullptr},
+                    {"calibrated_stopped", proof.calibrated.stopped},
+                    {"found_stopped", proof.found.stopped},
+                    {"drives", "calibrated"}};
+  if (proof.calibrated.error_m) json["calibrated_m"] = *proof.calibrated.error_m;
+  if (proof.found.error_m) json["found_m"] = *proof.found.error_m;
   if (proof.is_better()) json["drives"] = "found";
   return json;
 }
 
 ordered_json to_json(const Laps& laps) {
-  ordered_json json{{"offsets_m", laps.offsets_m}, {"mean_offset_m", nullptr}, {"failure", nullptr}};
+  ordered_json json{{"offsets_m", laps.offsets_m},
+                    {"mean_offset_m", nullptr},
+                    {"stopped", laps.stopped},
+                    {"failure", nullptr}};
   if (!laps.offsets_m.empty()) json["mean_offset_m"] = mean_m(laps.offsets_m);
   if (!laps.failure.empty()) json["failure"] = laps.failure;
   return json;
@@ -71,17 +81,17 @@ ordered_json to_json(const Laps& laps) {
 
 }  // namespace
 
-Told told(const CircleReport& report) {
-  Told told;
+NamingScore naming_score(const CircleReport& report) {
+  NamingScore score;
   for (const auto& imperfection : report.hidden) {
-    told.rightly += std::ranges::any_of(
+    score.right += std::ranges::any_of(
         report.named, [&](const std::string& effect) { return is_name_of(effect, imperfection); });
   }
   for (const auto& effect : report.named) {
-    told.falsely += std::ranges::none_of(
+    score.wrong += std::ranges::none_of(
         report.hidden, [&](const Imperfection& imperfection) { return is_name_of(effect, imperfection); });
   }
-  return told;
+  return score;
 }
 
 void print_circle(std::ostream& out, const CircleReport& report) {
@@ -103,9 +113,9 @@ void print_circle(std::ostream& out, const CircleReport& report) {
     out << "  hidden: " << imperfection.what << " (rightly named " << joined(imperfection.effects, " or ")
         << ")\n";
   }
-  const Told result = told(report);
-  out << "  named rightly: " << result.rightly << " of " << report.hidden.size()
-      << ", names that belong to nothing hidden: " << result.falsely << "\n";
+  const NamingScore score = naming_score(report);
+  out << "  named rightly: " << score.right << " of " << report.hidden.size()
+      << ", names that belong to nothing hidden: " << score.wrong << "\n";
 }
 
 ordered_json circle_json(const CircleReport& report) {
@@ -121,7 +131,7 @@ ordered_json circle_json(const CircleReport& report) {
                            {"failure", nullptr}});
     if (!experiment.failure.empty()) experiments.back()["failure"] = experiment.failure;
   }
-  const Told result = told(report);
+  const NamingScore score = naming_score(report);
   return {{"before", to_json(report.before)},
           {"experiments", experiments},
           {"verdict", report.verdict},
@@ -130,8 +140,8 @@ ordered_json circle_json(const CircleReport& report) {
           {"after", to_json(report.after)},
           {"hidden", hidden},
           {"sealed_file", report.sealed_file},
-          {"named_rightly", result.rightly},
-          {"named_falsely", result.falsely}};
+          {"named_rightly", score.right},
+          {"named_falsely", score.wrong}};
 }
 
 }  // namespace wheelwright::tools

@@ -14,7 +14,8 @@ namespace wheelwright::tools {
 // The route, driven several times by one model.
 struct Laps {
   std::vector<double> offsets_m;  // of those that came to their end
-  std::string failure;            // why the last of the others did not
+  std::size_t stopped = 0;        // that did not
+  std::string failure;            // why the last of those did not
 };
 
 // A drive that the workflow asked for because it could not decide.
@@ -25,14 +26,22 @@ struct Experiment {
   std::string failure;  // why it did not come to its end
 };
 
-// How far the free run of each model is off the reference position, over whole tours that it drove itself and
-// was not made from. The found model drives the route only if it is closer.
-struct Proof {
-  std::optional<double> calibrated_m;
-  std::optional<double> found_m;
-  std::string failure;  // why there were no drives
+// Tours that a model drove itself and was not made from.
+struct OwnDrives {
+  std::optional<double> error_m;  // of its free run against the reference position, over those that ended
+  std::size_t stopped = 0;        // that did not come to their end
+  std::string failure;            // why the last of those did not
+};
 
-  bool is_better() const { return calibrated_m && found_m && *found_m < *calibrated_m; }
+// The found model drives the route only if it is closer over drives of its own, and is stopped no more often.
+struct Proof {
+  OwnDrives calibrated;
+  OwnDrives found;
+
+  bool is_better() const {
+    return found.error_m && found.stopped <= calibrated.stopped &&
+           (!calibrated.error_m || *found.error_m < *calibrated.error_m);
+  }
 };
 
 struct CircleReport {
@@ -47,17 +56,18 @@ struct CircleReport {
 };
 
 // How many imperfections were named under one of their names, and how many names belong to none.
-struct Told {
-  std::size_t rightly = 0;
-  std::size_t falsely = 0;
+struct NamingScore {
+  std::size_t right = 0;
+  std::size_t wrong = 0;
 };
-Told told(const CircleReport& report);
+NamingScore naming_score(const CircleReport& report);
 
 void print_circle(std::ostream& out, const CircleReport& report);
 
-// Keys: before, after {offsets_m, mean_offset_m, failure}, proof {calibrated_m, found_m, drives}, experiments
-// [{manoeuvre, seconds, separates, failure}], verdict, named, hidden [{what, effects}], sealed_file,
-// named_rightly, named_falsely. Where no lap came to its end the mean is null, where all did the failure is.
+// Keys: before, after {offsets_m, mean_offset_m, stopped, failure}, proof {calibrated_m, found_m,
+// calibrated_stopped, found_stopped, drives}, experiments [{manoeuvre, seconds, separates, failure}],
+// verdict, named, hidden [{what, effects}], sealed_file, named_rightly, named_falsely. Where no lap came to
+// its end the mean is null, where all did the failure is.
 nlohmann::ordered_json circle_json(const CircleReport& report);
 
 }  // namespace wheelwright::tools

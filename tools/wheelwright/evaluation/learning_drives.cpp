@@ -78,16 +78,19 @@ tl::expected<std::vector<DriveLog>, std::string> learning_drives(std::size_t cou
   return logs;
 }
 
-tl::expected<std::vector<DriveLog>, std::string> proof_drives(std::size_t count, double speed_m_s,
-                                                              RobotTrial& trial, const RobotModel& model,
-                                                              simulation::Noise& chance) {
-  std::vector<DriveLog> logs;
+ProofDrives proof_drives(std::size_t count, double speed_m_s, RobotTrial& trial, const RobotModel& model,
+                         simulation::Noise& chance) {
+  ProofDrives drives;
   for (std::size_t i = 0; i < count; ++i) {
-    auto log = recorded(trial, model, [&] { return tour_mission(speed_m_s, chance); });
-    if (!log) return tl::make_unexpected(log.error());
-    logs.push_back(std::move(*log));
+    auto log = trial.record(tour_mission(speed_m_s, chance), model, {});
+    if (log) {
+      drives.logs.push_back(std::move(*log));
+    } else {
+      ++drives.stopped;
+      drives.failure = log.error();
+    }
   }
-  return logs;
+  return drives;
 }
 
 }  // namespace wheelwright::tools

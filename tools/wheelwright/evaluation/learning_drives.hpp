@@ -24,9 +24,14 @@ tl::expected<std::vector<DriveLog>, std::string> learning_drives(std::size_t cou
                                                                  const RobotModel& model,
                                                                  simulation::Noise& chance);
 
+struct ProofDrives {
+  std::vector<DriveLog> logs;  // of those that came to their end
+  std::size_t stopped = 0;     // that did not
+  std::string failure;         // why the last of those did not
+};
+
 // Tours at the speed of a route, of about a minute each, recorded alike.
-tl::expected<std::vector<DriveLog>, std::string> proof_drives(std::size_t count, double speed_m_s,
-                                                              RobotTrial& trial, const RobotModel& model,
-                                                              simulation::Noise& chance);
+ProofDrives proof_drives(std::size_t count, double speed_m_s, RobotTrial& trial, const RobotModel& model,
+                         simulation::Noise& chance);
 
 }  // namespace wheelwright::tools

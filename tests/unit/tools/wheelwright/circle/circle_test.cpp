@@ -67,8 +67,8 @@ TEST_CASE("A name counts for what was hidden under it, and else as false") {
   tools::CircleReport report;
   report.hidden = {{"play", {"backlash"}}, {"friction", {"coulomb_friction", "stiction"}}};
   report.named = {"stiction", "saturation"};
-  CHECK(tools::told(report).rightly == 1);
-  CHECK(tools::told(report).falsely == 1);
+  CHECK(tools::naming_score(report).right == 1);
+  CHECK(tools::naming_score(report).wrong == 1);
 }
 
 TEST_CASE("Where no lap came to its end the report says why instead of an offset") {
@@ -90,12 +90,22 @@ TEST_CASE(
     print_circle(out, report);
     return out.str();
   };
-  CHECK_THAT(printed({0.090, 0.028, {}}), ContainsSubstring("the found model drives") &&
-                                              ContainsSubstring("B, with what the workflow added"));
-  CHECK_THAT(printed({0.028, 0.090, {}}), ContainsSubstring("the calibrated model drives") &&
-                                              ContainsSubstring("B, by the calibrated model"));
-  CHECK_THAT(printed({{}, {}, "stopped: bump"}),
-             ContainsSubstring("stopped: bump; the calibrated model drives"));
+  const tools::OwnDrives close{0.028, 0, ""};
+  const tools::OwnDrives far{0.090, 0, ""};
+  const tools::OwnDrives none{{}, 2, "stopped: bump"};
+  CHECK_THAT(printed({far, close}), ContainsSubstring("the found model drives") &&
+                                        ContainsSubstring("B, with what the workflow added"));
+  CHECK_THAT(printed({close, far}), ContainsSubstring("the calibrated model drives") &&
+                                        ContainsSubstring("B, by the calibrated model"));
+  CHECK_THAT(printed({far, none}),
+             ContainsSubstring("found 2 stopped (stopped: bump); the calibrated model drives"));
+  CHECK_THAT(printed({none, far}), ContainsSubstring("the found model drives"));
+  CHECK_FALSE(tools::Proof{none, none}.is_better());
+}
+
+TEST_CASE("A found model that is stopped more often than the calibrated one does not drive") {
+  CHECK_FALSE(tools::Proof{{0.090, 0, ""}, {0.028, 1, "stopped: bump"}}.is_better());
+  CHECK(tools::Proof{{0.090, 1, "stopped: bump"}, {0.028, 1, "stopped: bump"}}.is_better());
 }
 
 TEST_CASE("Of two models the one that is right is closer to the reference over a whole drive") {
