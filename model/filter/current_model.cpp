@@ -23,8 +23,13 @@ CurrentModel::Features CurrentModel::features(double speed_m_s, double accelerat
   return {soft_sign(speed_m_s, 0.02), speed_m_s, acceleration_m_s2, soft_sign(turning_m_s, 0.04)};
 }
 
-double CurrentModel::spread_a() const {
+double CurrentModel::noise_a() const {
   return std::max(min_spread_a, std::sqrt(variance_a2_));
+}
+
+// The covariance of the weights is in units of the noise's variance.
+double CurrentModel::spread_a(const Features& features) const {
+  return noise_a() * std::sqrt(1.0 + features.dot(covariance_ * features));
 }
 
 void CurrentModel::take(const Features& features, double current_a) {
@@ -38,7 +43,7 @@ void CurrentModel::take(const Features& features, double current_a) {
 }
 
 void CurrentModel::learn(const Sample& sample) {
-  const double limit_a = outlier * spread_a();
+  const double limit_a = outlier * noise_a();
   double residual_a = sample.current_a - expected_a(sample.features);
   if (ready()) residual_a = std::clamp(residual_a, -limit_a, limit_a);
   if (learnt_ >= min_learnt / 2) {

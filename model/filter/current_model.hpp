@@ -21,8 +21,9 @@ class CurrentModel {
 
   // In amperes, signed as the speed.
   double expected_a(const Features& features) const { return weights_.dot(features); }
-  // Standard deviation of a mean over 0.25 s.
-  double spread_a() const;
+  // Standard deviation of a mean over 0.25 s about what is expected: its own, and that of the expectation
+  // where little like it has been learnt yet.
+  double spread_a(const Features& features) const;
   // Enough has been learnt to judge by it.
   bool ready() const { return learnt_ >= min_learnt; }
 
@@ -40,6 +41,7 @@ class CurrentModel {
   static constexpr int min_learnt = 24;
 
   void learn(const Sample& sample);
+  double noise_a() const;
 
   Features weights_{0.1, 0.0, 0.0, 0.0};
   Eigen::Matrix4d covariance_ = Eigen::Matrix4d::Identity() * 100.0;

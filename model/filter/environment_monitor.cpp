@@ -66,7 +66,8 @@ EnvironmentMonitor::BlockScore EnvironmentMonitor::close_block(Wheel& wheel) con
   const double direction = features[0] < 0.0 ? -1.0 : 1.0;
   BlockScore score;
   if (wheel.model.ready()) {
-    score.current = direction * (current_a - wheel.model.expected_a(features)) / wheel.model.spread_a();
+    score.current =
+        direction * (current_a - wheel.model.expected_a(features)) / wheel.model.spread_a(features);
     score.other = std::abs(score.current) - mean_size_of_normal;
   }
   if (wheel.power.ready()) {

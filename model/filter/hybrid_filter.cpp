@@ -41,7 +41,9 @@ WheelNoise wheel_noise(const FilterNoise& noise, double position_noise_m, double
 }  // namespace
 
 HybridFilter::HybridFilter(const RobotModel& model)
-    : HybridFilter(model.linear_part, scale_of(model), filter_noise_of(model), effect_settings(model)) {}
+    : HybridFilter(model.linear_part, scale_of(model), filter_noise_of(model), effect_settings(model)) {
+  doubt_ = ModelDoubt(model);
+}
 
 HybridFilter::HybridFilter(const LinearModel& model, const WheelPair& metres_per_tick,
                            const FilterNoise& noise, std::span<const EffectSetting> effects)
@@ -58,6 +60,11 @@ HybridFilter::HybridFilter(const LinearModel& model, const WheelPair& metres_per
       misfit_(model.period_s),
       pose_(model.wheel_base_m, {noise.scale_standard_error, noise.wheel_mismatch}) {}
 
+void HybridFilter::prime(const WheelPair& command_m_s) {
+  const double battery_v = std::numeric_limits<double>::quiet_NaN();
+  doubt_.step(command_m_s, battery_v, simulation_.step(command_m_s, battery_v).wheel_m_s);
+}
+
 void HybridFilter::set_prediction(Side& side, double predicted_m, double ticks) const {
   side.predicted_m = predicted_m;
   const double speed_m_s = ticks > 0.0 ? predicted_m / (ticks * period_s_) : side.speed_m_s;
@@ -72,14 +79,19 @@ void HybridFilter::advance_model(const SensorFrame& frame) {
   beyond_wheels_ = {};
   simulation_.set_pose(pose_.pose());
   simulation_.set_distance_m(rolled_m_);
+  doubt_.set_place(pose_.pose(), rolled_m_);
+  left_.doubt_m = right_.doubt_m = 0.0;
   const std::int64_t ticks =
       started_ ? std::clamp<std::int64_t>(frame.tick - tick_, 0, max_ticks_left_out) : 0;
   for (std::int64_t i = 0; i < ticks; ++i) {
     const auto& motion = simulation_.step(command_, battery_v);
     const WheelPair& speed = motion.wheel_m_s;
     const Twist by_wheels = twist_of_wheels(speed, wheel_base_m_);
+    const WheelPair doubt = doubt_.step(command_, battery_v, speed);
     predicted_m.left += period_s_ * speed.left;
     predicted_m.right += period_s_ * speed.right;
+    left_.doubt_m += period_s_ * doubt.left;
+    right_.doubt_m += period_s_ * doubt.right;
     beyond_wheels_.v_m_s += period_s_ * (motion.twist.v_m_s - by_wheels.v_m_s);
     beyond_wheels_.w_rad_s += period_s_ * (motion.twist.w_rad_s - by_wheels.w_rad_s);
   }
@@ -104,8 +116,10 @@ void HybridFilter::watch_turn(Side& side, double command_m_s, std::int64_t tick)
 void HybridFilter::step_wheel(Side& side, const SensorFrame& frame, std::int64_t ticks) {
   WheelReading reading;
   reading.predicted_m = side.predicted_m;
+  reading.doubt_m = side.doubt_m;
   reading.gain_error = side.drift.gain_error();
   reading.gain_standard_error = side.drift.gain_standard_error();
+  reading.roughness = side.drift.roughness();
   const bool turned = frame.tick - side.turned_tick < turn_matters_ticks;
   reading.doubtful = side.counts_backwards || (frame.doubtful_sign && turned);
   reading.new_origin = frame.after_gap;
@@ -122,7 +136,7 @@ void HybridFilter::step_wheel(Side& side, const SensorFrame& frame, std::int64_t
   if (!estimate.accepted || reading.believed || estimate.resynchronised) {
     side.drift.interrupt();
   } else {
-    side.drift.take(side.predicted_m, side.filter.offset_m(), estimate.process_variance_m2,
+    side.drift.take(side.predicted_m, side.doubt_m, side.filter.offset_m(), estimate.process_variance_m2,
                     estimate.reading_sd_m);
   }
   side.out.speed_m_s = (1.0 + side.drift.gain_error()) * side.speed_m_s;
@@ -159,12 +173,17 @@ void HybridFilter::obey(Side& side, bool stalled, bool distrusted, double take_o
   side.distrusted = distrusted;
 }
 
+bool HybridFilter::is_in_doubt(const Side& side) {
+  constexpr double share = 0.01;  // of the travel: less is far from what a misfit of the gain is
+  return side.doubt_m > share * std::abs(side.predicted_m);
+}
+
 bool HybridFilter::watch_gain(const SensorFrame& frame) {
   const bool settled = frame.tick - last_not_driven_tick_ >= believed_after_rest_ticks;
   if (!frame.armed || !settled || detector_.any()) {
     misfit_.restart();
   } else if (!left_.evidence.received || !right_.evidence.received || frame.doubtful_sign ||
-             left_.counts_backwards || right_.counts_backwards) {
+             left_.counts_backwards || right_.counts_backwards || is_in_doubt(left_) || is_in_doubt(right_)) {
     misfit_.drop_block();
   } else {
     misfit_.take({left_.evidence.predicted_m, right_.evidence.predicted_m},

@@ -29,6 +29,7 @@
 #include "model/filter/fault_detector.hpp"
 #include "model/filter/filter_noise.hpp"
 #include "model/filter/gain_misfit.hpp"
+#include "model/filter/model_doubt.hpp"
 #include "model/filter/pose_with_covariance.hpp"
 #include "model/filter/scale_drift_test.hpp"
 #include "model/filter/wheel_filter.hpp"
@@ -76,7 +77,7 @@ class HybridFilter {
   const Pose& pose() const { return pose_.pose(); }
   // Before the first frame: a command that was in force for one period, so that the model is in motion then
   // as the robot is.
-  void prime(const WheelPair& command_m_s) { simulation_.step(command_m_s); }
+  void prime(const WheelPair& command_m_s);
   // Before the first frame: goes on in the place of a filter by another model of the same robot. The pose,
   // how well it is known, and which counter is the left one stay; everything else is learnt again.
   void take_over(const HybridFilter& before) {
@@ -106,6 +107,7 @@ class HybridFilter {
     ScaleDriftTest drift;
     double metres_per_tick;
     double predicted_m = 0.0;  // over this tick
+    double doubt_m = 0.0;      // by which that may be another (model_doubt.hpp)
     double speed_m_s = 0.0;    // of the model
     double acceleration_m_s2 = 0.0;
     double counted_m = 0.0;  // total of the last reading that was received
@@ -129,6 +131,7 @@ class HybridFilter {
   void gather(Side& side, const WheelReading& reading, const WheelEstimate& estimate);
   void judge(const SensorFrame& frame, HybridOutput& output);
   void obey(Side& side, bool stalled, bool distrusted, double take_out_m);
+  static bool is_in_doubt(const Side& side);
   bool watch_gain(const SensorFrame& frame);
   bool watch_environment(const SensorFrame& frame, bool both_misfit);
 
@@ -136,6 +139,7 @@ class HybridFilter {
   FilterNoise noise_;
   double wheel_base_m_;
   ModelSimulation simulation_;
+  ModelDoubt doubt_;
   WheelPair rolled_m_;   // since the start, as filtered
   Twist beyond_wheels_;  // way and turn of the body over this tick, beyond the wheels' travel
   Side left_;

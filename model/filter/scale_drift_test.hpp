@@ -6,6 +6,10 @@
 // itself is learnt from travel that has left all windows, so that a drift does not teach the test to accept
 // it.
 //
+// A drift goes on, while a wheel that a model with effects has wrong for a moment (play, a caster that turns
+// over) makes one large step. So the step of the offset within 0.25 s counts for two of its standard
+// deviations at most, and it takes three seconds to be called a drift.
+//
 // What it cannot show: a drift within the first metres, before the gain is known better than the drift is
 // large; and which of both is right, encoder or model. Where both wheels leave the model alike, it is the
 // model.
@@ -20,8 +24,10 @@ class ScaleDriftTest {
  public:
   ScaleDriftTest(double period_s, double gain_standard_error);
 
-  // Takes a tick on which the reading was accepted. `offset_m` is the travel beyond the model's so far.
-  void take(double predicted_m, double offset_m, double process_variance_m2, double reading_sd_m);
+  // Takes a tick on which the reading was accepted. `doubt_m` is by how much the model's travel may be
+  // another (model_doubt.hpp), `offset_m` the travel beyond the model's so far.
+  void take(double predicted_m, double doubt_m, double offset_m, double process_variance_m2,
+            double reading_sd_m);
   // The readings of this tick say nothing; windows do not reach across it.
   void interrupt();
 
@@ -43,6 +49,7 @@ class ScaleDriftTest {
   struct Mark {
     double model_m = 0.0;
     double distance_m = 0.0;
+    double doubt_m = 0.0;
     double offset_m = 0.0;
     double variance_m2 = 0.0;  // of the random walk since construction
     double reading_m2 = 0.0;   // of the reading itself
@@ -53,6 +60,10 @@ class ScaleDriftTest {
   void look_back();
   void learn(const Mark& older, const Mark& newer);
   void learn_roughness();
+  static double doubt_variance_m2(const Mark& then, const Mark& now);
+  double step_variance_m2(const Mark& then, const Mark& now) const;
+  // Beyond the model with its learnt gain.
+  double collected_m(const Mark& then, const Mark& now) const;
 
   int ticks_per_mark_;
   int ticks_ = 0;

@@ -58,10 +58,14 @@ double WheelFilter::predict(const WheelReading& reading, double speed_m_s) {
   const double free_m = reading.believed ? unmodelled_m : 0.0;
   const double process_m2 = noise_.drift_m_per_sqrt_s * noise_.drift_m_per_sqrt_s * period_s_ +
                             ticks_per_change * late_m * late_m / 12.0;
-  // A wrong gain errs the same way all along, so its variance grows with the square of the distance.
-  variance_m2_ +=
-      process_m2 + free_m * free_m + gain_m * gain_m + 2.0 * gain_m * reading.gain_standard_error * blind_m_;
+  const double roughness2 = reading.roughness * reading.roughness;
+  // A wrong gain errs the same way all along, so its variance grows with the square of the distance, and so
+  // does that of a doubt: anything from none of it to all of it, hence a third of its square.
+  variance_m2_ += roughness2 * process_m2 + free_m * free_m + gain_m * gain_m +
+                  2.0 * gain_m * reading.gain_standard_error * blind_m_ +
+                  (reading.doubt_m * reading.doubt_m + 2.0 * reading.doubt_m * blind_doubt_m_) / 3.0;
   blind_m_ += distance_m;
+  blind_doubt_m_ += reading.doubt_m;
   return process_m2;
 }
 
@@ -118,6 +122,7 @@ void WheelFilter::weigh(double innovation_m, double variance_m2) {
   offset_m_ += weight * innovation_m;
   variance_m2_ *= 1.0 - weight;
   blind_m_ *= 1.0 - weight;
+  blind_doubt_m_ *= 1.0 - weight;
   std::shift_right(undone_m_.begin(), undone_m_.end(), 1);
   undone_m_[0] = weight * innovation_m;
 }

@@ -30,8 +30,10 @@ struct WheelNoise {
 // What one tick says of a wheel.
 struct WheelReading {
   double predicted_m = 0.0;  // travel over this tick by the model
+  double doubt_m = 0.0;      // by which that may be another, to either side
   double gain_error = 0.0;   // correction of it, as a fraction, and how sure it is
   double gain_standard_error = 0.0;
+  double roughness = 1.0;  // how much more model and wheel part than the noise figures say, as a factor
   std::optional<double> counted_m;  // encoder total times metres per tick; nothing where not received
   bool doubtful = false;            // the sign of the last counts may yet change
   bool new_origin = false;          // counts have nothing to do with those before
@@ -98,7 +100,8 @@ class WheelFilter {
   double origin_m_ = 0.0;
   bool has_origin_ = false;
   bool suspended_ = false;
-  double blind_m_ = 0.0;  // distance for which the model stood in
+  double blind_m_ = 0.0;        // distance for which the model stood in
+  double blind_doubt_m_ = 0.0;  // and the doubt over it
   double last_speed_m_s_ = 0.0;
   double recent_change_m_s_ = 0.0;  // of the speed, fading
   double unrest_m_s_ = 0.0;         // the same of its size, fading more slowly

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/uncertainty/moved_models.hpp"
+#include "model/simulation/moved_models.hpp"
 
 namespace wheelwright {
 namespace {

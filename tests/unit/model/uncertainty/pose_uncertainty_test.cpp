@@ -7,8 +7,9 @@
 #include <numbers>
 #include <random>
 
+#include "model/simulation/model_simulation.hpp"
 #include "model/simulation/motion_predictor.hpp"
-#include "model/uncertainty/moved_models.hpp"
+#include "model/simulation/moved_models.hpp"
 #include "tests/support/catch.hpp"
 
 namespace wheelwright {
@@ -58,9 +59,9 @@ WheelPair command_at(int period) {
 constexpr int periods = 950;
 
 Pose driven(const RobotModel& model) {
-  MotionPredictor predictor(model);
-  for (int k = 0; k < periods; ++k) predictor.step(command_at(k));
-  return predictor.pose();
+  ModelSimulation simulation(model.linear_part, effect_settings(model));
+  for (int k = 0; k < periods; ++k) simulation.step(command_at(k));
+  return simulation.pose();
 }
 
 Eigen::Matrix3d predicted_covariance(const RobotModel& model) {

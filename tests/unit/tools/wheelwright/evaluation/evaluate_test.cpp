@@ -133,13 +133,18 @@ TEST_CASE("evaluate shows a calibration for each attempt beside one calibration 
 }
 
 TEST_CASE("The shipped calibration drives make models that agree better than those of the paper") {
-  const auto scatter_of = [](const std::string& drives, const std::string& model) {
+  const auto models_of = [](const std::string& drives) {
     const auto outcome =
         evaluate({"--runs", "12", "--seed", "40", "--json", "--calibrate", "each", "--drives", drives});
-    return nlohmann::json::parse(outcome.out)["models"][model]["standard_deviation"]["value"].get<double>();
+    return nlohmann::json::parse(outcome.out)["models"];
   };
+  const auto scatter_of = [](const nlohmann::json& models, const std::string& model) {
+    return models[model]["standard_deviation"]["value"].get<double>();
+  };
+  const auto shipped = models_of("shipped");
+  const auto paper = models_of("paper");
   for (const std::string model : {"fir", "arma"})
-    CHECK(scatter_of("shipped", model) < 0.7 * scatter_of("paper", model));
+    CHECK(scatter_of(shipped, model) < 0.7 * scatter_of(paper, model));
 }
 
 TEST_CASE("Bad usage of evaluate is refused in one line") {

@@ -1,7 +1,8 @@
-#include "model/uncertainty/moved_models.hpp"
+#include "model/simulation/moved_models.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "model/effects/library/effect_library.hpp"
 
@@ -42,7 +43,8 @@ void add_scale_move(const RobotModel& model, std::vector<MovedModels>& moved) {
   scale_commands(both.down.linear_part, 1.0 - model.encoder_scale->relative_standard_error);
 }
 
-void add_effect_moves(const RobotModel& model, std::size_t index, std::vector<MovedModels>& moved) {
+void add_effect_moves(const RobotModel& model, std::size_t index, double deviations,
+                      std::vector<MovedModels>& moved) {
   const AddedEffect& effect = model.effects[index];
   const EffectInfo* info = find_effect(effect.setting.name);
   if (info == nullptr || info->wheel_mismatch) return;
@@ -50,7 +52,8 @@ void add_effect_moves(const RobotModel& model, std::size_t index, std::vector<Mo
   for (std::size_t i = 0; i < effect.intervals.size(); ++i) {
     const double value = effect.setting.parameters[i];
     const auto towards = [&](double end) {
-      return std::clamp(value + (end - value) / deviations_in_ci95, parameters[i].lower, parameters[i].upper);
+      return std::clamp(value + deviations * (end - value) / deviations_in_ci95, parameters[i].lower,
+                        parameters[i].upper);
     };
     const double up = towards(effect.intervals[i].upper);
     const double down = towards(effect.intervals[i].lower);
@@ -68,7 +71,14 @@ std::vector<MovedModels> moved_models(const RobotModel& model) {
   if (model.left_fit) add_gain_moves(model, &LinearModel::left, *model.left_fit, moved);
   if (model.right_fit) add_gain_moves(model, &LinearModel::right, *model.right_fit, moved);
   add_scale_move(model, moved);
-  for (std::size_t index = 0; index < model.effects.size(); ++index) add_effect_moves(model, index, moved);
+  for (MovedModels& effect : moved_effects(model, 1.0)) moved.push_back(std::move(effect));
+  return moved;
+}
+
+std::vector<MovedModels> moved_effects(const RobotModel& model, double deviations) {
+  std::vector<MovedModels> moved;
+  for (std::size_t index = 0; index < model.effects.size(); ++index)
+    add_effect_moves(model, index, deviations, moved);
   return moved;
 }
 

@@ -25,4 +25,7 @@ inline constexpr double gain_discrepancy = 0.002;
 // of the wheels is left to FilterNoise::wheel_mismatch. Empty where the model states none.
 std::vector<MovedModels> moved_models(const RobotModel& model);
 
+// The effects' parameters alone, moved by that many standard deviations.
+std::vector<MovedModels> moved_effects(const RobotModel& model, double deviations);
+
 }  // namespace wheelwright
