@@ -72,16 +72,23 @@ bool FaultDetector::are_swapped(const TickEvidence& evidence) const {
          std::abs(right.counted_m() - left.predicted_m()) < allowed_m;
 }
 
+// Two encoders do not drift at once: where both wheels leave the model, it is the model. The second of them
+// may do so in steps of any size.
 void FaultDetector::look_for_drift(const TickEvidence& evidence, FaultVerdict& verdict, FaultEvents& events) {
   for (std::size_t wheel = 0; wheel < 2; ++wheel) {
     Side& side = sides_[wheel];
+    if (side.kind != FaultKind::none) continue;
     const double statistic = evidence.drift_statistic[wheel];
     const double other = evidence.drift_statistic[1 - wheel];
-    if (side.kind != FaultKind::none || std::abs(statistic) < drift_gate) continue;
-    if (other * statistic > 0.0 && std::abs(other) > shared_drift * std::abs(statistic)) {
+    const bool drifts = std::abs(statistic) > drift_gate;
+    const bool alike = other * statistic > 0.0 && std::abs(other) > shared_drift * std::abs(statistic);
+    const bool follows = sides_[1 - wheel].kind == FaultKind::drifting &&
+                         std::abs(evidence.whole_drift_statistic[wheel]) > drift_gate;
+    if (follows || (drifts && alike)) {
       verdict.model_is_off = true;
       continue;
     }
+    if (!drifts) continue;
     side.kind = FaultKind::drifting;
     verdict.take_out_m[wheel] = evidence.drift_collected_m[wheel];
     for (const auto stage : {FaultEvent::Stage::began, FaultEvent::Stage::named}) {

@@ -10,7 +10,8 @@
 //     windows four times a second: below 1e-4 an hour; finds what creeps.
 // What a linear model cannot know (motors that cannot brake) is not normal: both gates widen after changes of
 // speed, but where a reading jumps. Jumps of less than about 1 cm may stay unseen then, of 4 mm at steady
-// speed. A name follows once it can be told: see MisfitRecord for what tells them apart.
+// speed. So do they where a model with effects is in doubt (model_doubt.hpp), and by the roughness that was
+// learnt of a wheel. A name follows once it can be told: see MisfitRecord for what tells them apart.
 //
 // Limits. Frozen and stuck differ by the jump; a counter that sticks within a few counts of where it was is
 // called frozen. Swapped encoders show, and matter, only while the wheels are told to turn differently. A
@@ -32,8 +33,9 @@ namespace wheelwright {
 
 struct TickEvidence {
   std::int64_t tick = 0;
-  std::array<WheelEvidence, 2> wheels;  // left, right
-  std::array<double, 2> drift_statistic{};
+  std::array<WheelEvidence, 2> wheels;      // left, right
+  std::array<double, 2> drift_statistic{};  // of scale_drift_test.hpp: steady, and with steps of any size
+  std::array<double, 2> whole_drift_statistic{};
   std::array<double, 2> drift_collected_m{};
   bool driven = false;  // the robot obeys
   bool wheel_drop = false;

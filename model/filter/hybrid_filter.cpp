@@ -211,6 +211,7 @@ void HybridFilter::judge(const SensorFrame& frame, HybridOutput& output) {
   evidence.wheels[0].excess_a = environment_.excess_a().left;
   evidence.wheels[1].excess_a = environment_.excess_a().right;
   evidence.drift_statistic = {left_.drift.statistic(), right_.drift.statistic()};
+  evidence.whole_drift_statistic = {left_.drift.whole_statistic(), right_.drift.whole_statistic()};
   evidence.drift_collected_m = {left_.drift.collected_m(), right_.drift.collected_m()};
   evidence.overcurrent = {frame.valid && (frame.overcurrents & left_overcurrent) != 0,
                           frame.valid && (frame.overcurrents & right_overcurrent) != 0};

@@ -37,7 +37,7 @@ double ScaleDriftTest::roughness() const {
 void ScaleDriftTest::interrupt() {
   ticks_ = 0;
   count_ = 0;
-  statistic_ = 0.0;
+  statistic_ = whole_statistic_ = 0.0;
   collected_m_ = 0.0;
 }
 
@@ -78,7 +78,7 @@ double ScaleDriftTest::collected_m(const Mark& then, const Mark& now) const {
 }
 
 void ScaleDriftTest::look_back() {
-  statistic_ = 0.0;
+  statistic_ = whole_statistic_ = 0.0;
   collected_m_ = 0.0;
   if (!ready()) return;
   const double gain_se = gain_standard_error();
@@ -94,7 +94,10 @@ void ScaleDriftTest::look_back() {
     const double random_m2 = now_.reading_m2 + then.reading_m2 + now_.variance_m2 - then.variance_m2;
     const double variance_m2 = std::max(1.0, roughness2_) * random_m2 +
                                gain_se * gain_se * distance_m * distance_m + doubt_variance_m2(then, now_);
-    const double ratio = steady_m / std::sqrt(variance_m2);
+    const double sd_m = std::sqrt(variance_m2);
+    const double whole = collected_m(then, now_) / sd_m;
+    if (std::abs(whole) > std::abs(whole_statistic_)) whole_statistic_ = whole;
+    const double ratio = steady_m / sd_m;
     if (std::abs(ratio) > std::abs(statistic_)) {
       statistic_ = ratio;
       collected_m_ = collected_m(then, now_);

@@ -44,6 +44,8 @@ class ScaleDriftTest {
   // Largest ratio of all windows, signed as the offset, and the offset collected over that window.
   double statistic() const { return statistic_; }
   double collected_m() const { return collected_m_; }
+  // The same with steps of any size, for a wheel that follows another one which drifts.
+  double whole_statistic() const { return whole_statistic_; }
 
  private:
   struct Mark {
@@ -76,6 +78,7 @@ class ScaleDriftTest {
   double roughness2_ = 1.0;
   int learnt_ = 0;
   double statistic_ = 0.0;
+  double whole_statistic_ = 0.0;
   double collected_m_ = 0.0;
 };
 
