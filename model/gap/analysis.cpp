@@ -12,6 +12,7 @@
 #include "model/gap/figures/free_run_figures.hpp"
 #include "model/gap/fit/reference_alignment.hpp"
 #include "model/gap/selection/search_start.hpp"
+#include "model/prediction/wheel_misfit.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -51,6 +52,7 @@ class Analysis {
   void check_on_test_runs();
   void show_untouched_figures();
   void bound_floors();
+  void state_noise();
   void note_runs();
 
   const GapOptions& options_;
@@ -386,6 +388,15 @@ void Analysis::note_runs() {
   result_.tested = result_.held_out;
 }
 
+// What a filter by the model has to know of it.
+void Analysis::state_noise() {
+  if (result_.after.linear_part.left.from_left.empty()) return;
+  const auto fits = wheel_misfit(result_.after, gathered_.train.logs);
+  if (!fits) return;
+  result_.after.left_fit = fits->left;
+  result_.after.right_fit = fits->right;
+}
+
 tl::expected<GapAnalysis, GapRefusal> Analysis::run(std::span<const DriveLog> train,
                                                     std::span<const DriveLog> test) {
   if (auto refusal = gather_runs(train, test, options_.period_s, gathered_)) return tl::unexpected(*refusal);
@@ -401,6 +412,7 @@ tl::expected<GapAnalysis, GapRefusal> Analysis::run(std::span<const DriveLog> tr
   check_on_test_runs();
   if (options_.simulation) compare_with(*options_.simulation);
   bound_floors();
+  state_noise();
   if (options_.model)
     result_.summary += not_compared_in_words(*options_.model, gathered_.train.runs.front().period_s);
   return result_;

@@ -2,7 +2,7 @@
 // floor: over simulated faults of varied size and kind, and over hours of clean driving.
 //
 // With `--circle`, robots and models are those of folders that `wheelwright circle` has filled: what the
-// filter makes of a model with effects.
+// filter makes of a model with effects, or of a robot whose effects were not found.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -40,13 +40,13 @@ Subject calibrated(const std::string& robot, const std::string& room, std::uint6
   return {robot, room, test::calibrated_model(robot, room, seed), test::robot_on_endless_floor(robot, seed)};
 }
 
-// The sealed robot of a circle, with the model that was found.
+// The sealed robot of a circle, with the model that drove it at last.
 Subject of_circle(const std::filesystem::path& folder, std::uint64_t seed) {
   auto robot = config::load_simulation_config(folder / "sealed" / "robot.yaml");
   robot.room.walls.clear();
   robot.room.obstacles.clear();
   robot.seed = seed;
-  return {folder.filename(), "its room", config::load_model(folder / "gap" / "model.yaml"), robot};
+  return {folder.filename(), "its room", config::load_model(folder / "driven.yaml"), robot};
 }
 
 double mean_of(const std::vector<double>& values) {
@@ -288,7 +288,8 @@ int main(int argc, char** argv) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   app.add_option("--seed", options.first_seed, "First of those used")->capture_default_str();
-  app.add_option("--circle", options.circles, "Folders of wheelwright circle: their robots and found models")
+  app.add_option("--circle", options.circles,
+                 "Folders of wheelwright circle: their robots, and the models that drove them")
       ->check(CLI::ExistingDirectory);
   app.add_flag("--verbose", options.verbose, "Prints each fault, not only the missed ones");
   CLI11_PARSE(app, argc, argv);

@@ -77,7 +77,9 @@ class Circle {
     find_gap(calibrated);
     const RobotModel found = config::load_model(folder_ / "gap" / "model.yaml");
     report_.proof = prove(calibrated, found);
-    report_.after = laps(report_.proof.is_better() ? found : calibrated);
+    const RobotModel& driven = report_.proof.is_better() ? found : calibrated;
+    config::save_model(driven, folder_ / "driven.yaml");
+    report_.after = laps(driven);
     print();
     return ExitStatus::done;
   }

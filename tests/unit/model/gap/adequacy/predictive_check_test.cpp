@@ -16,7 +16,7 @@ std::vector<DriveLog> clean_runs(std::uint64_t seed) {
   spec.name = "clean";
   spec.seed = seed;
   spec.runs = 3;
-  spec.seconds = 35.0;
+  spec.seconds = 28.0;
   return test::make_gap_case(spec).runs;
 }
 
@@ -110,7 +110,7 @@ TEST_CASE("Where no effect was accepted every run is checked, else those alone t
   spec.severity = test::Severity::large;
   spec.seed = 46;
   spec.runs = 3;
-  spec.seconds = 35.0;
+  spec.seconds = 28.0;
   const auto with_effect = analysed(test::make_gap_case(spec).runs);
   REQUIRE(with_effect.verdict == Verdict::named);
   CHECK(with_effect.checked == CheckedRuns::held_out);

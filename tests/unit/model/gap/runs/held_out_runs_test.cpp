@@ -10,12 +10,12 @@ using namespace wheelwright::gap;
 
 namespace {
 
-std::vector<DriveLog> runs_with(const std::string& name, int count) {
+std::vector<DriveLog> runs_with(const std::string& name, int count, double seconds = 28.0) {
   test::GapCaseSpec spec;
   spec.name = name;
   spec.severity = test::Severity::large;
   spec.runs = count;
-  spec.seconds = 40.0;
+  spec.seconds = seconds;
   auto runs = test::make_gap_case(spec).runs;
   for (auto& run : runs) run.name = name + "_" + run.name;
   return runs;
@@ -53,8 +53,8 @@ TEST_CASE("What no held-out run could show is confirmed on one of the others in 
 }
 
 TEST_CASE("A name that takes untouched runs further away is taken back, and the summary says so") {
-  const auto train = runs_with("surface_patch", 3);
-  const auto analysis = analysed(train, {runs_with("clean", 2).back()});
+  const auto train = runs_with("surface_patch", 3, 40.0);
+  const auto analysis = analysed(train, {runs_with("clean", 2, 40.0).back()});
   INFO(analysis.summary);
   CHECK(analysis.verdict == Verdict::unnamed);
   CHECK(analysis.found.empty());
