@@ -7,7 +7,7 @@ namespace wheelwright::tools {
 namespace {
 
 constexpr double drive_s = 62.0;
-constexpr int max_repeats = 2;  // of a drive that the robot stopped, each by other commands
+constexpr std::size_t max_repeats = 2;  // of a drive that the robot stopped, each by other commands
 constexpr double square_m = 2.0;
 constexpr double shortest_leg_m = 0.4;
 constexpr double slowest_m_s = 0.1;
@@ -40,7 +40,8 @@ template <typename MakeMission>
 tl::expected<DriveLog, std::string> recorded(RobotTrial& trial, const RobotModel& model,
                                              MakeMission make_mission) {
   auto log = trial.record(make_mission(), model, {});
-  for (int again = 0; !log && again < max_repeats; ++again) log = trial.record(make_mission(), model, {});
+  for (std::size_t again = 0; !log && again < max_repeats; ++again)
+    log = trial.record(make_mission(), model, {});
   return log;
 }
 
@@ -81,7 +82,8 @@ tl::expected<std::vector<DriveLog>, std::string> learning_drives(std::size_t cou
 ProofDrives proof_drives(std::size_t count, double speed_m_s, RobotTrial& trial, const RobotModel& model,
                          simulation::Noise& chance) {
   ProofDrives drives;
-  for (std::size_t i = 0; i < count; ++i) {
+  const std::size_t attempts = count * (1 + max_repeats);
+  for (std::size_t i = 0; i < attempts && drives.logs.size() < count; ++i) {
     auto log = trial.record(tour_mission(speed_m_s, chance), model, {});
     if (log) {
       drives.logs.push_back(std::move(*log));
