@@ -21,6 +21,7 @@
 #include "tools/wheelwright/common/commands.hpp"
 #include "tools/wheelwright/common/json_text.hpp"
 #include "tools/wheelwright/common/now.hpp"
+#include "tools/wheelwright/common/output.hpp"
 #include "tools/wheelwright/evaluation/calibration_drives.hpp"
 #include "tools/wheelwright/evaluation/learning_drives.hpp"
 #include "tools/wheelwright/evaluation/prediction_error.hpp"
@@ -47,17 +48,6 @@ enum class Purpose : std::uint64_t { calibrate = 1, learn, drive, experiment, pr
 
 constexpr std::size_t max_experiments = 2;
 constexpr std::size_t proving_drives = 2;
-
-void write(const fs::path& path, const std::string& text) {
-  if (const auto error = config::write_output({path, config::OutputKind::any}, text))
-    throw UsageError(*error);
-}
-
-void make_folder(const fs::path& path) {
-  std::error_code error;
-  fs::create_directories(path, error);
-  if (error) throw UsageError(path.string() + ": cannot be made a folder: " + error.message());
-}
 
 class Circle {
  public:

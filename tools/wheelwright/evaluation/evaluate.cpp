@@ -15,6 +15,7 @@
 #include "tools/option_checks.hpp"
 #include "tools/wheelwright/common/commands.hpp"
 #include "tools/wheelwright/common/json_text.hpp"
+#include "tools/wheelwright/common/output.hpp"
 #include "tools/wheelwright/common/parallel_for.hpp"
 #include "tools/wheelwright/common/progress_line.hpp"
 #include "tools/wheelwright/evaluation/attempts.hpp"
@@ -45,12 +46,7 @@ struct EvaluateOptions {
   bool each = false;
 };
 
-void write(const fs::path& path, const std::string& text) {
-  if (const auto error = config::write_output({path, config::OutputKind::any}, text))
-    throw UsageError(*error);
-}
-
-void make_folder(const fs::path& folder, const EvaluateOptions& options) {
+void make_output_folder(const fs::path& folder, const EvaluateOptions& options) {
   constexpr std::array<std::string_view, 4> names{"evaluation.json", "end_points.csv", "end_points.gnuplot",
                                                   "end_points.svg"};
   if (const auto problem =
@@ -58,9 +54,7 @@ void make_folder(const fs::path& folder, const EvaluateOptions& options) {
                                       {options.robot, options.route})) {
     throw UsageError(*problem);
   }
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw UsageError(folder.string() + ": cannot be made a folder: " + error.message());
+  make_folder(folder);
 }
 
 void write_end_points(const fs::path& folder, const std::vector<AttemptOutcome>& outcomes, Streams streams) {
@@ -123,7 +117,7 @@ ExitStatus run_evaluate(const EvaluateOptions& options, Streams streams) {
   if (options.each && !options.with_effects)
     throw UsageError("--each repeats the gap workflow, which only --with-effects runs");
   EvaluationPlan plan = plan_of(options);
-  if (!options.output.empty()) make_folder(options.output, options);
+  if (!options.output.empty()) make_output_folder(options.output, options);
   ProgressLine progress(streams.err);
   const auto say = progress.callback();
   const auto run = [&](const EvaluationPlan& of_plan) {

@@ -9,6 +9,7 @@
 #include "tools/option_checks.hpp"
 #include "tools/wheelwright/common/commands.hpp"
 #include "tools/wheelwright/common/json_text.hpp"
+#include "tools/wheelwright/common/output.hpp"
 #include "tools/wheelwright/export/model_export.hpp"
 #include "tools/wheelwright/export/plain_csv.hpp"
 #include "tools/wheelwright/export/recorded_run.hpp"
@@ -69,7 +70,7 @@ ExitStatus run_export(const ExportOptions& options, Streams streams) {
   check_all({mcap, tum, csv}, run);
   auto written = nlohmann::ordered_json::array();
   const auto write = [&](const char* format, const config::OutputFile& file, const std::string& bytes) {
-    if (const auto error = config::write_output(file, bytes)) throw UsageError(*error);
+    tools::write(file, bytes);
     written.push_back({{"format", format}, {"file", file.path.string()}, {"bytes", bytes.size()}});
     if (!options.json) streams.out << "wrote " << file.path.string() << "\n";
   };

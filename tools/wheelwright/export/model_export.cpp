@@ -8,6 +8,7 @@
 #include "config/load/output_file.hpp"
 #include "tools/option_checks.hpp"
 #include "tools/wheelwright/common/json_text.hpp"
+#include "tools/wheelwright/common/output.hpp"
 #include "tools/wheelwright/export/c/c_header.hpp"
 #include "tools/wheelwright/export/mujoco.hpp"
 #include "tools/wheelwright/export/patch/mujoco_patch.hpp"
@@ -221,7 +222,7 @@ ExitStatus export_model(const std::string& model_file, const ModelExport& option
     streams.out << text.text;
     return ExitStatus::done;
   }
-  if (const auto error = config::write_output(output, text.text)) throw UsageError(*error);
+  write(output, text.text);
   if (json) {
     streams.out << json_text(to_json(text, target.format, options.output)) << "\n";
     return ExitStatus::done;

@@ -15,6 +15,7 @@
 #include "tools/option_checks.hpp"
 #include "tools/wheelwright/common/commands.hpp"
 #include "tools/wheelwright/common/now.hpp"
+#include "tools/wheelwright/common/output.hpp"
 #include "tools/wheelwright/common/parallel_for.hpp"
 #include "tools/wheelwright/common/progress_line.hpp"
 #include "tools/wheelwright/gap/compare_simulation.hpp"
@@ -53,10 +54,6 @@ std::string used_text(const gap::Segments& segments) {
          std::to_string(segments.runs.size()) + " segments that show the most.";
 }
 
-void write(const config::OutputFile& file, const std::string& text) {
-  if (const auto error = config::write_output(file, text)) throw UsageError(*error);
-}
-
 // The folder is for the analysis alone: `replay` takes a model.yaml beside a run's log for the run's own.
 void check_folder(const GapCommand& command) {
   constexpr std::array<std::string_view, 4> names{"gap.json", "model.yaml", "next_experiment.csv",
@@ -73,15 +70,6 @@ void check_folder(const GapCommand& command) {
   if (const auto problem =
           config::check_output_folder(folder, {"gap.json", config::OutputKind::gap}, names, inputs)) {
     throw UsageError(*problem);
-  }
-}
-
-void make_folder(const std::string& path) {
-  std::error_code error;
-  std::filesystem::create_directories(path, error);
-  if (error || !std::filesystem::is_directory(path)) {
-    throw UsageError(path +
-                     ": cannot be made: " + (error ? error.message() : "a file of that name is there"));
   }
 }
 

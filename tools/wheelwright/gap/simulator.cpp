@@ -15,6 +15,7 @@
 #include "config/load/text_file.hpp"
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/common/commands.hpp"
+#include "tools/wheelwright/common/output.hpp"
 #include "tools/wheelwright/import/conversion/repair_checks.hpp"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): by POSIX, the program declares it
@@ -188,9 +189,7 @@ void check_simulator(const Simulator& simulator) {
 std::vector<std::string> run_simulator(const Simulator& simulator, std::span<const DriveLog> runs,
                                        const fs::path& folder,
                                        const std::function<void(std::size_t)>& before_each) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw UsageError(folder.string() + ": cannot be made: " + error.message());
+  make_folder(folder);
   const fs::path absolute = fs::absolute(folder);
   for (std::size_t i = 0; i < runs.size(); ++i) check_may_be_replaced(files_of(absolute, i), runs);
   std::vector<std::string> written;

@@ -10,6 +10,7 @@
 #include "tools/option_checks.hpp"
 #include "tools/wheelwright/common/commands.hpp"
 #include "tools/wheelwright/common/json_text.hpp"
+#include "tools/wheelwright/common/output.hpp"
 #include "tools/wheelwright/import/import_files.hpp"
 #include "tools/wheelwright/logs/log_checks.hpp"
 #include "tools/wheelwright/logs/log_input.hpp"
@@ -110,9 +111,7 @@ void save_runs(const std::vector<DriveLog>& runs, const ImportCommand& options) 
   const auto outputs = outputs_for(options.output, runs.size());
   if (outputs.size() == 1 && outputs.front() == options.output)
     return config::save_drive_logs(runs, options.output);
-  std::error_code error;
-  std::filesystem::create_directories(options.output, error);
-  if (error) throw UsageError(options.output + ": cannot be made: " + error.message());
+  make_folder(options.output);
   check_all_outputs(options, outputs);
   for (std::size_t run = 0; run < runs.size(); ++run) config::save_drive_log(runs[run], outputs[run]);
 }

@@ -10,6 +10,7 @@
 #include "model/prediction/free_run.hpp"
 #include "tools/wheelwright/common/commands.hpp"
 #include "tools/wheelwright/common/json_text.hpp"
+#include "tools/wheelwright/common/output.hpp"
 #include "tools/wheelwright/logs/log_checks.hpp"
 #include "tools/wheelwright/logs/log_input.hpp"
 
@@ -67,8 +68,7 @@ ExitStatus run_simulate(const SimulateOptions& options, Streams streams) {
   say("simulating", 0.3);
   const auto motion = free_run(model, log);
   say("writing " + options.output, 0.6);
-  if (const auto error = config::write_output({options.output, config::OutputKind::motion}, to_csv(motion)))
-    throw UsageError(*error);
+  write({options.output, config::OutputKind::motion}, to_csv(motion));
   progress.clear();
   if (options.json) {
     streams.out << json_text(to_json(motion, options)) << "\n";

@@ -11,6 +11,7 @@
 #include "model/prediction/free_run.hpp"
 #include "tools/wheelwright/common/commands.hpp"
 #include "tools/wheelwright/common/json_text.hpp"
+#include "tools/wheelwright/common/output.hpp"
 #include "tools/wheelwright/common/progress_line.hpp"
 #include "tools/wheelwright/logs/log_checks.hpp"
 #include "tools/wheelwright/logs/log_input.hpp"
@@ -136,8 +137,7 @@ ExitStatus run_report(const ReportOptions& options, Streams streams) {
                                                               evaluation_section(options.log))
                                : run_page(options, progress, streams.err);
   progress.clear();
-  if (const auto error = config::write_output({output, config::OutputKind::page}, page))
-    throw UsageError(*error);
+  write({output, config::OutputKind::page}, page);
   if (options.json) {
     streams.out << json_text(nlohmann::ordered_json{{"wrote", output}, {"bytes", page.size()}}) << "\n";
   } else {

@@ -8,6 +8,7 @@
 #include "config/load/printable_text.hpp"
 #include "config/load/text_file.hpp"
 #include "tools/wheelwright/common/json_text.hpp"
+#include "tools/wheelwright/common/output.hpp"
 #include "tools/wheelwright/export/patch/text_edits.hpp"
 #include "tools/wheelwright/logs/log_checks.hpp"
 
@@ -39,8 +40,7 @@ std::string write_backup(const PatchedFile& file) {
     path = file.name + ".bak" + std::to_string(number);
   if (is_there(path))
     throw UsageError(path + ": is there already, and no name before it is free; remove some");
-  if (const auto error = config::write_output({path, config::OutputKind::any}, file.text))
-    throw UsageError(*error);
+  write(path, file.text);
   return path;
 }
 
@@ -140,8 +140,7 @@ ExitStatus write_patch(const PatchPaths& paths, const std::function<Patch(const 
   std::string backup;
   if (changed && in_place) backup = write_backup(file);
   if (changed || !in_place) {
-    if (const auto error = config::write_output({target, config::OutputKind::any}, patched.text))
-      throw UsageError(*error);
+    write(target, patched.text);
   }
   if (json) {
     nlohmann::ordered_json result{{"file", target}, {"changed", changed}};
