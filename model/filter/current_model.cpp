@@ -18,9 +18,11 @@ double soft_sign(double value, double scale) {
 
 }  // namespace
 
-CurrentModel::Features CurrentModel::features(double speed_m_s, double acceleration_m_s2,
-                                              double turning_m_s) {
-  return {soft_sign(speed_m_s, 0.02), speed_m_s, acceleration_m_s2, soft_sign(turning_m_s, 0.04)};
+CurrentModel::Features CurrentModel::features(double speed_m_s, double acceleration_m_s2, double turning_m_s,
+                                              double heading_rad) {
+  return Features{soft_sign(speed_m_s, 0.02),   speed_m_s,   acceleration_m_s2,
+                  soft_sign(turning_m_s, 0.04), turning_m_s, std::cos(heading_rad),
+                  std::sin(heading_rad)};
 }
 
 double CurrentModel::noise_a() const {

@@ -1,9 +1,10 @@
 // What current a wheel's motor should draw, learnt while driving.
 //
-// Linear in what pulls at a wheel: direction (friction), speed, acceleration, and direction of turning (the
-// scrub of the tyres). Fitted by recursive least squares with slow forgetting, on means over 0.25 s, since
-// the wheel controller's ripple is as large as the current itself. What it is taught is older than 6 s, so
-// that a change is seen before it is learnt; while a wheel stands nothing is learnt.
+// Linear in what pulls at a wheel: direction (friction), speed, acceleration, direction and rate of turning
+// (the scrub of the tyres), and heading (a floor that slopes). Fitted by recursive least squares with slow
+// forgetting, on means over 0.25 s, since the wheel controller's ripple is as large as the current itself.
+// What it is taught is older than 6 s, so that a change is seen before it is learnt; while a wheel stands
+// nothing is learnt.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,10 +15,13 @@ namespace wheelwright {
 
 class CurrentModel {
  public:
-  using Features = Eigen::Vector4d;
+  static constexpr int feature_count = 7;
+  using Features = Eigen::Vector<double, feature_count>;
 
-  // Of a wheel's speed (m/s), its acceleration (m/s^2) and the difference to the other wheel's speed.
-  static Features features(double speed_m_s, double acceleration_m_s2, double turning_m_s);
+  // Of a wheel's speed (m/s), its acceleration (m/s^2), the difference to the other wheel's speed, and the
+  // heading of the robot.
+  static Features features(double speed_m_s, double acceleration_m_s2, double turning_m_s,
+                           double heading_rad);
 
   // In amperes, signed as the speed.
   double expected_a(const Features& features) const { return weights_.dot(features); }
@@ -43,8 +47,9 @@ class CurrentModel {
   void learn(const Sample& sample);
   double noise_a() const;
 
-  Features weights_{0.1, 0.0, 0.0, 0.0};
-  Eigen::Matrix4d covariance_ = Eigen::Matrix4d::Identity() * 100.0;
+  Features weights_ = 0.1 * Features::Unit(0);
+  Eigen::Matrix<double, feature_count, feature_count> covariance_ =
+      100.0 * Eigen::Matrix<double, feature_count, feature_count>::Identity();
   double variance_a2_ = 0.03 * 0.03;
   int learnt_ = 0;
   std::array<Sample, delay> waiting_{};  // ring

@@ -46,14 +46,13 @@ void EnvironmentMonitor::drop_block() {
   }
 }
 
-void EnvironmentMonitor::add_tick(Wheel& wheel, double speed, double other_speed, double acceleration,
-                                  double current_a, double innovation, double& excess_a) {
-  const auto features = CurrentModel::features(speed, acceleration, speed - other_speed);
+void EnvironmentMonitor::add_tick(Wheel& wheel, const CurrentModel::Features& features, double current_a,
+                                  double innovation, double& excess_a) {
   wheel.features += features;
   wheel.current_a += current_a;
   wheel.innovation2 += innovation * innovation;
   if (!wheel.model.ready()) return;
-  const double direction = speed < 0.0 ? -1.0 : 1.0;
+  const double direction = features[0] < 0.0 ? -1.0 : 1.0;
   const double excess = direction * (current_a - wheel.model.expected_a(features));
   excess_a += excess_smoothing * (excess - excess_a);
 }
@@ -120,10 +119,13 @@ bool EnvironmentMonitor::take(const DrivingEvidence& evidence) {
   if (!evidence.received || !drives) return due_ && !was_due;
   // The excess is wanted most while a wheel has a fault; learning waits until it is over.
   const bool counts = evidence.sound && settle_ticks_ == 0;
-  add_tick(wheels_[0], left_speed, right_speed, evidence.acceleration_m_s2.left, evidence.current_a.left,
-           evidence.innovation.left, excess_a_.left);
-  add_tick(wheels_[1], right_speed, left_speed, evidence.acceleration_m_s2.right, evidence.current_a.right,
-           evidence.innovation.right, excess_a_.right);
+  const auto features = [&](double speed, double acceleration, double other_speed) {
+    return CurrentModel::features(speed, acceleration, speed - other_speed, evidence.heading_rad);
+  };
+  add_tick(wheels_[0], features(left_speed, evidence.acceleration_m_s2.left, right_speed),
+           evidence.current_a.left, evidence.innovation.left, excess_a_.left);
+  add_tick(wheels_[1], features(right_speed, evidence.acceleration_m_s2.right, left_speed),
+           evidence.current_a.right, evidence.innovation.right, excess_a_.right);
   if (!counts) {
     drop_block();
     return due_ && !was_due;

@@ -32,6 +32,7 @@ struct DrivingEvidence {
   bool sound = false;   // driven, and no wheel has a fault
   WheelPair speed_m_s;  // of the model
   WheelPair acceleration_m_s2;
+  double heading_rad = 0.0;
   WheelPair current_a;
   WheelPair innovation;      // in standard deviations
   bool both_misfit = false;  // both encoders have left the model alike
@@ -78,8 +79,8 @@ class EnvironmentMonitor {
     Sums sums;
   };
 
-  void add_tick(Wheel& wheel, double speed, double other_speed, double acceleration, double current_a,
-                double innovation, double& excess_a);
+  void add_tick(Wheel& wheel, const CurrentModel::Features& features, double current_a, double innovation,
+                double& excess_a);
   BlockScore close_block(Wheel& wheel) const;
   void add_up(const BlockScore& left, const BlockScore& right);
   double score_of(double Sums::*sum) const;

@@ -198,6 +198,7 @@ bool HybridFilter::watch_environment(const SensorFrame& frame, bool both_misfit)
   evidence.sound = frame.armed && !detector_.any();
   evidence.speed_m_s = {left_.speed_m_s, right_.speed_m_s};
   evidence.acceleration_m_s2 = {left_.acceleration_m_s2, right_.acceleration_m_s2};
+  evidence.heading_rad = pose_.pose().theta_rad;
   evidence.current_a = frame.motor_current_a;
   evidence.innovation = {left_.out.innovation, right_.out.innovation};
   evidence.both_misfit = both_misfit;

@@ -12,6 +12,8 @@
 // the counts, and what the body does beyond its wheels' travel (slip, geometry, slope) is added to the pose.
 // Effects that act by place, heading or the angle of a wheel act where the filter has the robot.
 //
+// Where a model with effects is in doubt (model_doubt.hpp) the gates widen, and the encoders weigh more.
+//
 // Limits. The encoders do not see the floor: two wheels that slip alike, or a robot that is carried, look
 // like driving. Where the wheel-speed controller of the robot holds the speed, another floor shows in the
 // motor currents and hardly in the counts; a floor with less grip that pulls no harder shows in neither. A
