@@ -8,7 +8,7 @@
 //
 // A drift goes on, while a wheel that a model with effects has wrong for a moment (play, a caster that turns
 // over) makes one large step. So the step of the offset within 0.25 s counts for two of its standard
-// deviations at most, and it takes three seconds to be called a drift.
+// deviations at most, and no single moment is called a drift.
 //
 // What it cannot show: a drift within the first metres, before the gain is known better than the drift is
 // large; and which of both is right, encoder or model. Where both wheels leave the model alike, it is the

@@ -14,6 +14,7 @@ constexpr double short_window_s = 0.1;  // over which polled counters come in al
 constexpr double long_window_s = 2.0;
 constexpr std::size_t min_windows = 30;
 constexpr double smallest_noise_m = 1e-4;  // of one reading
+constexpr double rolling_m_s = 0.02;       // on average: a wheel that stands shows no noise
 
 struct Step {
   double predicted_m = 0.0;
@@ -41,14 +42,18 @@ class Steps {
   void begin() { has_start_ = false; }
   void take(double t_s, const Step& since_start_of_run) {
     const Step& now = since_start_of_run;
-    if (has_start_ && t_s - start_s_ < length_s_) return;
-    if (has_start_) {
+    if (has_start_) rolled_m_ += std::abs(now.predicted_m - last_predicted_m_);
+    last_predicted_m_ = now.predicted_m;
+    const double length_s = t_s - start_s_;
+    if (has_start_ && length_s < length_s_) return;
+    if (has_start_ && rolled_m_ > rolling_m_s * length_s) {
       steps_.push_back({now.predicted_m - start_.predicted_m, now.residual_m - start_.residual_m});
-      seconds_ += t_s - start_s_;
+      seconds_ += length_s;
     }
     has_start_ = true;
     start_s_ = t_s;
     start_ = now;
+    rolled_m_ = 0.0;
   }
 
   const std::vector<Step>& all() const { return steps_; }
@@ -59,6 +64,8 @@ class Steps {
   bool has_start_ = false;
   double start_s_ = 0.0;
   Step start_;
+  double last_predicted_m_ = 0.0;
+  double rolled_m_ = 0.0;  // to and fro, since the start of the step
   std::vector<Step> steps_;
   double seconds_ = 0.0;
 };
@@ -66,7 +73,7 @@ class Steps {
 // Of one wheel, over all runs.
 class Wheel {
  public:
-  // The counts begin anew.
+  // The counts start again.
   void begin() {
     short_.begin();
     long_.begin();
@@ -77,7 +84,7 @@ class Wheel {
     long_.take(t_s, step);
   }
 
-  bool has_enough() const { return long_.all().size() >= min_windows && power_m2(long_.all()) > 0.0; }
+  bool has_enough() const { return long_.all().size() >= min_windows && !short_.all().empty(); }
 
   WheelFit fit() const {
     const double gain = gain_error();

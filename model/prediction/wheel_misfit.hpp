@@ -2,7 +2,7 @@
 // model needs (filter/filter_noise.hpp).
 //
 // With r the travel counted less the travel predicted, m the travel predicted, over windows of 0.1 s and of 2
-// s (mean square D of dr - g dm), for each wheel,
+// s in which the wheel rolls (mean square D of dr - g dm), for each wheel,
 //
 //   gain error g = sum dm dr / sum dm^2 over the long windows, its standard error from their scatter,
 //   D(t)         = 2 R + drift^2 t,    R: variance of one reading,
@@ -25,7 +25,7 @@ struct WheelFits {
   WheelFit right;
 };
 
-// Nothing where the runs hold no counts, or less than a minute of driving.
+// Nothing where the runs hold no counts, or a wheel rolls for less than a minute.
 std::optional<WheelFits> wheel_misfit(const RobotModel& model, std::span<const DriveLog> runs);
 
 }  // namespace wheelwright

@@ -77,6 +77,21 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("A robot that stands for most of a run has the noise of its driving") {
+  const RobotModel model = robot();
+  DriveLog run = run_of(model, {.drift_m_per_sqrt_s = 0.001}, 300.0, 4);
+  const DriveSample last = run.samples.back();
+  for (int k = 1; k * period_s < 600.0; ++k) {
+    DriveSample standing = last;
+    standing.t_s += k * period_s;
+    standing.command_m_s = {};
+    run.samples.push_back(standing);
+  }
+  const auto fits = wheel_misfit(model, std::span(&run, 1));
+  REQUIRE(fits);
+  CHECK_THAT(fits->left.drift_m_per_sqrt_s, WithinRel(0.001, 0.2));
+}
+
 TEST_CASE("The standard error of the gain falls with the way that was driven") {
   const RobotModel model = robot();
   const Noise noise{.drift_m_per_sqrt_s = 0.001};
