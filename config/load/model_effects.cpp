@@ -27,6 +27,10 @@ void read_intervals(YamlReader& entry, AddedEffect& effect) {
   auto section = entry.section("ci95");
   if (!section) return;
   for (const auto& parameter : parameters_of(effect.setting)) {
+    if (parameter.if_absent && !section->has(parameter.name)) {
+      effect.intervals.push_back({*parameter.if_absent, *parameter.if_absent});
+      continue;
+    }
     const std::vector<double> ends = section->numbers(parameter.name, {-1e9, 1e9});
     if (ends.size() != 2) section->fail(parameter.name, "must be [lowest, highest]");
     effect.intervals.push_back({ends[0], ends[1]});
@@ -47,8 +51,10 @@ AddedEffect read_effect(YamlReader entry) {
   auto parameters = entry.section("parameters");
   if (!parameters) entry.fail("parameters", "is missing here; it must hold the effect's parameters");
   for (const auto& parameter : parameters_of(effect.setting)) {
-    effect.setting.parameters.push_back(
-        parameters->number(parameter.name, {parameter.lower, parameter.upper, parameter.unit}));
+    const Range range{parameter.lower, parameter.upper, parameter.unit};
+    effect.setting.parameters.push_back(parameter.if_absent
+                                            ? parameters->number(parameter.name, range, *parameter.if_absent)
+                                            : parameters->number(parameter.name, range));
   }
   parameters->finish();
   read_intervals(entry, effect);

@@ -67,68 +67,127 @@ class CasterKick final : public EffectOf<CasterKick> {
   double swung_ = 1.0;      // share of it
 };
 
+// A direction in the plane, by its cosine and sine: turned without calls of either.
+struct Direction {
+  double x;
+  double y;
+
+  Direction turned_by(const Direction& other) const {
+    return {x * other.x - y * other.y, y * other.x + x * other.y};
+  }
+  Direction turned_back_by(const Direction& other) const {
+    return {x * other.x + y * other.y, y * other.x - x * other.y};
+  }
+  static Direction of_angle(double angle_rad) { return {std::cos(angle_rad), std::sin(angle_rad)}; }
+  static Direction of_vector(double x, double y) {
+    const double length = std::sqrt(x * x + y * y);
+    return length > 0.0 ? Direction{x / length, y / length} : Direction{1.0, 0.0};
+  }
+};
+
 // A fork whose wheel is dragged after its pivot (a tractrix: the tangent of half the angle between the fork
 // and where its pivot goes shrinks to 1/e within one trail).
 class Fork {
  public:
   Fork(double trail_m, double ahead_m, double lean_rad = 0.0)
-      : trail_m_(trail_m), ahead_m_(ahead_m), lean_rad_(lean_rad), angle_rad_(lean_rad) {}
+      : trail_m_(trail_m), ahead_m_(ahead_m), lean_rad_(lean_rad), fork_(Direction::of_angle(lean_rad)) {}
 
   struct Step {
-    double middle_rad;    // the fork in the middle of the period, from behind the pivot, seen from the robot
+    Direction middle;     // the fork in the middle of the period, from behind the pivot, seen from the robot
     double swivel_rad_s;  // seen from the robot
+    Direction end;        // the fork at the end
   };
+  Step dragged(const Twist& twist, double period_s) const {
+    const double sideways_m_s = twist.w_rad_s * ahead_m_;
+    const double pivot_m_s = std::sqrt(twist.v_m_s * twist.v_m_s + sideways_m_s * sideways_m_s);
+    const Direction half_turn = Direction::of_angle(0.5 * twist.w_rad_s * period_s);
+    const Direction behind = leaning(Direction::of_vector(twist.v_m_s, sideways_m_s));
+    // Seen from the floor, in the middle of the period's turn.
+    const Direction off = fork_.turned_back_by(half_turn).turned_back_by(behind);
+    const double before = tangent_of_half(off);
+    const double after = before * std::exp(-pivot_m_s * period_s / trail_m_);
+    const double scale = 1.0 / (1.0 + after * after);
+    const Direction off_after{(1.0 - after * after) * scale, 2.0 * after * scale};
+    const double turned_rad = 2.0 * std::atan((after - before) / (1.0 + after * before));
+    const Direction middle = Direction::of_vector(off.x + off_after.x, off.y + off_after.y);
+    return {middle.turned_by(behind).turned_by(half_turn), turned_rad / period_s - twist.w_rad_s,
+            off_after.turned_by(behind).turned_back_by(half_turn)};
+  }
   Step drag(const Twist& twist, double period_s) {
-    const double turned_rad = dragged_rad(twist, period_s);
-    const Step step{angle_rad_ + 0.5 * turned_rad, turned_rad / period_s - twist.w_rad_s};
-    angle_rad_ += turned_rad - twist.w_rad_s * period_s;
+    const Step step = dragged(twist, period_s);
+    fork_ = step.end;
     return step;
   }
-  void reset() { angle_rad_ = lean_rad_; }
+  void reset() { fork_ = Direction::of_angle(lean_rad_); }
 
  private:
-  // Seen from the floor, in the middle of the period's turn.
-  double dragged_rad(const Twist& twist, double period_s) const {
-    const double sideways_m_s = twist.w_rad_s * ahead_m_;
-    const double heading_rad = std::atan2(sideways_m_s, twist.v_m_s);
-    const double behind_rad = heading_rad + lean_rad_ * std::cos(heading_rad);
-    const double off_rad =
-        std::remainder(angle_rad_ - 0.5 * twist.w_rad_s * period_s - behind_rad, 2.0 * std::numbers::pi);
-    const double shrunk = std::exp(-std::hypot(twist.v_m_s, sideways_m_s) * period_s / trail_m_);
-    return 2.0 * std::atan(std::tan(0.5 * off_rad) * shrunk) - off_rad;
+  // Of a fork that points straight ahead, as far as it takes some trails of travel to leave that place.
+  static double tangent_of_half(const Direction& direction) {
+    constexpr double largest = 1e16;
+    if (direction.x > 0.0) return direction.y / (1.0 + direction.x);
+    const double other = 1.0 - direction.x;
+    return std::abs(direction.y) * largest > other ? other / direction.y
+                                                   : std::copysign(largest, direction.y);
+  }
+  Direction leaning(const Direction& behind) const {
+    return lean_rad_ == 0.0 ? behind : behind.turned_by(Direction::of_angle(lean_rad_ * behind.x));
   }
 
   double trail_m_;
   double ahead_m_;
   double lean_rad_;  // by which it stands aside on a straight way, forward or backward to the same side
-  double angle_rad_;
+  Direction fork_;   // from behind the pivot, seen from the robot
 };
 
-// A fork that is stiff in its pivot pushes for as long as it turns, at flips and in every turn: what turns it
-// against friction is a force on the robot's nose.
+// A fork that is stiff in its pivot holds the robot's nose back for as long as it turns, at flips and in
+// every turn, and turns the less for it: at a rate that friction could stop, robot and fork turn as one.
+//
+// Friction takes the speed u = push * tanh(s / sliding), where the fork turns at the rate s = s(0) - k u that
+// is left; k is the slope between no friction and all of it. u = push * tanh(s(0) / (sliding + k push)) has
+// the same slope at 0, and the same limit. Wheels give way to it with a lag of the first order.
 class StiffSwivel final : public EffectOf<StiffSwivel> {
  public:
   explicit StiffSwivel(const EffectArguments& arguments)
       : push_m_s_(arguments.parameters[0]),
         ahead_m_(arguments.parameters[2]),
+        lag_s_(arguments.parameters[3]),
+        sliding_rad_s_(arguments.parameters[4]),
         fork_(arguments.parameters[1], arguments.parameters[2]) {}
 
   void body(Twist& twist, const StepContext& context) override {
-    const Fork::Step fork = fork_.drag(twist, context.period_s);
-    const double push_m_s = push_m_s_ * std::tanh(fork.swivel_rad_s / sliding_rad_s);
-    // Wheels that give way by that much to a force along the robot turn it by this much for one across.
-    const double arm_1_m = 4.0 * ahead_m_ / (context.wheel_base_m * context.wheel_base_m);
-    twist.v_m_s += push_m_s * std::sin(fork.middle_rad);
-    twist.w_rad_s -= push_m_s * std::cos(fork.middle_rad) * arm_1_m;
+    const double share = context.period_s / (context.period_s + lag_s_);
+    const Twist kept{(1.0 - share) * taken_.v_m_s, (1.0 - share) * taken_.w_rad_s};
+    const Twist unhindered = sum(twist, kept, 1.0);
+    const Fork::Step free = fork_.dragged(unhindered, context.period_s);
+    const Twist whole = push_towards(free.middle, share * push_m_s_, context.wheel_base_m);
+    const double sign = std::copysign(1.0, free.swivel_rad_s);
+    const Fork::Step held = fork_.dragged(sum(unhindered, whole, sign), context.period_s);
+    const double slower_rad_s = std::max(0.0, sign * (free.swivel_rad_s - held.swivel_rad_s));
+    taken_ = sum(kept, whole, std::tanh(free.swivel_rad_s / (sliding_rad_s_ + slower_rad_s)));
+    twist = sum(twist, taken_, 1.0);
+    fork_.drag(twist, context.period_s);
   }
-  void reset() override { fork_.reset(); }
+  void reset() override {
+    fork_.reset();
+    taken_ = {};
+  }
 
  private:
-  static constexpr double sliding_rad_s = 0.7;  // where friction of the pivot has its full size
+  static Twist sum(const Twist& one, const Twist& other, double times) {
+    return {one.v_m_s + times * other.v_m_s, one.w_rad_s + times * other.w_rad_s};
+  }
+  // Wheels that give way by that much to a force along the robot turn it by this much for one across.
+  Twist push_towards(const Direction& fork, double push_m_s, double wheel_base_m) const {
+    const double arm_1_m = 4.0 * ahead_m_ / (wheel_base_m * wheel_base_m);
+    return {push_m_s * fork.y, -push_m_s * fork.x * arm_1_m};
+  }
 
   double push_m_s_;
   double ahead_m_;
+  double lag_s_;
+  double sliding_rad_s_;
   Fork fork_;
+  Twist taken_;  // by friction
 };
 
 // A wheel that scrubs while its fork swings round turns the robot in proportion; to which side it goes at a
@@ -155,7 +214,7 @@ std::vector<ParameterInfo> swivel_parameters() {
            "speed that the fork's friction takes when it points backward",
            0.0,
            0.3,
-           {0.003, 0.015},
+           {0.005, 0.03},
            0.0003},
           {"trail", "m", "of the fork: its wheel behind its pivot", 0.003, 0.2, {0.015, 0.04}, 0.0, false},
           {"arm",
@@ -165,7 +224,17 @@ std::vector<ParameterInfo> swivel_parameters() {
            0.5,
            {0.1},
            0.0,
-           false}};
+           false},
+          {"lag", "s", "with which the wheels give way to it", 0.0, 0.3, {0.03}, 0.0, false, 0.0},
+          {"sliding",
+           "rad/s",
+           "rate of the swivel at which its friction has nearly its full size",
+           0.03,
+           10.0,
+           {0.5},
+           0.0,
+           false,
+           0.7}};
 }
 
 std::vector<ParameterInfo> swing_parameters() {

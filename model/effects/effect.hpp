@@ -12,6 +12,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -107,6 +108,7 @@ struct ParameterInfo {
   std::vector<double> sizes;  // where a search begins, from weak to strong
   double negligible = 0.0;    // smaller sizes are of no consequence and are never named
   bool scales_effect = true;  // false for a shape (a time constant, a place) that says nothing of the size
+  std::optional<double> if_absent{};  // in files from before there was one
 };
 
 // Ways in which the same effect may show, e.g. before or behind the encoder.

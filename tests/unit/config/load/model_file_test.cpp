@@ -93,6 +93,20 @@ TEST_CASE("A small model is accepted without the parts that only a fit knows") {
   CHECK_FALSE(model.encoder_scale);
 }
 
+TEST_CASE("A stiff caster of a file from before it had a lag is accepted, and has none") {
+  const std::string file = small_model("fir", wheel, wheel) +
+                           "effects:\n  - name: caster_kick\n    variant: swivel\n"
+                           "    parameters: {push: 0.01, trail: 0.02, arm: 0.12}\n"
+                           "    ci95: {push: [0.009, 0.011], trail: [0.01, 0.03], arm: [0.1, 0.14]}\n";
+  const AddedEffect caster = parse_model(file, "robot.yaml").effects.front();
+  CHECK(caster.setting.parameters == std::vector<double>{0.01, 0.02, 0.12, 0.0, 0.7});
+  CHECK(caster.intervals[3].lower == 0.0);
+  CHECK(caster.intervals[3].upper == 0.0);
+  CHECK_THAT(error_of(small_model("fir", wheel, wheel) +
+                      "effects: [{name: caster_kick, variant: swivel, parameters: {push: 0.01}}]\n"),
+             ContainsSubstring("trail"));
+}
+
 TEST_CASE("Every fault of a model file is refused with its place") {
   CHECK_THAT(error_of("wheelwright_model: 2\n"),
              ContainsSubstring("robot.yaml:1:20: 'wheelwright_model' is 2"));

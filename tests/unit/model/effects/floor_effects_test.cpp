@@ -183,10 +183,11 @@ TEST_CASE("A scrubbing caster turns the robot to the side to which the turn befo
   CHECK(std::abs(turned_by_flip_after(0.0, 0.1)) > 0.09);
 }
 
-TEST_CASE("A stiff caster turns the robot on after a curve, until its fork has come round behind") {
+TEST_CASE("A caster turns the robot on after a curve, until its fork has come round behind") {
   const double trail_m = 0.02;
   const double ahead_m = 0.12;
-  ModelSimulation simulation = only({"caster_kick", "swivel", {0.01, trail_m, ahead_m}});
+  // So little friction that the robot's way is not changed by it.
+  ModelSimulation simulation = only({"caster_kick", "swivel", {1e-7, trail_m, ahead_m, 0.0, 0.5}});
   const auto step = [&](WheelPair command_m_s) { return simulation.step(command_m_s).twist; };
   const WheelPair curve_m_s{0.05, 0.15};
   const double turn_rate_rad_s = 0.1 / 0.258;
@@ -209,6 +210,29 @@ TEST_CASE("A stiff caster turns the robot on after a curve, until its fork has c
     CHECK_THAT((0.1 - twist.v_m_s) / twist.w_rad_s * 4.0 * ahead_m / (0.258 * 0.258),
                WithinRel(std::tan(fork_rad), 1e-3));
   }
+}
+
+TEST_CASE("A caster whose friction nothing overcomes keeps its fork where it stands") {
+  const double ahead_m = 0.12;
+  ModelSimulation simulation = only({"caster_kick", "swivel", {0.3, 0.02, ahead_m, 0.0, 0.03}});
+  for (int k = 0; k < 100; ++k) simulation.step({0.1, 0.1});
+  // Into a curve: a wheel that rolls straight on at the nose lets the robot hardly turn.
+  double turned_rad = 0.0;
+  for (int k = 0; k < 10; ++k) turned_rad += period_s * simulation.step({0.08, 0.12}).twist.w_rad_s;
+  CHECK(std::abs(turned_rad) < 0.02 * 10 * period_s * 0.04 / 0.258);
+}
+
+TEST_CASE("Wheels give way to a stiff caster with a lag") {
+  const auto taken_rad_s = [](double lag_s, int periods) {
+    ModelSimulation simulation = only({"caster_kick", "swivel", {0.001, 0.02, 0.12, lag_s, 0.03}});
+    double w_rad_s = 0.0;
+    for (int k = 0; k < periods; ++k) w_rad_s = simulation.step({-0.05, 0.05}).twist.w_rad_s;
+    return 0.1 / 0.258 - w_rad_s;
+  };
+  const double at_once_rad_s = taken_rad_s(0.0, 1);
+  CHECK(at_once_rad_s > 0.0);
+  CHECK_THAT(taken_rad_s(period_s, 1), WithinRel(0.5 * at_once_rad_s, 0.02));
+  CHECK_THAT(taken_rad_s(period_s, 2), WithinRel(0.75 * taken_rad_s(0.0, 2), 0.05));
 }
 
 TEST_CASE("A motor that can be turned creeps downhill at rest, one that holds does not") {
