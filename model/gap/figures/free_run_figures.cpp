@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/gap/data_checks/encoder_dropout.hpp"
+#include "model/gap/noise/steadiness.hpp"
 #include "model/prediction/free_run.hpp"
 #include "model/prediction/open_loop_runs.hpp"
 #include "model/prediction/segments.hpp"
@@ -22,8 +23,8 @@ class Drift {
   Drift(const TravelNoise& noise, std::mt19937_64& random) : noise_(noise), random_(random) {
     if (lasts()) speed_ = std::sqrt(drift_speed_variance(noise)) * normal_(random_);
   }
-  double walk(double duration_s) {
-    const DriftStep step(noise_, duration_s);
+  double walk(double duration_s, double unsteady) {
+    const DriftStep step(noise_, duration_s, unsteady);
     const double deviation = std::sqrt(std::max(0.0, step.travel_variance));
     const double chance = normal_(random_);
     at_ = step.kept * at_ + step.carry_s * speed_ + deviation * chance;
@@ -75,6 +76,14 @@ const TravelNoise& of(const NoiseModel& noise, Channel channel) {
   return noise.channel[static_cast<std::size_t>(channel)];
 }
 
+// One for each row, by the commands.
+std::vector<double> unsteady_rows(const DriveLog& log) {
+  std::vector<WheelPair> commands_m_s;
+  for (const DriveSample& sample : log.samples) commands_m_s.push_back(sample.command_m_s);
+  const double duration_s = log.samples.back().t_s - log.samples.front().t_s;
+  return unsteady_periods(commands_m_s, duration_s / static_cast<double>(log.samples.size() - 1));
+}
+
 // A log in which the model's own motion, with noise, stands in the place of what was measured.
 DriveLog with_noise(const std::vector<PredictedMotion>& motion, const DriveLog& log, const NoiseModel& noise,
                     std::mt19937_64& random) {
@@ -87,6 +96,7 @@ DriveLog with_noise(const std::vector<PredictedMotion>& motion, const DriveLog& 
   Tracker x(of(noise, Channel::forward), random);
   Tracker y(of(noise, Channel::forward), random);
   Tracker theta(of(noise, Channel::turn), random);
+  const std::vector<double> unsteady = unsteady_rows(log);
   Pose pose = motion.front().pose;
   for (std::size_t i = 0; i < motion.size(); ++i) {
     if (i > 0) {
@@ -96,12 +106,12 @@ DriveLog with_noise(const std::vector<PredictedMotion>& motion, const DriveLog& 
       const WheelPair wheels_before{left.at(), right.at()};
       const double forward_before = forward.at();
       const double turn_before = turn.at();
-      const double slipped_left = left.walk(duration) - wheels_before.left;
-      const double slipped_right = right.walk(duration) - wheels_before.right;
-      const double along =
-          step.x_m + 0.5 * (slipped_left + slipped_right) + forward.walk(duration) - forward_before;
+      const double slipped_left = left.walk(duration, unsteady[i - 1]) - wheels_before.left;
+      const double slipped_right = right.walk(duration, unsteady[i - 1]) - wheels_before.right;
+      const double along = step.x_m + 0.5 * (slipped_left + slipped_right) +
+                           forward.walk(duration, unsteady[i - 1]) - forward_before;
       const double turned = step.theta_rad + (slipped_right - slipped_left) / log.wheel_base_m +
-                            turn.walk(duration) - turn_before;
+                            turn.walk(duration, unsteady[i - 1]) - turn_before;
       const double middle = pose.theta_rad + 0.5 * turned;
       pose = {pose.x_m + along * std::cos(middle) - step.y_m * std::sin(middle),
               pose.y_m + along * std::sin(middle) + step.y_m * std::cos(middle), pose.theta_rad + turned};

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "model/gap/noise/segment_noise.hpp"
+#include "model/gap/noise/steadiness.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -31,15 +32,17 @@ Problem::Problem(std::vector<GapRun> runs, std::vector<WheelPair> metres_per_tic
   for (std::size_t r = 0; r < runs_.size(); ++r) {
     const GapRun& run = runs_[r];
     const std::size_t begin = size_;
+    const std::vector<double> unsteady = unsteady_periods(run.commands_m_s, run.period_s);
     for (std::size_t c = 0; c < channel_count; ++c) {
       const Series& series = run.series[c];
       if (series.empty()) continue;
-      Block block{r, c, size_, {}};
+      Block block{r, c, size_, {}, {}};
       for (std::size_t i = 0; i < series.at.size(); ++i) {
         block.times_s.push_back(run.period_s *
                                 (static_cast<double>(series.at[i].period) + series.at[i].share));
         places_.push_back({r, static_cast<Channel>(c), i, series.at[i].period});
       }
+      block.unsteady = unsteady_shares(unsteady, block.times_s, run.period_s);
       size_ += series.at.size();
       blocks_.push_back(std::move(block));
     }
@@ -84,7 +87,8 @@ NoiseModel Problem::noise_left_by(const TrialModel& model, double min_apart_s,
     for (const auto& block : blocks_) {
       if (block.channel != c) continue;
       series.push_back(thinned(
-          {block.times_s, runs_[block.run].series[c].restarts, errors[block.run].series[c]}, min_apart_s));
+          {block.times_s, runs_[block.run].series[c].restarts, errors[block.run].series[c], block.unsteady},
+          min_apart_s));
     }
     std::vector<NoiseSample> samples;
     samples.reserve(series.size());
@@ -118,7 +122,7 @@ void Problem::set_noise(const NoiseModel& noise) {
   whiteners_.clear();
   for (const auto& block : blocks_) {
     whiteners_.emplace_back(block.times_s, runs_[block.run].series[block.channel].restarts,
-                            noise.channel[block.channel]);
+                            noise.channel[block.channel], block.unsteady);
   }
   for (auto& block : segments_) {
     const Eigen::Matrix3d covariance =

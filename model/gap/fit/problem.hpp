@@ -104,6 +104,7 @@ class Problem {
     std::size_t channel;
     std::size_t offset;
     std::vector<double> times_s;
+    std::vector<double> unsteady;  // share of the time since the reading before
   };
   struct SegmentBlock {
     std::size_t run;

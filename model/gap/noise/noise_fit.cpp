@@ -24,7 +24,7 @@ Innovations innovations_of(std::span<const NoiseSample> samples, const TravelNoi
   Innovations sum;
   std::vector<double> innovations;
   for (const auto& sample : samples) {
-    const Whitener whitener(sample.times_s, sample.restarts, noise);
+    const Whitener whitener(sample.times_s, sample.restarts, noise, sample.unsteady);
     innovations.assign(sample.errors.size(), 0.0);
     whitener.apply(sample.errors, innovations.data());
     for (const double innovation : innovations) sum.sum_squares += innovation * innovation;
@@ -47,6 +47,7 @@ constexpr std::array returning_s{1.0, 3.0, 10.0};
 constexpr double default_tracker_s = 0.1;
 constexpr std::array tracker_lasts_s{0.04, 0.2, 0.4};
 constexpr std::array tracker_of_reading{0.7, 1.4, 3.0, 10.0};
+constexpr std::array steady_shares{0.7, 0.5, 0.35, 0.25, 0.17, 0.12};
 constexpr double worth_it_nats = 10.0;  // of a further number
 constexpr std::array far_apart_s{0.5, 2.0};
 constexpr double min_far_share = 0.85;  // of what is predicted for readings that lie far apart
@@ -167,9 +168,10 @@ std::vector<NoiseSample> begins_of(std::span<const NoiseSample> samples) {
   constexpr std::size_t max_readings = 6000;
   std::vector<NoiseSample> begins;
   begins.reserve(samples.size());
-  for (const auto& [times_s, restarts, errors] : samples) {
+  for (const auto& [times_s, restarts, errors, unsteady] : samples) {
     const std::size_t count = std::min(times_s.size(), max_readings / samples.size());
-    begins.push_back({times_s.first(count), restarts.first(count), errors.first(count)});
+    begins.push_back({times_s.first(count), restarts.first(count), errors.first(count),
+                      unsteady.first(std::min(count, unsteady.size()))});
   }
   return begins;
 }
@@ -196,14 +198,45 @@ Shape tracked(std::span<const NoiseSample> samples, const Shape& walk) {
   return best;
 }
 
+bool has_both(std::span<const NoiseSample> samples) {
+  constexpr double min_share = 0.1;
+  double unsteady = 0.0;
+  double all = 0.0;
+  for (const auto& sample : samples) {
+    for (const double share : sample.unsteady) unsteady += share;
+    all += static_cast<double>(sample.times_s.size());
+  }
+  return unsteady > min_share * all && unsteady < (1.0 - min_share) * all;
+}
+
+// How much less it drifts where commands are steady.
+Shape steadier(std::span<const NoiseSample> samples, const Shape& present) {
+  if (!has_both(samples)) return present;
+  Shape best = present;
+  double step = present.step;
+  for (const double share : steady_shares) {
+    TravelNoise noise = present.noise;
+    noise.steady_share = share;
+    const Shape found = climbed(samples, noise, step);
+    step = found.step;
+    if (found.likelier_than(best, best.noise.steady_share == 1.0 ? worth_it_nats : 0.0)) best = found;
+  }
+  return best;
+}
+
 }  // namespace
 
 ErrorSeries thinned(const NoiseSample& all, double min_apart_s) {
   ErrorSeries kept;
   bool restart = false;
+  double unsteady_s = 0.0;  // since the last one that was kept
   for (std::size_t i = 0; i < all.times_s.size(); ++i) {
     restart = restart || all.restarts[i] != 0;
-    if (!restart && !kept.times_s.empty() && all.times_s[i] - kept.times_s.back() < min_apart_s) continue;
+    if (i > 0 && !all.unsteady.empty()) unsteady_s += all.unsteady[i] * (all.times_s[i] - all.times_s[i - 1]);
+    const double since_s = kept.times_s.empty() ? 0.0 : all.times_s[i] - kept.times_s.back();
+    if (!restart && !kept.times_s.empty() && since_s < min_apart_s) continue;
+    if (!all.unsteady.empty()) kept.unsteady.push_back(since_s > 0.0 ? unsteady_s / since_s : 0.0);
+    unsteady_s = 0.0;
     kept.times_s.push_back(all.times_s[i]);
     kept.restarts.push_back(restart ? 1 : 0);
     kept.errors.push_back(all.errors[i]);
@@ -223,7 +256,7 @@ TravelNoise noise_of(std::span<const NoiseSample> samples, const NoiseLimits& li
         holds_between_far_readings(samples, by_tracker))
       best = by_tracker;
   }
-  TravelNoise noise = refined(samples, best).scaled();
+  TravelNoise noise = refined(samples, steadier(samples, best)).scaled();
   noise.reading = std::max(noise.reading, limits.smallest_reading);
   noise.walk_per_sqrt_s = std::max(noise.walk_per_sqrt_s, 1e-3 * limits.smallest_reading);
   return noise;

@@ -12,14 +12,16 @@ struct NoiseSample {
   std::span<const double> times_s;
   std::span<const char> restarts;
   std::span<const double> errors;
+  std::span<const double> unsteady{};  // as for Whitener
 };
 
 struct ErrorSeries {
   std::vector<double> times_s;
   std::vector<char> restarts;
   std::vector<double> errors;
+  std::vector<double> unsteady;
 
-  NoiseSample sample() const { return {times_s, restarts, errors}; }
+  NoiseSample sample() const { return {times_s, restarts, errors, unsteady}; }
 };
 
 // Only readings that lie so far behind the one before, and those behind which nothing is known.

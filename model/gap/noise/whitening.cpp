@@ -6,8 +6,9 @@
 namespace wheelwright::gap {
 // White noise drives a speed that decays at rate b, and that a travel that decays at rate a; the integrals
 // are those of the squares and products of their impulse responses.
-DriftStep::DriftStep(const TravelNoise& noise, double duration_s) {
-  const double walk2 = noise.walk_per_sqrt_s * noise.walk_per_sqrt_s;
+DriftStep::DriftStep(const TravelNoise& noise, double duration_s, double unsteady) {
+  const double intensity = unsteady + (1.0 - unsteady) * noise.steady_share * noise.steady_share;
+  const double walk2 = noise.walk_per_sqrt_s * noise.walk_per_sqrt_s * intensity;
   const double a = 1.0 / noise.returns_s;
   const auto integral = [duration_s](double rate) {
     return rate > 0.0 ? -std::expm1(-rate * duration_s) / rate : duration_s;
@@ -83,13 +84,15 @@ Whitener::Step Whitener::advance(Spread& spread, const DriftStep& drift, const T
           1.0 / std::sqrt(innovation)};
 }
 
-Whitener::Whitener(std::span<const double> times_s, std::span<const char> restarts, const TravelNoise& noise)
+Whitener::Whitener(std::span<const double> times_s, std::span<const char> restarts, const TravelNoise& noise,
+                   std::span<const double> unsteady)
     : lasting_(noise.lasts_s > 0.0), tracked_(noise.tracker > 0.0) {
   const double reading = noise.reading * noise.reading;
   const double alike = noise.tracker * noise.tracker;
   DriftStep drift(noise, 0.0);
   TrackerStep tracker{1.0, 0.0};
   double duration_s = 0.0;
+  double unsteady_share = 1.0;
   Spread spread{};
   bool settled = false;  // as it does where readings come at one pace: then every step is the same
   double log_deviation = 0.0;
@@ -101,9 +104,11 @@ Whitener::Whitener(std::span<const double> times_s, std::span<const char> restar
       continue;
     }
     constexpr double as_long_s = 1e-9;
-    if (std::abs(times_s[i] - times_s[i - 1] - duration_s) > as_long_s) {
+    const double unsteady_now = unsteady.empty() ? 1.0 : unsteady[i];
+    if (std::abs(times_s[i] - times_s[i - 1] - duration_s) > as_long_s || unsteady_now != unsteady_share) {
+      unsteady_share = unsteady_now;
       duration_s = times_s[i] - times_s[i - 1];
-      drift = DriftStep(noise, duration_s);
+      drift = DriftStep(noise, duration_s, unsteady_share);
       tracker.kept = noise.tracker_kept(duration_s);
       tracker.variance = alike * (1.0 - tracker.kept * tracker.kept);
       settled = false;

@@ -3,10 +3,10 @@
 // A reading of travel errs by white noise (quantisation, the reference's own noise), and by what a tracker's
 // readings have in common for a part of a second, as it smooths them. Between readings the travel itself
 // drifts (slip, what pushes a motor that no model predicts): by a random walk, or by a speed that is
-// forgotten within a part of a second (Ornstein and Uhlenbeck, 1930). Where a wheel's speed is held by a
-// controller with an integral, what it lost comes back within seconds. Of a series of errors with these,
-// the innovations of the Kalman filter for it are white with unit variance, so that their sum of squares is a
-// log likelihood, whatever the correlation of the errors themselves.
+// forgotten within a part of a second (Ornstein and Uhlenbeck, 1930); by less where commands are steady.
+// Where a wheel's speed is held by a controller with an integral, what it lost comes back within seconds. Of
+// a series of errors with these, the innovations of the Kalman filter for it are white with unit variance, so
+// that their sum of squares is a log likelihood, whatever the correlation of the errors themselves.
 #pragma once
 
 #include <limits>
@@ -22,6 +22,7 @@ struct TravelNoise {
   double returns_s = std::numeric_limits<double>::infinity();  // until the travel comes back
   double tracker = 0.0;          // standard deviation of what readings near each other err alike
   double tracker_lasts_s = 0.0;  // until that is forgotten
+  double steady_share = 1.0;     // of the drifting that is left where commands are steady
 
   // Of what is left of it after some time.
   double tracker_kept(double duration_s) const;
@@ -30,7 +31,8 @@ struct TravelNoise {
 // How travel that drifts goes on over some time: by itself and its speed, which decay, and by what comes to
 // both.
 struct DriftStep {
-  DriftStep(const TravelNoise& noise, double duration_s);
+  // `unsteady` is the share of that time in which commands were not steady (steadiness.hpp).
+  DriftStep(const TravelNoise& noise, double duration_s, double unsteady = 1.0);
   double kept;     // of the travel
   double carry_s;  // travel by the speed at its begin
   double decay;    // of the speed
@@ -45,7 +47,9 @@ double drift_speed_variance(const TravelNoise& noise);
 // after a restart, tells only where the series begins: its innovation is zero.
 class Whitener {
  public:
-  Whitener(std::span<const double> times_s, std::span<const char> restarts, const TravelNoise& noise);
+  // `unsteady`: of the time since the reading before, for each reading; empty: all of it.
+  Whitener(std::span<const double> times_s, std::span<const char> restarts, const TravelNoise& noise,
+           std::span<const double> unsteady = {});
 
   // Writes one innovation per error.
   void apply(std::span<const double> errors, double* innovations) const;

@@ -96,3 +96,57 @@ TEST_CASE("White readings and a walk are not taken for a tracker") {
     CHECK(noise_of(samples, {1e-6, lasting_of_motors_s, true}).tracker == 0.0);
   }
 }
+
+namespace {
+
+// A random walk that goes quicker for five seconds, then slower for five.
+struct UnsteadyErrors {
+  KnownErrors known;
+  std::vector<double> unsteady;
+};
+
+UnsteadyErrors unsteady_errors(double steady_share, std::uint64_t seed) {
+  UnsteadyErrors result{known_errors({2e-4, 3e-3}, 20000, seed), {}};
+  std::mt19937_64 random(seed + 1);
+  std::normal_distribution<double> normal;
+  double walked = 0.0;
+  for (std::size_t i = 0; i < result.known.errors.size(); ++i) {
+    const bool unsteady = static_cast<int>(result.known.times_s[i] / 5.0) % 2 == 0;
+    const double walk = (unsteady ? 1.0 : steady_share) * 3e-3;
+    walked += walk * std::sqrt(wheelwright::test::reading_step_s) * normal(random);
+    result.known.errors[i] = walked + 2e-4 * normal(random);
+    result.unsteady.push_back(unsteady ? 1.0 : 0.0);
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("How much less travel drifts where commands are steady is found from the series") {
+  for (const double steady_share : {0.17, 0.35}) {
+    const auto [known, unsteady] = unsteady_errors(steady_share, 31);
+    const std::vector<NoiseSample> samples{{known.times_s, known.restarts, known.errors, unsteady}};
+    const TravelNoise found = noise_of(samples, {1e-6, lasting_of_motors_s});
+    CHECK_THAT(found.steady_share, WithinAbs(steady_share, 1e-9));
+    CHECK_THAT(found.walk_per_sqrt_s, WithinRel(3e-3, 0.3));
+  }
+}
+
+TEST_CASE("A robot that drifts alike everywhere is not said to drift less where commands are steady") {
+  for (const std::uint64_t seed : {41U, 42U, 43U}) {
+    const auto [known, unsteady] = unsteady_errors(1.0, seed);
+    const std::vector<NoiseSample> samples{{known.times_s, known.restarts, known.errors, unsteady}};
+    CHECK(noise_of(samples, {1e-6, lasting_of_motors_s}).steady_share == 1.0);
+  }
+}
+
+TEST_CASE("A series of far readings keeps the share of unsteady time between them") {
+  const std::vector<double> times_s{0.0, 0.1, 0.2, 0.3, 0.4};
+  const std::vector<char> restarts(5, 0);
+  const std::vector<double> errors(5, 0.0);
+  const std::vector<double> unsteady{0.0, 1.0, 0.0, 0.0, 0.5};
+  const ErrorSeries far = thinned({times_s, restarts, errors, unsteady}, 0.19);
+  REQUIRE(far.unsteady.size() == 3);
+  CHECK_THAT(far.unsteady[1], WithinAbs(0.5, 1e-12));
+  CHECK_THAT(far.unsteady[2], WithinAbs(0.25, 1e-12));
+}

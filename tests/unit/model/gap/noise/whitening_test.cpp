@@ -111,3 +111,27 @@ TEST_CASE("A long time is foretold as its parts are") {
   CHECK_THAT(whole.carry_s, WithinRel(travel, 1e-9));
   CHECK_THAT(whole.decay, WithinRel(speed, 1e-9));
 }
+
+TEST_CASE("A walk that is smaller where commands are steady comes out white in both") {
+  const TravelNoise noise_here{.reading = 2e-4, .walk_per_sqrt_s = 3e-3, .steady_share = 0.25};
+  const auto reading = known_errors({2e-4, 0.0}, 20000, 15);
+  const auto walk = known_errors({0.0, 3e-3}, 20000, 16);
+  std::vector<double> errors(reading.errors.size());
+  std::vector<double> unsteady(errors.size());
+  double walked = 0.0;
+  for (std::size_t i = 1; i < errors.size(); ++i) {
+    unsteady[i] = i / 300 % 2 == 0 ? 1.0 : 0.0;
+    walked += (unsteady[i] == 1.0 ? 1.0 : 0.25) * (walk.errors[i] - walk.errors[i - 1]);
+    errors[i] = walked + reading.errors[i];
+  }
+  const Whitener whitener(reading.times_s, reading.restarts, noise_here, unsteady);
+  std::vector<double> white(errors.size());
+  whitener.apply(errors, white.data());
+  std::vector<double> in_steady;
+  std::vector<double> in_unsteady;
+  for (std::size_t i = 1; i < white.size(); ++i)
+    (unsteady[i] == 1.0 ? in_unsteady : in_steady).push_back(white[i]);
+  CHECK_THAT(power_of(in_steady), WithinAbs(1.0, 0.06));  // 4 deviations
+  CHECK_THAT(power_of(in_unsteady), WithinAbs(1.0, 0.06));
+  CHECK(std::abs(correlation(white, 1)) < 4.0 / std::sqrt(20000.0));
+}
