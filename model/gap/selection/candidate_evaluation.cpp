@@ -203,10 +203,10 @@ void CandidateEvaluation::place_regions(SelectionStep& selection_step, int steps
 bool CandidateEvaluation::stands_out_of_its_own_noise(const SelectionStep& selection_step) {
   const Candidate* best = nullptr;
   const auto nats = [](const Candidate& one) {
-    return (one.train_nats + one.heldout_nats) / one.autocorrelation_factor;
+    return (one.train_nats + one.unseen_nats()) / one.autocorrelation_factor;
   };
   for (const auto& candidate : selection_step.candidates) {
-    const bool helps = candidate.train_nats > 0.0 && candidate.heldout_nats > 0.0;
+    const bool helps = candidate.train_nats > 0.0 && candidate.unseen_nats() > 0.0;
     if (!helps || is_decoy(*candidate.effect.info) || candidate.effect.info->linear) continue;
     if (best == nullptr || nats(candidate) > nats(*best)) best = &candidate;
   }

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "model/gap/candidates/decoys.hpp"
+#include "model/gap/selection/left_out_runs.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -105,8 +106,26 @@ Candidate ModelComparison::judged(const Fit& without, const std::vector<double>&
     // Two angles were taken from each held-out run: that much they explain of mere noise.
     candidate.heldout_nats -= candidate.autocorrelation_factor * static_cast<double>(heldout_.runs().size());
   }
+  if (hardly_shows_held_out(candidate, heldout_without, heldout_with))
+    candidate.left_out_nats =
+        left_out_runs_gain_nats(train_, without, fit, fit.model.effects.size() - 1 - candidate.behind);
   candidate.heldout_residuals = heldout_with;
   return candidate;
+}
+
+// Whether held-out runs could not confirm it though it were there as training leaves no doubt, and do not
+// speak against it. Its gain there is half its change squared, by chance more or less by what two standard
+// deviations are.
+bool ModelComparison::hardly_shows_held_out(const Candidate& candidate, const std::vector<double>& without,
+                                            const std::vector<double>& with) const {
+  if (candidate.train_nats / candidate.autocorrelation_factor < limits_.clear_train_nats) return false;
+  double change_squared = 0.0;
+  for (std::size_t i = 0; i < with.size(); ++i)
+    change_squared += (without[i] - with[i]) * (without[i] - with[i]);
+  const double expected_nats = 0.5 * change_squared / candidate.autocorrelation_factor;
+  const double by_chance_nats = 2.0 * std::sqrt(2.0 * expected_nats);
+  return expected_nats < limits_.min_heldout_nats &&
+         candidate.heldout_nats / candidate.autocorrelation_factor > expected_nats - by_chance_nats;
 }
 
 void ModelComparison::judge(SelectionStep& selection_step) const {
@@ -153,7 +172,7 @@ double ModelComparison::autocorrelation_factor_between(const Candidate& worse,
 // One that only training or only held-out runs speak for comes behind all that both speak for.
 void ModelComparison::rank(std::vector<Candidate>& candidates) const {
   if (candidates.empty()) return;
-  const auto holds = [](const Candidate& one) { return one.train_nats > 0.0 && one.heldout_nats > 0.0; };
+  const auto holds = [](const Candidate& one) { return one.train_nats > 0.0 && one.unseen_nats() > 0.0; };
   const auto nats = [](const Candidate& one) { return one.train_nats + one.heldout_nats; };
   const Candidate& best = *std::ranges::max_element(candidates, [&](const Candidate& a, const Candidate& b) {
     return std::pair(holds(a), nats(a)) < std::pair(holds(b), nats(b));
@@ -216,34 +235,36 @@ double ModelComparison::score_alone(const Candidate& candidate) const {
 }
 
 bool ModelComparison::good_enough(const Candidate& candidate) const {
-  const double heldout_nats = candidate.heldout_nats / candidate.autocorrelation_factor;
+  const double unseen_nats = candidate.unseen_nats() / candidate.autocorrelation_factor;
   const double train_nats = candidate.train_nats / candidate.autocorrelation_factor;
-  const bool both = heldout_nats > limits_.min_heldout_nats && train_nats > limits_.min_train_nats;
-  const bool confirmed = heldout_nats > limits_.confirming_nats && train_nats > limits_.clear_train_nats;
+  const bool both = unseen_nats > limits_.min_heldout_nats && train_nats > limits_.min_train_nats;
+  const bool confirmed = unseen_nats > limits_.confirming_nats && train_nats > limits_.clear_train_nats;
   return (both || confirmed) && score_alone(candidate) > 0.0;
 }
 
 bool ModelComparison::clear(const Candidate& candidate) const {
   return good_enough(candidate) &&
-         candidate.heldout_nats / candidate.autocorrelation_factor > limits_.min_further_nats &&
+         candidate.unseen_nats() / candidate.autocorrelation_factor > limits_.min_further_nats &&
          candidate.train_nats / candidate.autocorrelation_factor > limits_.min_further_nats;
 }
 
 bool ModelComparison::worth_adding(const Candidate& candidate,
                                    const std::vector<SelectionStep>& so_far) const {
+  const auto all_nats = [](const Candidate& one) {
+    return (one.train_nats + one.heldout_nats) / one.autocorrelation_factor;
+  };
   double largest = 0.0;
   for (const auto& selection_step : so_far) {
-    if (selection_step.candidates.empty()) continue;
-    const Candidate& first = selection_step.candidates.front();
-    largest = std::max(largest, first.heldout_nats / first.autocorrelation_factor);
+    if (!selection_step.candidates.empty())
+      largest = std::max(largest, all_nats(selection_step.candidates.front()));
   }
-  const double nats = candidate.heldout_nats / candidate.autocorrelation_factor;
   // What a wrong shape of the strongest effect leaves, another may fit, but not so that noise alone is left.
   constexpr double of_noise_alone = 2.0;
   const double min_share =
       candidate.autocorrelation_factor < of_noise_alone ? limits_.min_share_before_noise : limits_.min_share;
-  return good_enough(candidate) &&
-         (largest == 0.0 || nats > std::max(limits_.min_further_nats, min_share * largest));
+  const double unseen_nats = candidate.unseen_nats() / candidate.autocorrelation_factor;
+  return good_enough(candidate) && (largest == 0.0 || (unseen_nats > limits_.min_further_nats &&
+                                                       all_nats(candidate) > min_share * largest));
 }
 
 bool ModelComparison::clearly_better(const Fit& with, const Fit& without) const {

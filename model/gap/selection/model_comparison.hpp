@@ -15,12 +15,17 @@ struct Candidate {
   TrialEffect effect;
   double train_nats = 0.0;    // gain of log likelihood over the model without it
   double heldout_nats = 0.0;  // the same on the held-out runs, with nothing fitted there
+  // Where held-out runs could not show it: the same on each training run, fitted to the others. Else 0.
+  double left_out_nats = 0.0;
   // By which correlation of the residuals makes these gains look too large.
   double autocorrelation_factor = 1.0;
   double score = 0.0;  // both gains, deflated, less the price of the parameters, beside the best one's
   Fit fit;
   std::size_t behind = 0;  // so many of the fit's effects act behind it
   std::vector<double> heldout_residuals;
+
+  // On runs that it was not fitted to.
+  double unseen_nats() const { return heldout_nats + left_out_nats; }
 };
 
 // A delay that no usual linear part could hold is more than another shape of one.
@@ -89,6 +94,8 @@ class ModelComparison {
 
  private:
   Candidate judged(const Fit& without, const std::vector<double>& heldout_without, Candidate candidate) const;
+  bool hardly_shows_held_out(const Candidate& candidate, const std::vector<double>& without,
+                             const std::vector<double>& with) const;
   bool acts_linearly(const Candidate& candidate) const;
   double autocorrelation_factor_between(const Candidate& worse, const Candidate& better) const;
   void rank(std::vector<Candidate>& candidates) const;

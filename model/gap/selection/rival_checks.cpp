@@ -24,7 +24,7 @@ double own_nats(const SelectionStep& check, const EffectInfo* info) {
   const auto itself = std::ranges::find_if(
       check.candidates, [&](const Candidate& candidate) { return candidate.effect.info == info; });
   if (itself == check.candidates.end() || itself->train_nats <= 0.0) return 0.0;
-  return itself->heldout_nats / itself->autocorrelation_factor;
+  return itself->unseen_nats() / itself->autocorrelation_factor;
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ std::string selection_steps(const std::vector<gap::SelectionStep>& list, const s
       const gap::TrialEffect& effect = candidate.effect;
       rows.push_back({with_variant(effect.info->name, effect.info->variants[effect.variant].name),
                       gap::is_decoy(*effect.info) ? "decoy" : "", parameters_text(effect),
-                      fixed_number(candidate.train_nats, 1), fixed_number(candidate.heldout_nats, 1),
+                      fixed_number(candidate.train_nats, 1), fixed_number(candidate.unseen_nats(), 1),
                       fixed_number(candidate.autocorrelation_factor, 1), fixed_number(candidate.score, 1)});
     }
     const std::string summary = title + " " + std::to_string(i + 1) + ": effects that could be added to " +
