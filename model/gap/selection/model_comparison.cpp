@@ -125,7 +125,7 @@ bool ModelComparison::hardly_shows_held_out(const Candidate& candidate, const st
   const double expected_nats = 0.5 * change_squared / candidate.autocorrelation_factor;
   const double by_chance_nats = 2.0 * std::sqrt(2.0 * expected_nats);
   return expected_nats < limits_.min_heldout_nats &&
-         candidate.heldout_nats / candidate.autocorrelation_factor > expected_nats - by_chance_nats;
+         candidate.heldout_nats / candidate.autocorrelation_factor >= expected_nats - by_chance_nats;
 }
 
 void ModelComparison::judge(SelectionStep& selection_step) const {

@@ -116,6 +116,44 @@ TEST_CASE("What training leaves no doubt of needs less on held-out runs to be co
   CHECK_FALSE(good_enough(7.0, 40.0));
 }
 
+TEST_CASE("What held-out runs cannot show is confirmed by training runs left out, if it is in each of them") {
+  const TrialModel effect = with_effects({{"direction_gain", {-0.03}}});
+  const TrialModel nothing = with_effects({});
+  const auto with_little_noise = [](Problem problem) {
+    NoiseModel noise = problem.noise();
+    for (TravelNoise& channel : noise.channel) channel = {1e-4, 1e-3};
+    problem.set_noise(noise);
+    return problem;
+  };
+  const auto of_two = [&](const TrialModel& one, const TrialModel& other) {
+    return with_little_noise(Problem({driven(one, 2000).runs().front(), driven(other, 1500).runs().front()},
+                                     {WheelPair{}, WheelPair{}}, serial_for));
+  };
+  const auto judged = [&](const Problem& train, const Problem& heldout) {
+    const ModelComparison comparison(train, heldout, {});
+    SelectionStep step;
+    step.without = train.fit(nothing, 0);
+    step.candidates.resize(1);
+    step.candidates.front().fit = train.fit(effect, 0);
+    comparison.judge(step);
+    REQUIRE(step.candidates.size() == 1);
+    return std::pair(step.candidates.front(), comparison.good_enough(step.candidates.front()));
+  };
+  const Problem forward_alone =
+      with_little_noise(driven(effect, 100));  // in two seconds, and so cannot show it
+  const auto [in_both, confirmed] = judged(of_two(effect, effect), forward_alone);
+  CHECK(in_both.left_out_nats > 0.0);
+  CHECK(confirmed);
+  const auto [held_out, confirmed_by_it] =
+      judged(of_two(effect, effect), with_little_noise(driven(effect, 2000)));
+  CHECK(held_out.left_out_nats == 0.0);
+  CHECK(confirmed_by_it);
+  const auto [contradicted, named_all_the_same] =
+      judged(of_two(effect, effect), with_little_noise(driven(nothing, 2000)));
+  CHECK(contradicted.left_out_nats == 0.0);
+  CHECK_FALSE(named_all_the_same);
+}
+
 TEST_CASE("What leaves noise alone is worth adding though it is small beside the strongest") {
   const Problem runs = driven(with_effects({}), 300);
   const ModelComparison comparison(runs, runs, {});
