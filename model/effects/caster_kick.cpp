@@ -121,7 +121,8 @@ class Fork {
   void reset() { fork_ = Direction::of_angle(lean_rad_); }
 
  private:
-  // Of a fork that points straight ahead, as far as it takes some trails of travel to leave that place.
+  // For a fork that points straight ahead, a large number instead of infinity: it leaves that unstable place
+  // after some 37 trails of travel.
   static double tangent_of_half(const Direction& direction) {
     constexpr double largest = 1e16;
     if (direction.x > 0.0) return direction.y / (1.0 + direction.x);

@@ -13,11 +13,11 @@ namespace wheelwright::gap {
 constexpr double steady_after_s = 1.0;
 constexpr double steady_change = 0.1;
 
-// One for each command: 1 where it, or one within the time before it, was another; else 0. The start of a run
-// is a change from rest.
+// One for each command: 1 where one within the time before it differs from it by more than that, else 0. A run
+// starts from rest.
 std::vector<double> unsteady_periods(std::span<const WheelPair> commands_m_s, double period_s);
 
-// The share of unsteady time since the reading before, for each reading; times in periods of the run.
+// The share of unsteady time since the reading before, for each reading; times since the start of the run.
 std::vector<double> unsteady_shares(std::span<const double> unsteady_periods, std::span<const double> times_s,
                                     double period_s);
 
