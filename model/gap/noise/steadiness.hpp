@@ -13,8 +13,8 @@ namespace wheelwright::gap {
 constexpr double steady_after_s = 1.0;
 constexpr double steady_change = 0.1;
 
-// One for each command: 1 where one within the time before it differs from it by more than that, else 0. A run
-// starts from rest.
+// One for each command: 1 where one within the time before it differs from it by more than that, else 0. A
+// run starts from rest.
 std::vector<double> unsteady_periods(std::span<const WheelPair> commands_m_s, double period_s);
 
 // The share of unsteady time since the reading before, for each reading; times since the start of the run.
