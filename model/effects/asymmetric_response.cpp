@@ -1,5 +1,8 @@
 // asymmetric_response: speeding up and slowing down have different dynamics.
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "model/effects/effect.hpp"
 
@@ -41,6 +44,57 @@ struct Coasting {
   }
 };
 
+// The same, where the motor's lag is in the linear part and loads hold the wheel back. Of a motor with a lag
+// of the first order, v' = (drive - load - v) / lag, the linear part gives y' = (drive - y) / lag; so the
+// drive is y + lag y', and loads take T from the speed, with T' = (load - T) / lag. Without current the wheel
+// obeys v' = -v / rolling_time - load / lag instead: what loads take is not given back. All in steps of the
+// implicit Euler method but the last term, whose step is the motor's real one.
+class UnpoweredWheel {
+ public:
+  // The wheel's speed without what loads take in this period; `load_m_s` is what they took in the last one.
+  double step(double linear_m_s, double load_m_s, std::span<const double> parameters, double period_s) {
+    const double rolling_time_s = parameters[0];
+    const double lag_s = parameters[1];
+    const double brakes_below = parameters[2];
+    const double share = period_s / (period_s + lag_s);
+    const double drive = linear_before_ + (linear_m_s - linear_before_) / share;
+    const double kept_load = (1.0 - share) * load_m_s;
+    const double load = load_before_ + (load_m_s - load_before_) / share;  // that the motor would settle at
+    const double speed = now_ - load_m_s;
+    const double driven = now_ + share * (drive - now_);
+    const double rolling = speed * rolling_time_s / (rolling_time_s + period_s) + kept_load +
+                           (share - std::log1p(period_s / lag_s)) * load;
+    const bool brakes = drive * speed < brakes_below * speed * speed;
+    const bool is_pushed = driven * speed < rolling * speed;
+    linear_before_ = linear_m_s;
+    load_before_ = load_m_s;
+    now_ = !brakes && is_pushed ? rolling : driven;
+    return now_;
+  }
+
+ private:
+  double linear_before_ = 0.0;
+  double load_before_ = 0.0;
+  double now_ = 0.0;
+};
+
+class CoastingMotors final : public EffectOf<CoastingMotors> {
+ public:
+  explicit CoastingMotors(const EffectArguments& arguments) {
+    std::ranges::copy(arguments.parameters, parameters_.begin());
+  }
+  void wheel(WheelPair& speed_m_s, const StepContext& context) override {
+    speed_m_s = {left_.step(speed_m_s.left, context.load_m_s.left, parameters_, context.period_s),
+                 right_.step(speed_m_s.right, context.load_m_s.right, parameters_, context.period_s)};
+  }
+  void reset() override { left_ = right_ = {}; }
+
+ private:
+  std::array<double, 3> parameters_{};
+  UnpoweredWheel left_;
+  UnpoweredWheel right_;
+};
+
 template <typename Drive>
 class Following final : public EffectOf<Following<Drive>> {
  public:
@@ -68,6 +122,7 @@ class Following final : public EffectOf<Following<Drive>> {
 };
 
 constexpr std::size_t first_coasting = 2;
+constexpr std::size_t motor_coasting = 4;
 
 // What stops within a quarter of a second, no motor has let roll.
 std::vector<ParameterInfo> coasting_parameters() {
@@ -90,6 +145,12 @@ std::vector<ParameterInfo> coasting_parameters() {
            false}};
 }
 
+std::vector<ParameterInfo> motor_parameters() {
+  std::vector<ParameterInfo> parameters = coasting_parameters();
+  parameters[1] = {"lag", "s", "time constant under power", 0.005, 0.6, {0.04, 0.1}, 0.0, false};
+  return parameters;
+}
+
 // With one lag both ways, or a wheel that is always braked.
 std::vector<double> same_both_ways(const EffectArguments& arguments) {
   std::vector<double> parameters(arguments.parameters.begin(), arguments.parameters.end());
@@ -109,11 +170,14 @@ EffectInfo asymmetric_response() {
       "speeding up and slowing down have different dynamics",
       "Drivers that coast instead of braking, PID loops that cannot brake: one of the two takes longer. "
       "'command': the drive itself, 'speed': the wheel behind it; '_coasting': slowing down, the wheel "
-      "rolls freely until it is no faster than it should be.",
+      "rolls freely until it is no faster than it should be; 'motor_coasting': so does a wheel that "
+      "friction, a "
+      "caster or a slope pushes.",
       {{"command", EffectStage::command},
        {"speed", EffectStage::wheel},
        {"command_coasting", EffectStage::command, coasting_parameters()},
-       {"speed_coasting", EffectStage::wheel, coasting_parameters()}},
+       {"speed_coasting", EffectStage::wheel, coasting_parameters()},
+       {"motor_coasting", EffectStage::wheel, motor_parameters(), true}},
       {{"extra_lag",
         "s",
         "time constant added when slowing down; negative: when speeding up",
@@ -131,6 +195,7 @@ EffectInfo asymmetric_response() {
         false}},
       {.variety = true},
       [](const EffectArguments& arguments) -> std::unique_ptr<Effect> {
+        if (arguments.variant == motor_coasting) return std::make_unique<CoastingMotors>(arguments);
         if (arguments.variant >= first_coasting) return std::make_unique<Following<Coasting>>(arguments);
         return std::make_unique<Following<SlowOneWay>>(arguments);
       }};

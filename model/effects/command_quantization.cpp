@@ -35,12 +35,12 @@ std::vector<double> steps_to_try() {
 }  // namespace
 
 EffectInfo command_quantization() {
-  EffectInfo info{
+  return {
       "command_quantization",
       "commands act in steps",
       "The motor controller works in coarse units, e.g. whole encoder ticks per control period (28.5 mm/s on "
       "some Roombas). It may round them (rises_at 0.5), cut them off (1), or anything else.",
-      {{"", EffectStage::command}},
+      {{"", EffectStage::command, {}, true}},
       {{"step", "m/s", "distance of the speeds that can be had", 0.0, 0.2, steps_to_try(), 0.002},
        {"rises_at",
         "1",
@@ -52,8 +52,6 @@ EffectInfo command_quantization() {
         false}},
       {.variety = true},
       [](const EffectArguments& arguments) { return std::make_unique<CommandQuantization>(arguments); }};
-  info.acts_first = true;
-  return info;
 }
 
 }  // namespace wheelwright::effects

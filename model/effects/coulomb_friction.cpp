@@ -7,6 +7,8 @@ namespace {
 
 class CoulombFriction final : public EffectOf<CoulombFriction> {
  public:
+  static constexpr bool loads_motors = true;
+
   explicit CoulombFriction(const EffectArguments& arguments)
       : levels_{arguments.parameters[0], arguments.parameters[0], arguments.parameters[1]} {}
 

@@ -34,6 +34,7 @@ struct StepContext {
   WheelPair speed_m_s;       // of the wheels, as the encoders saw it, in the period before
   WheelPair distance_m;      // rolled by the wheels since the start, as the encoders saw it
   WheelPair next_speed_m_s;  // of the wheels in this period; from the floor stage on
+  WheelPair load_m_s;        // speed that loads have taken from the wheels, in the period before
   Pose pose;                 // of the middle of the axle
   double battery_v = std::numeric_limits<double>::quiet_NaN();  // where it was measured
 };
@@ -45,6 +46,8 @@ struct EffectHooks {
   bool floor = false;
   bool body = false;
   bool observed = false;
+  bool load =
+      false;  // at the wheels: what it takes from their speed, a motor without current does not give back
 };
 
 // One effect at work. Holds its own state; never allocates after it was made.
@@ -82,14 +85,20 @@ struct DeclaredBy<Member Class::*> {
 template <typename Hook>
 constexpr bool is_overridden = !std::is_same_v<typename DeclaredBy<Hook>::type, Effect>;
 
+// Whether a class says that it is a load of the motors, by a member `loads_motors`.
+template <typename Derived>
+constexpr bool is_load = requires {
+  requires Derived::loads_motors;
+};
+
 // Gives an effect its copies, and tells its hooks.
 template <typename Derived>
 class EffectOf : public Effect {
  public:
   EffectHooks hooks() const override {
-    return {is_overridden<decltype(&Derived::command)>, is_overridden<decltype(&Derived::wheel)>,
-            is_overridden<decltype(&Derived::floor)>, is_overridden<decltype(&Derived::body)>,
-            is_overridden<decltype(&Derived::observed)>};
+    return {is_overridden<decltype(&Derived::command)>,  is_overridden<decltype(&Derived::wheel)>,
+            is_overridden<decltype(&Derived::floor)>,    is_overridden<decltype(&Derived::body)>,
+            is_overridden<decltype(&Derived::observed)>, is_load<Derived>};
   }
   std::unique_ptr<Effect> clone() const override {
     return std::make_unique<Derived>(static_cast<const Derived&>(*this));
@@ -116,6 +125,7 @@ struct EffectVariant {
   std::string name;
   EffectStage stage;
   std::vector<ParameterInfo> parameters{};  // of its own, in the place of the effect's
+  bool acts_first = false;                  // of its stage, in what the gap workflow makes
 };
 
 // What the data must hold for the effect to be seen at all.
@@ -146,7 +156,6 @@ struct EffectInfo {
   std::function<std::unique_ptr<Effect>(const EffectArguments&)> make;
   bool may_load_wheels = false;  // what it does to the body may show in the wheels: wheel_load_variants.hpp
   bool linear = false;           // a linear part can take it up, and then hides it
-  bool acts_first = false;       // on the command as it was sent, before all that happens to it
   bool by_wheel_angle = false;   // hangs on the angle at which the wheels stood when a run began
   bool by_pose = false;          // hangs on where the robot stands and heads
   bool wheel_mismatch = false;   // the difference of the wheels' rolling radii, which counts do not show

@@ -11,6 +11,8 @@ constexpr double moving_m_s = 0.01;  // below it the slope's pull fades: the gea
 
 class FloorSlope final : public EffectOf<FloorSlope> {
  public:
+  static constexpr bool loads_motors = true;
+
   explicit FloorSlope(const EffectArguments& arguments)
       : along_x_(arguments.parameters[0]),
         along_y_(arguments.parameters[1]),

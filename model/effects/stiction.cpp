@@ -7,6 +7,8 @@ namespace {
 
 class Stiction final : public EffectOf<Stiction> {
  public:
+  static constexpr bool loads_motors = true;
+
   explicit Stiction(const EffectArguments& arguments)
       : levels_{arguments.parameters[0] + arguments.parameters[1], arguments.parameters[1],
                 arguments.parameters[2], arguments.parameters[3]} {}

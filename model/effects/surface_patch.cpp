@@ -8,6 +8,8 @@ namespace {
 
 class SurfacePatch final : public EffectOf<SurfacePatch> {
  public:
+  static constexpr bool loads_motors = true;
+
   explicit SurfacePatch(const EffectArguments& arguments)
       : change_(arguments.parameters[0]),
         x_m_(arguments.parameters[1]),

@@ -37,6 +37,7 @@ void RouteFollower::restart(const Checkpoint& start) {
   leg_start_ = start;
   further_tries_ = 3;
   speed_now_ = 0.0;
+  command_m_s_ = {};
   correcting_ = false;
 }
 
@@ -49,6 +50,11 @@ bool RouteFollower::stops_at(std::size_t checkpoint) const {
 }
 
 WheelPair RouteFollower::steer(const Pose& rest, const DriveLimits& robot) {
+  command_m_s_ = next_command(rest, robot);
+  return command_m_s_;
+}
+
+WheelPair RouteFollower::next_command(const Pose& rest, const DriveLimits& robot) {
   if (state_ == State::turning) return turn(rest, robot);
   if (state_ == State::driving) return drive(rest, robot);
   return {};
@@ -80,14 +86,14 @@ WheelPair RouteFollower::drive(const Pose& rest, const DriveLimits& robot) {
   const bool stops = stops_at(visited_);
   if (remaining <= (stops ? stop_short_m : 0.0)) {
     arrive(rest);
-    return stops ? WheelPair{} : steer(rest, robot);
+    return stops ? WheelPair{} : next_command(rest, robot);
   }
   const double error = wrap_angle(direction - std::atan2(beside, look_ahead_m) - rest.theta_rad);
   double wanted = std::min(route_.speed_m_s, fastest_m_s(robot)) * std::max(0.2, std::cos(error));
   if (stops) wanted = std::min(wanted, std::sqrt(2.0 * limits_.braking_m_s2 * remaining));
   speed_now_ = std::min(speed_now_ + limits_.acceleration_m_s2 * limits_.period_s, wanted);
   speed_now_ = std::max(speed_now_, limits_.slowest_wheel_speed_m_s);
-  return limited(speed_now_, turn_rate_for(error, robot), fastest_m_s(robot));
+  return eased(limited(speed_now_, turn_rate_for(error, robot), fastest_m_s(robot)));
 }
 
 // Beyond a dead band in proportion would mean along its edge for most of the way, where a model knows least.
@@ -130,6 +136,14 @@ WheelPair RouteFollower::limited(double v_m_s, double w_rad_s, double largest_m_
   const double fastest = std::max(std::abs(wheels.left), std::abs(wheels.right));
   const double scale = fastest > largest_m_s ? largest_m_s / fastest : 1.0;
   return {wheels.left * scale, wheels.right * scale};
+}
+
+WheelPair RouteFollower::eased(const WheelPair& wanted_m_s) const {
+  const double step_m_s = limits_.largest_wheel_acceleration_m_s2 * limits_.period_s;
+  const auto towards = [step_m_s](double now_m_s, double wheel_m_s) {
+    return std::clamp(wheel_m_s, now_m_s - step_m_s, now_m_s + step_m_s);
+  };
+  return {towards(command_m_s_.left, wanted_m_s.left), towards(command_m_s_.right, wanted_m_s.right)};
 }
 
 }  // namespace wheelwright

@@ -21,6 +21,8 @@ struct FollowerLimits {
   double slowest_wheel_speed_m_s = 0.04;  // slower commands may fall into a robot's dead zone
   double acceleration_m_s2 = 0.4;
   double braking_m_s2 = 0.25;
+  // Of one wheel's command while the robot turns on its way: a jump there draws the current of a stall.
+  double largest_wheel_acceleration_m_s2 = 2.5;
 };
 
 class RouteFollower {
@@ -45,12 +47,14 @@ class RouteFollower {
   enum class State { turning, driving, finished };
 
   bool stops_at(std::size_t checkpoint) const;
+  WheelPair next_command(const Pose& rest, const DriveLimits& robot);
   WheelPair turn(const Pose& rest, const DriveLimits& robot);
   WheelPair drive(const Pose& rest, const DriveLimits& robot);
   double turn_rate_for(double error_rad, const DriveLimits& robot);
   void arrive(const Pose& rest);
   double fastest_m_s(const DriveLimits& robot) const;
   WheelPair limited(double v_m_s, double w_rad_s, double largest_m_s) const;
+  WheelPair eased(const WheelPair& wanted_m_s) const;
 
   Route route_;
   FollowerLimits limits_;
@@ -59,6 +63,7 @@ class RouteFollower {
   Checkpoint leg_start_;   // differs from the last checkpoint after a second try
   int further_tries_ = 3;  // to come within tolerance of the end
   double speed_now_ = 0.0;
+  WheelPair command_m_s_;    // the last one
   bool correcting_ = false;  // the heading, beyond a dead band
 };
 

@@ -11,6 +11,10 @@ struct DriveLimits {
   double turn_dead_band_rad_s = 0.0;
   // Speed that each wheel reaches, forward and backward.
   double fastest_wheel_m_s = std::numeric_limits<double>::infinity();
+  // A robot in a curve turns on for a while when it is told to go straight, and when it is told to stop.
+  // Where these turns differ, as with motors that cannot brake: periods after which the first has ended; else
+  // 0.
+  int straightening_periods = 0;
 };
 
 }  // namespace wheelwright

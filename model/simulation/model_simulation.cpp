@@ -50,7 +50,7 @@ void ModelSimulation::sort_by_hook() {
   for (const auto& effect : effects_) {
     const EffectHooks has = effect->hooks();
     if (has.command) with_hook_.command.push_back(effect.get());
-    if (has.wheel) with_hook_.wheel.push_back(effect.get());
+    if (has.wheel) with_hook_.wheel.push_back({effect.get(), has.load});
     if (has.floor) with_hook_.floor.push_back(effect.get());
     if (has.body) with_hook_.body.push_back(effect.get());
     if (has.observed) with_hook_.observed.push_back(effect.get());
@@ -63,7 +63,13 @@ const ModelSimulation::Motion& ModelSimulation::step(const WheelPair& command_m_
   WheelPair u = command_m_s;
   for (Effect* effect : with_hook_.command) effect->command(u, context_);
   WheelPair speed = linear_part_.step(u);
-  for (Effect* effect : with_hook_.wheel) effect->wheel(speed, context_);
+  WheelPair load;
+  for (const WheelEffect& each : with_hook_.wheel) {
+    const WheelPair before = speed;
+    each.effect->wheel(speed, context_);
+    if (each.is_load) load = {load.left + before.left - speed.left, load.right + before.right - speed.right};
+  }
+  context_.load_m_s = load;
   context_.next_speed_m_s = speed;
   motion_.wheel_m_s = speed;
   for (Effect* effect : with_hook_.floor) effect->floor(speed, context_);
@@ -99,7 +105,7 @@ void ModelSimulation::reset(const Pose& pose, const WheelPair& initial_travel_m)
   linear_part_.reset();
   for (const auto& effect : effects_) effect->reset();
   context_.time_s = 0.0;
-  context_.command_m_s = context_.speed_m_s = context_.next_speed_m_s = {};
+  context_.command_m_s = context_.speed_m_s = context_.next_speed_m_s = context_.load_m_s = {};
   context_.distance_m = initial_travel_m;
   context_.pose = pose;
   motion_ = {};

@@ -63,10 +63,14 @@ class ModelSimulation {
   void take_over(const ModelSimulation& before);
 
  private:
+  struct WheelEffect {
+    Effect* effect;
+    bool is_load;
+  };
   // Those that have a hook, in the order in which they act.
   struct ByHook {
     std::vector<Effect*> command;
-    std::vector<Effect*> wheel;
+    std::vector<WheelEffect> wheel;
     std::vector<Effect*> floor;
     std::vector<Effect*> body;
     std::vector<Effect*> observed;

@@ -1,5 +1,6 @@
 #include "model/simulation/motion_predictor.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -43,7 +44,20 @@ Pose MotionPredictor::rest_pose() {
     // The dead time passes before a command shows, so a slow start is no standstill.
     if (k > 8 && std::abs(speed.left) < standing_m_s && std::abs(speed.right) < standing_m_s) break;
   }
-  return scratch_.pose();
+  Pose rest = scratch_.pose();
+  if (settled_ && settled_->limits().straightening_periods > 0)
+    rest.theta_rad = straightened_heading_rad(rest);
+  return rest;
+}
+
+double MotionPredictor::straightened_heading_rad(const Pose& rest) {
+  const WheelPair& speed = simulation_.motion().wheel_m_s;
+  if (std::min(speed.left, speed.right) <= 0.0) return rest.theta_rad;
+  const double ahead_m_s = simulation_.motion().twist.v_m_s;
+  const WheelPair straight = settled_->command_for({ahead_m_s, ahead_m_s});
+  scratch_ = simulation_;
+  for (int k = 0; k < settled_->limits().straightening_periods; ++k) scratch_.step(straight);
+  return scratch_.pose().theta_rad;
 }
 
 WheelPair MotionPredictor::command_for(const WheelPair& speed_m_s) const {

@@ -28,7 +28,9 @@ class MotionPredictor {
   const ModelSimulation::Motion& motion() const { return simulation_.motion(); }
   const WheelPair& speed_m_s() const { return simulation_.motion().wheel_m_s; }
 
-  // The pose at which the robot comes to rest if it is told to stop now.
+  // The pose at which the robot comes to rest if it is told to stop now. While it drives ahead, its heading
+  // is the one with which it would go on straight, where that is another
+  // (DriveLimits::straightening_periods).
   Pose rest_pose();
 
   // The commands that hold these wheel speeds once settled.
@@ -48,6 +50,7 @@ class MotionPredictor {
   double wheel_base_m() const { return wheel_base_m_; }
 
  private:
+  double straightened_heading_rad(const Pose& rest);
   MotionPredictor(const LinearModel& linear_part, std::span<const EffectSetting> effects);
 
   double period_s_;

@@ -15,6 +15,10 @@ constexpr double averaged_s = 1.0;     // of the settled motion: a ripple is not
 constexpr double driving_m_s = 0.2;    // at which the dead band in turning is measured
 constexpr double driving_share = 0.6;  // at most, of the fastest speed: both wheels can then turn the robot
 constexpr int turn_steps = 25;
+constexpr double curve_rad_s = 0.4;         // in which straightening is measured
+constexpr double other_heading_rad = 0.03;  // from here on a stop and a straight way do not end a turn alike
+constexpr double straightening_left = 0.1;  // of the turn
+constexpr int longest_straightening_periods = 80;
 constexpr double largest_turn_band_rad_s = 0.25;  // looked for
 
 struct SteadyState {
@@ -49,6 +53,7 @@ SteadyStateMap::SteadyStateMap(const LinearModel& linear_part, std::span<const E
   limits_.fastest_wheel_m_s =
       std::min({left_.back().speed, right_.back().speed, -left_.front().speed, -right_.front().speed});
   limits_.turn_dead_band_rad_s = turn_dead_band_rad_s(at_rest, linear_part);
+  limits_.straightening_periods = straightening_periods(at_rest, linear_part);
 }
 
 double SteadyStateMap::turn_dead_band_rad_s(const ModelSimulation& at_rest,
@@ -68,6 +73,33 @@ double SteadyStateMap::turn_dead_band_rad_s(const ModelSimulation& at_rest,
     band_rad_s = w_rad_s;
   }
   return band_rad_s;
+}
+
+int SteadyStateMap::straightening_periods(ModelSimulation simulation, const LinearModel& linear_part) const {
+  const double speed_m_s = std::min(driving_m_s, driving_share * limits_.fastest_wheel_m_s);
+  const WheelPair curve = command_for(wheels_of_twist({speed_m_s, curve_rad_s}, linear_part.wheel_base_m));
+  const WheelPair straight = command_for({speed_m_s, speed_m_s});
+  for (double t_s = 0.0; t_s < settling_s; t_s += linear_part.period_s) simulation.step(curve);
+  const double start_rad = simulation.pose().theta_rad;
+  ModelSimulation stopping = simulation;
+  std::vector<double> turned_rad;
+  for (int k = 0; k < longest_straightening_periods; ++k) {
+    stopping.step({});
+    simulation.step(straight);
+    turned_rad.push_back(simulation.pose().theta_rad - start_rad);
+  }
+  // What it turns on a straight way for ever, no command is to blame for.
+  const double drift_rad = simulation.motion().twist.w_rad_s * linear_part.period_s;
+  const auto left_rad = [&](std::size_t k) {
+    return std::abs(turned_rad.back() - turned_rad[k] -
+                    drift_rad * static_cast<double>(turned_rad.size() - 1 - k));
+  };
+  if (std::abs(simulation.pose().theta_rad - stopping.pose().theta_rad -
+               drift_rad * longest_straightening_periods) < other_heading_rad)
+    return 0;
+  std::size_t periods = 0;
+  while (left_rad(periods) > straightening_left * left_rad(0)) ++periods;
+  return static_cast<int>(periods) + 1;
 }
 
 WheelPair SteadyStateMap::command_for(const WheelPair& speed_m_s) const {

@@ -31,6 +31,7 @@ class SteadyStateMap {
     double speed;
   };
   double turn_dead_band_rad_s(const ModelSimulation& at_rest, const LinearModel& linear_part) const;
+  int straightening_periods(ModelSimulation at_rest, const LinearModel& linear_part) const;
   static double command_on(const std::vector<Point>& curve, double speed);
 
   std::vector<Point> left_;  // rising in both

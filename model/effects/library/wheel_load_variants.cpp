@@ -16,7 +16,7 @@ class AtTheWheels final : public Effect {
     inner_->body(twist, now);
     speed_m_s = wheels_of_twist(twist, context.wheel_base_m);
   }
-  EffectHooks hooks() const override { return {.wheel = true}; }
+  EffectHooks hooks() const override { return {.wheel = true, .load = true}; }
   void reset() override { inner_->reset(); }
   std::unique_ptr<Effect> clone() const override { return wheel_load_variants(inner_->clone()); }
   void assign(const Effect& other) override {

@@ -302,7 +302,7 @@ std::vector<EffectSetting> TrialModel::settings() const {
 std::vector<TrialEffect> TrialModel::acting() const {
   std::vector<TrialEffect> acting = effects;
   std::stable_partition(acting.begin(), acting.end(),
-                        [](const TrialEffect& effect) { return effect.info->acts_first; });
+                        [](const TrialEffect& effect) { return effect.info->variants[effect.variant].acts_first; });
   return acting;
 }
 

@@ -47,7 +47,7 @@ struct CircleOptions {
 enum class Purpose : std::uint64_t { calibrate = 1, learn, drive, experiment, prove };
 
 constexpr std::size_t max_experiments = 2;
-constexpr std::size_t proving_drives = 2;
+constexpr std::size_t proving_tours = 2;
 
 class Circle {
  public:
@@ -151,12 +151,12 @@ class Circle {
     return {own_drives(calibrated), own_drives(found)};
   }
 
-  // On tours at the speed of the route, which the model has not seen and drives itself: where it steers, the
-  // commands may be others than those it was learned from. All models with the same luck.
+  // On the route and on tours at its speed, which the model has not seen and drives itself: where it steers,
+  // the commands may be others than those it was learned from. All models with the same luck.
   OwnDrives own_drives(const RobotModel& model) const {
     RobotTrial robot = trial(Purpose::prove);
     simulation::Noise chance(simulation::Noise(options_.seed).bits() + 1);
-    const ProofDrives drives = proof_drives(proving_drives, route_.speed_m_s, robot, model, chance);
+    const ProofDrives drives = proof_drives(route_, proving_tours, robot, model, chance);
     return {position_error_m(model, drives.logs), drives.stopped, drives.failure};
   }
 

@@ -26,7 +26,7 @@ struct Experiment {
   std::string failure;  // why it did not come to its end
 };
 
-// Tours that a model drove itself and was not made from.
+// Drives of the route and of tours, which a model drove itself and was not made from.
 struct OwnDrives {
   std::optional<double> error_m;  // of its free run against the reference position, over those that ended
   std::size_t stopped = 0;        // that did not come to their end

@@ -24,11 +24,15 @@ Mission random_mission(simulation::Noise& chance) {
   return mission;
 }
 
-Mission tour_mission(double speed_m_s, simulation::Noise& chance) {
+Mission route_mission(const Route& route) {
   Mission mission;
-  mission.route = random_tour(speed_m_s, drive_s, chance);
+  mission.route = route;
   mission.pose_source = PoseSource::arma;
   return mission;
+}
+
+Mission tour_mission(double speed_m_s, simulation::Noise& chance) {
+  return route_mission(random_tour(speed_m_s, drive_s, chance));
 }
 
 double random_speed_m_s(simulation::Noise& chance) {
@@ -79,18 +83,24 @@ tl::expected<std::vector<DriveLog>, std::string> learning_drives(std::size_t cou
   return logs;
 }
 
-ProofDrives proof_drives(std::size_t count, double speed_m_s, RobotTrial& trial, const RobotModel& model,
+ProofDrives proof_drives(const Route& route, std::size_t tours, RobotTrial& trial, const RobotModel& model,
                          simulation::Noise& chance) {
   ProofDrives drives;
-  const std::size_t attempts = count * (1 + max_repeats);
-  for (std::size_t i = 0; i < attempts && drives.logs.size() < count; ++i) {
-    auto log = trial.record(tour_mission(speed_m_s, chance), model, {});
+  const auto drive = [&](const Mission& mission) {
+    auto log = trial.record(mission, model, {});
     if (log) {
       drives.logs.push_back(std::move(*log));
     } else {
       ++drives.stopped;
       drives.failure = log.error();
     }
+    return log.has_value();
+  };
+  drive(route_mission(route));
+  const std::size_t attempts = tours * (1 + max_repeats);
+  std::size_t ended = 0;
+  for (std::size_t i = 0; i < attempts && ended < tours; ++i) {
+    if (drive(tour_mission(route.speed_m_s, chance))) ++ended;
   }
   return drives;
 }

@@ -30,9 +30,9 @@ struct ProofDrives {
   std::string failure;         // why the last of those did not
 };
 
-// Tours at the speed of a route, of about a minute each, recorded alike: so many that came to their end, or
-// what came of three times as many.
-ProofDrives proof_drives(std::size_t count, double speed_m_s, RobotTrial& trial, const RobotModel& model,
+// The route itself once, and tours at its speed, of about a minute each, recorded alike: so many tours that
+// came to their end, or what came of three times as many.
+ProofDrives proof_drives(const Route& route, std::size_t tours, RobotTrial& trial, const RobotModel& model,
                          simulation::Noise& chance);
 
 }  // namespace wheelwright::tools

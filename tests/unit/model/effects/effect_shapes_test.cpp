@@ -1,5 +1,7 @@
 // What effects of commands and wheels do to a motion, against what can be said of it on paper.
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "model/effects/library/effect_library.hpp"
 #include "model/gap/candidates/testability.hpp"
@@ -29,6 +31,38 @@ double left_of_way(double lag_s, int periods) {
   return std::pow(lag_s / (period_s + lag_s), periods);
 }
 
+constexpr double motor_lag_s = 0.04;
+constexpr double rolling_time_s = 1.5;
+
+// A lag of the first order and nothing else.
+LinearModel lagging() {
+  const double share = period_s / (period_s + motor_lag_s);
+  const WheelResponse wheel{{share}, {0.0}, {1.0 - share}};
+  return {ModelType::arma, period_s, 0.258, wheel, {{0.0}, {share}, {1.0 - share}}};
+}
+
+// A motor that carries current in the direction of its voltage alone, with a load that is constant while it
+// goes forward: its equation of motion in small steps. The voltage turns round at half the speed.
+struct UnpoweredMotor {
+  double load_m_s;
+  double speed_m_s = 0.0;
+  double way_m = 0.0;
+
+  double moved_m(double command_m_s) {
+    constexpr int steps = 200;
+    constexpr double step_s = period_s / steps;
+    const double before_m = way_m;
+    for (int i = 0; i < steps; ++i) {
+      const bool powered = command_m_s > speed_m_s || command_m_s < 0.5 * speed_m_s;
+      const double motor_m_s2 =
+          powered ? (command_m_s - speed_m_s) / motor_lag_s : -speed_m_s / rolling_time_s;
+      speed_m_s += step_s * (motor_m_s2 - load_m_s / motor_lag_s);
+      way_m += step_s * speed_m_s;
+    }
+    return way_m - before_m;
+  }
+};
+
 }  // namespace
 
 TEST_CASE("A drive with an asymmetric response speeds up with one lag and slows down with the other") {
@@ -53,6 +87,33 @@ TEST_CASE("A motor that brakes for much less than its speed rolls on from where 
   CHECK_THAT(braked_m_s, WithinAbs(-0.05 + (before_m_s + 0.05) * left_of_way(0.1, 7), 1e-12));
   CHECK(braked_m_s > -0.1);
   CHECK_THAT(speed_after(simulation, -0.05, 20), WithinAbs(braked_m_s * left_of_way(1.0, 20), 1e-12));
+}
+
+TEST_CASE(
+    "A load slows a wheel without current by all its force, and the same wheel under power by its lag") {
+  const EffectSetting coasting{"asymmetric_response", "motor_coasting", {rolling_time_s, motor_lag_s, 0.5}};
+  const EffectSetting uphill{"floor_slope", "wheel", {-0.004, 0.0}};
+  const EffectSetting downhill{"floor_slope", "wheel", {0.002, 0.0}};
+  const EffectSetting friction{"coulomb_friction", "", {0.004, motor_lag_s}};
+  const std::vector<std::pair<EffectSetting, double>> loads{
+      {uphill, 0.004}, {downhill, -0.002}, {friction, 0.004}};
+  for (const auto& [load, load_m_s] : loads) {
+    INFO(load.name << " of " << load_m_s);
+    ModelSimulation simulation(lagging(), std::vector{coasting, load});
+    UnpoweredMotor motor{load_m_s};
+    double way_m = 0.0;
+    double slowest_m_s = 1.0;
+    for (int k = 0; k < 300; ++k) {
+      const double command_m_s = k < 80 ? 0.2 : k < 140 ? 0.13 : k < 220 ? 0.18 : 0.0;
+      way_m += period_s * simulation.step({command_m_s, command_m_s}).wheel_m_s.left;
+      const double moved_m = motor.moved_m(command_m_s);
+      if (k >= 80 && k < 140) slowest_m_s = std::min(slowest_m_s, moved_m / period_s);
+      REQUIRE_THAT(simulation.distance_m().left, WithinAbs(way_m, 1e-12));
+      REQUIRE_THAT(way_m, WithinAbs(motor.way_m, 0.0015));
+    }
+    CHECK(slowest_m_s >
+          (load_m_s > 0.0 ? 0.12 : 0.14));  // downhill it is not slow enough for power within a second
+  }
 }
 
 TEST_CASE("A motor at its full voltage approaches its limit with its own lag") {

@@ -19,8 +19,9 @@ struct Placed {
   EffectStage stage;
   std::size_t variant;       // that of the fragment
   bool wheel_load_variants;  // it acts on the body, and the wheels feel it
-  std::string state;         // the member that holds it; empty without one
-  std::string numbers;       // the array of its parameters
+  bool loads_motors;
+  std::string state;    // the member that holds it; empty without one
+  std::string numbers;  // the array of its parameters
 };
 
 struct Header {
@@ -33,8 +34,13 @@ Placed place(const AddedEffect& effect, const CFragment& fragment, std::size_t n
   const std::size_t variant = variant_index(info, effect.setting.variant);
   const std::size_t own = info.may_load_wheels ? info.variants.size() / 2 : info.variants.size();
   const std::string name = "effect_" + std::to_string(number);
-  return {&effect,       &fragment,      info.variants[variant].stage,
-          variant % own, variant >= own, fragment.has("reset") ? name : std::string(),
+  return {&effect,
+          &fragment,
+          info.variants[variant].stage,
+          variant % own,
+          variant >= own,
+          make_effect(effect.setting)->hooks().load,
+          fragment.has("reset") ? name : std::string(),
           "ww_" + name};
 }
 
@@ -128,6 +134,19 @@ std::string calls(const Header& header, EffectStage stage, const std::string& wh
   return text;
 }
 
+// Those on the wheels, and what loads among them take.
+std::string wheel_calls(const Header& header) {
+  std::string text;
+  for (const Placed& placed : header.placed) {
+    if (placed.stage != EffectStage::wheel) continue;
+    text += placed.loads_motors ? "  before = speed;\n" + call(placed, "speed") +
+                                      "  load.left += before.left - speed.left;\n"
+                                      "  load.right += before.right - speed.right;\n"
+                                : call(placed, "speed");
+  }
+  return text + "  around->load = load;\n";
+}
+
 std::string undo_call(const Placed& placed, const std::string& what) {
   const std::string name(placed.fragment->name);
   const bool of_body = placed.wheel_load_variants || what == "twist";
@@ -170,7 +189,7 @@ std::string init_function(const RobotModel& model, const Header& header) {
   std::string text = R"c(
 /* To rest, at x = y = theta = 0. */
 static inline void wheelwright_init(wheelwright_model* m) {
-  static const ww_around at_rest = {0.0, 0.0, 0.0, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0};
+  static const ww_around at_rest = {0.0, 0.0, 0.0, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0};
   m->around = at_rest;
   m->wheel_speed = m->floor_speed = at_rest.speed;
   m->twist.v = m->twist.w = 0.0;
@@ -188,18 +207,22 @@ static inline void wheelwright_init(wheelwright_model* m) {
 
 std::string step_function(const Header& header) {
   const bool loads_wheels = std::ranges::any_of(header.placed, &Placed::wheel_load_variants);
+  const bool loads_motors = std::ranges::any_of(header.placed, [](const Placed& placed) {
+    return placed.loads_motors && placed.stage == EffectStage::wheel;
+  });
   return R"c(
 /* One period with these commands in force. Speeds, twist and pose are in the model afterwards. */
 static inline void wheelwright_step(wheelwright_model* m, double left_command, double right_command) {
   ww_around* around = &m->around;
 )c" + std::string(loads_wheels ? "  ww_around at;\n" : "") +
-         R"c(  ww_pair command, speed;
+         std::string(loads_motors ? "  ww_pair before;\n" : "") +
+         R"c(  ww_pair command, speed, load = {0.0, 0.0};
   ww_twist twist;
   command.left = left_command;
   command.right = right_command;
   around->command = command;
 )c" + calls(header, EffectStage::command, "command") +
-         "  speed = ww_linear_step(&m->linear, command);\n" + calls(header, EffectStage::wheel, "speed") +
+         "  speed = ww_linear_step(&m->linear, command);\n" + wheel_calls(header) +
          "  m->wheel_speed = around->next_speed = speed;\n" + calls(header, EffectStage::floor, "speed") +
          "  m->floor_speed = speed;\n  twist = ww_twist_of(speed, around->wheel_base_m);\n" +
          calls(header, EffectStage::body, "twist") +

@@ -17,6 +17,7 @@ typedef struct {
   ww_pair speed;      /* of the wheels in the period before, m/s */
   ww_pair distance;   /* rolled since the start, m */
   ww_pair next_speed; /* of the wheels in this period, from the floor stage on */
+  ww_pair load;       /* speed that loads took from the wheels in the period before, m/s */
   ww_pose pose;       /* of the middle of the axle */
   double battery_v;   /* as measured last; 0 where it is not known */
 } ww_around;

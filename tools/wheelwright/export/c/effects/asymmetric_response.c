@@ -1,13 +1,14 @@
 /* asymmetric_response: speeding up and slowing down have different dynamics.
    Inverse: nothing to undo at a steady speed. */
 typedef struct {
-  ww_pair now;
+  ww_pair now, linear_before, load_before;
 } asymmetric_response_state;
 
 static inline void asymmetric_response_reset(asymmetric_response_state* s, const double* p, int variant) {
   (void)p;
   (void)variant;
   s->now.left = s->now.right = 0.0;
+  s->linear_before = s->load_before = s->now;
 }
 
 static inline double asymmetric_response_slow_one_way(const double* p, double now, double wanted,
@@ -26,11 +27,37 @@ static inline double asymmetric_response_coasting(const double* p, double now, d
   return !brakes && fabs(driven) < fabs(rolling) ? rolling : driven;
 }
 
-/* Variants: command, speed, command_coasting, speed_coasting. */
+/* Without current, what loads take from a wheel is not given back by its motor. */
+static inline double asymmetric_response_motor(const double* p, double* now, double* linear_before,
+                                               double* load_before, double linear, double load_now,
+                                               double period_s) {
+  const double share = period_s / (period_s + p[1]);
+  const double drive = *linear_before + (linear - *linear_before) / share;
+  const double kept_load = (1.0 - share) * load_now;
+  const double load = *load_before + (load_now - *load_before) / share;
+  const double speed = *now - load_now;
+  const double driven = *now + share * (drive - *now);
+  const double rolling =
+      speed * p[0] / (p[0] + period_s) + kept_load + (share - log(1.0 + period_s / p[1])) * load;
+  const int brakes = drive * speed < p[2] * speed * speed;
+  *linear_before = linear;
+  *load_before = load_now;
+  *now = !brakes && driven * speed < rolling * speed ? rolling : driven;
+  return *now;
+}
+
+/* Variants: command, speed, command_coasting, speed_coasting, motor_coasting. */
 static inline void asymmetric_response_wheels(asymmetric_response_state* s, const double* p, int variant,
                                               const ww_around* around, ww_pair* speed) {
   double (*next)(const double*, double, double, double) =
       variant < 2 ? asymmetric_response_slow_one_way : asymmetric_response_coasting;
+  if (variant == 4) {
+    speed->left = asymmetric_response_motor(p, &s->now.left, &s->linear_before.left, &s->load_before.left,
+                                            speed->left, around->load.left, around->period_s);
+    speed->right = asymmetric_response_motor(p, &s->now.right, &s->linear_before.right, &s->load_before.right,
+                                             speed->right, around->load.right, around->period_s);
+    return;
+  }
   s->now.left = next(p, s->now.left, speed->left, around->period_s);
   s->now.right = next(p, s->now.right, speed->right, around->period_s);
   *speed = s->now;

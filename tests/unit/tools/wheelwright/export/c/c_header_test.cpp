@@ -73,6 +73,9 @@ std::vector<RobotModel> models() {
                           of_library("distance_scale"), of_library("direction_gain", "each_wheel")}));
   all.push_back(model_of({of_library("surface_patch", "wheel_round"), of_library("surface_patch"),
                           of_library("caster_kick", "swivel"), of_library("stiction")}));
+  all.push_back(
+      model_of({of_library("asymmetric_response", "motor_coasting"), of_library("coulomb_friction"),
+                of_library("caster_kick", "swivel_at_wheels"), of_library("floor_slope", "wheel")}));
   return all;
 }
 
