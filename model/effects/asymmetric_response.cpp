@@ -47,8 +47,7 @@ struct Coasting {
 // The same, where the motor's lag is in the linear part and loads hold the wheel back. Of a motor with a lag
 // of the first order, v' = (drive - load - v) / lag, the linear part gives y' = (drive - y) / lag; so the
 // drive is y + lag y', and loads take T from the speed, with T' = (load - T) / lag. Without current the wheel
-// obeys v' = -v / rolling_time - load / lag instead: what loads take is not given back. All in steps of the
-// implicit Euler method but the last term, whose step is the motor's real one.
+// obeys v' = -v / rolling_time - load / lag instead: what loads take is not given back.
 class UnpoweredWheel {
  public:
   // The wheel's speed without what loads take in this period; `load_m_s` is what they took in the last one.
@@ -56,23 +55,31 @@ class UnpoweredWheel {
     const double rolling_time_s = parameters[0];
     const double lag_s = parameters[1];
     const double brakes_below = parameters[2];
-    const double share = period_s / (period_s + lag_s);
+    const double share = -std::expm1(-period_s / lag_s);
     const double drive = linear_before_ + (linear_m_s - linear_before_) / share;
     const double kept_load = (1.0 - share) * load_m_s;
     const double load = load_before_ + (load_m_s - load_before_) / share;  // that the motor would settle at
     const double speed = now_ - load_m_s;
     const double driven = now_ + share * (drive - now_);
-    const double rolling = speed * rolling_time_s / (rolling_time_s + period_s) + kept_load +
-                           (share - std::log1p(period_s / lag_s)) * load;
-    const bool brakes = drive * speed < brakes_below * speed * speed;
-    const bool is_pushed = driven * speed < rolling * speed;
+    const double rolling =
+        speed * rolling_time_s / (rolling_time_s + period_s) + kept_load + (share - period_s / lag_s) * load;
+    const double unbraked = driven * speed < rolling * speed ? rolling : driven;
+    const double sign = std::copysign(1.0, speed);
+    const double braked_share = share_above_zero(sign * (brakes_below * speed - drive),
+                                                 sign * (brakes_below * (driven - load_m_s) - drive));
     linear_before_ = linear_m_s;
     load_before_ = load_m_s;
-    now_ = !brakes && is_pushed ? rolling : driven;
+    now_ = braked_share * driven + (1.0 - braked_share) * unbraked;
     return now_;
   }
 
  private:
+  // Share of a period for which what goes from one value to another is above zero, if it began there.
+  static double share_above_zero(double from, double to) {
+    if (from <= 0.0) return 0.0;
+    return to >= 0.0 ? 1.0 : from / (from - to);
+  }
+
   double linear_before_ = 0.0;
   double load_before_ = 0.0;
   double now_ = 0.0;

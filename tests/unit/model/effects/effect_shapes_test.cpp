@@ -36,7 +36,7 @@ constexpr double rolling_time_s = 1.5;
 
 // A lag of the first order and nothing else.
 LinearModel lagging() {
-  const double share = period_s / (period_s + motor_lag_s);
+  const double share = -std::expm1(-period_s / motor_lag_s);
   const WheelResponse wheel{{share}, {0.0}, {1.0 - share}};
   return {ModelType::arma, period_s, 0.258, wheel, {{0.0}, {share}, {1.0 - share}}};
 }
@@ -53,9 +53,10 @@ struct UnpoweredMotor {
     constexpr double step_s = period_s / steps;
     const double before_m = way_m;
     for (int i = 0; i < steps; ++i) {
-      const bool powered = command_m_s > speed_m_s || command_m_s < 0.5 * speed_m_s;
-      const double motor_m_s2 =
-          powered ? (command_m_s - speed_m_s) / motor_lag_s : -speed_m_s / rolling_time_s;
+      const double powered_m_s2 = (command_m_s - speed_m_s) / motor_lag_s;
+      const double rolling_m_s2 = -speed_m_s / rolling_time_s;
+      const bool brakes = command_m_s < 0.5 * speed_m_s;
+      const double motor_m_s2 = brakes ? powered_m_s2 : std::max(powered_m_s2, rolling_m_s2);
       speed_m_s += step_s * (motor_m_s2 - load_m_s / motor_lag_s);
       way_m += step_s * speed_m_s;
     }
@@ -102,17 +103,19 @@ TEST_CASE(
     ModelSimulation simulation(lagging(), std::vector{coasting, load});
     UnpoweredMotor motor{load_m_s};
     double way_m = 0.0;
+    double settled_m = 0.0;  // a lag in steps of a period lags by another while
     double slowest_m_s = 1.0;
     for (int k = 0; k < 300; ++k) {
-      const double command_m_s = k < 80 ? 0.2 : k < 140 ? 0.13 : k < 220 ? 0.18 : 0.0;
+      const double command_m_s = k < 80 ? 0.2 : k < 140 ? 0.13 : k < 220 ? 0.18 : 0.05;
       way_m += period_s * simulation.step({command_m_s, command_m_s}).wheel_m_s.left;
       const double moved_m = motor.moved_m(command_m_s);
       if (k >= 80 && k < 140) slowest_m_s = std::min(slowest_m_s, moved_m / period_s);
       REQUIRE_THAT(simulation.distance_m().left, WithinAbs(way_m, 1e-12));
-      REQUIRE_THAT(way_m, WithinAbs(motor.way_m, 0.0015));
+      if (k == 79) settled_m = way_m - motor.way_m;
+      if (k >= 80) REQUIRE_THAT(way_m, WithinAbs(motor.way_m + settled_m, 0.0015));
     }
     CHECK(slowest_m_s >
-          (load_m_s > 0.0 ? 0.12 : 0.14));  // downhill it is not slow enough for power within a second
+          (load_m_s > 0.0 ? 0.125 : 0.135));  // downhill it is not slow enough for power within a second
   }
 }
 

@@ -27,22 +27,31 @@ static inline double asymmetric_response_coasting(const double* p, double now, d
   return !brakes && fabs(driven) < fabs(rolling) ? rolling : driven;
 }
 
+/* Share of a period for which what goes from one value to another is above zero, if it began there. */
+static inline double asymmetric_response_share_above_zero(double from, double to) {
+  if (from <= 0.0) return 0.0;
+  return to >= 0.0 ? 1.0 : from / (from - to);
+}
+
 /* Without current, what loads take from a wheel is not given back by its motor. */
 static inline double asymmetric_response_motor(const double* p, double* now, double* linear_before,
                                                double* load_before, double linear, double load_now,
                                                double period_s) {
-  const double share = period_s / (period_s + p[1]);
+  const double share = -expm1(-period_s / p[1]);
   const double drive = *linear_before + (linear - *linear_before) / share;
   const double kept_load = (1.0 - share) * load_now;
   const double load = *load_before + (load_now - *load_before) / share;
   const double speed = *now - load_now;
   const double driven = *now + share * (drive - *now);
   const double rolling =
-      speed * p[0] / (p[0] + period_s) + kept_load + (share - log(1.0 + period_s / p[1])) * load;
-  const int brakes = drive * speed < p[2] * speed * speed;
+      speed * p[0] / (p[0] + period_s) + kept_load + (share - period_s / p[1]) * load;
+  const double unbraked = driven * speed < rolling * speed ? rolling : driven;
+  const double sign = copysign(1.0, speed);
+  const double braked_share = asymmetric_response_share_above_zero(
+      sign * (p[2] * speed - drive), sign * (p[2] * (driven - load_now) - drive));
   *linear_before = linear;
   *load_before = load_now;
-  *now = !brakes && driven * speed < rolling * speed ? rolling : driven;
+  *now = braked_share * driven + (1.0 - braked_share) * unbraked;
   return *now;
 }
 
