@@ -78,7 +78,10 @@ struct Direction {
   Direction turned_back_by(const Direction& other) const {
     return {x * other.x + y * other.y, y * other.x - x * other.y};
   }
-  static Direction of_angle(double angle_rad) { return {std::cos(angle_rad), std::sin(angle_rad)}; }
+  static Direction of_angle(double angle_rad) {
+    const wheelwright::Direction direction = direction_of(angle_rad);
+    return {direction.cosine, direction.sine};
+  }
   static Direction of_vector(double x, double y) {
     const double length = std::sqrt(x * x + y * y);
     return length > 0.0 ? Direction{x / length, y / length} : Direction{1.0, 0.0};
@@ -92,32 +95,47 @@ class Fork {
   Fork(double trail_m, double ahead_m, double lean_rad = 0.0)
       : trail_m_(trail_m), ahead_m_(ahead_m), lean_rad_(lean_rad), fork_(Direction::of_angle(lean_rad)) {}
 
-  struct Step {
-    Direction middle;     // the fork in the middle of the period, from behind the pivot, seen from the robot
-    double swivel_rad_s;  // seen from the robot
-    Direction end;        // the fork at the end
+  // How it goes in one period. Directions of the fork are from behind the pivot, seen from the robot.
+  class Step {
+   public:
+    Direction middle() const {
+      return Direction::of_vector(off_.x + off_after_.x, off_.y + off_after_.y)
+          .turned_by(behind_)
+          .turned_by(half_turn_);
+    }
+    Direction end() const { return off_after_.turned_by(behind_).turned_back_by(half_turn_); }
+    double swivel_rad_s() const {
+      const double turned_rad = 2.0 * std::atan((after_ - before_) / (1.0 + after_ * before_));
+      return turned_rad / period_s_ - turn_rad_s_;
+    }
+
+   private:
+    friend class Fork;
+    double period_s_;
+    double turn_rad_s_;    // of the robot
+    Direction half_turn_;  // of the robot
+    Direction behind_;     // the pivot's way
+    Direction off_;        // the fork from behind its pivot's way at the beginning, seen from the floor
+    Direction off_after_;
+    double before_;  // tangents of half the angles of these
+    double after_;
   };
   Step dragged(const Twist& twist, double period_s) const {
     const double sideways_m_s = twist.w_rad_s * ahead_m_;
     const double pivot_m_s = std::sqrt(twist.v_m_s * twist.v_m_s + sideways_m_s * sideways_m_s);
-    const Direction half_turn = Direction::of_angle(0.5 * twist.w_rad_s * period_s);
-    const Direction behind = leaning(Direction::of_vector(twist.v_m_s, sideways_m_s));
-    // Seen from the floor, in the middle of the period's turn.
-    const Direction off = fork_.turned_back_by(half_turn).turned_back_by(behind);
-    const double before = tangent_of_half(off);
-    const double after = before * std::exp(-pivot_m_s * period_s / trail_m_);
-    const double scale = 1.0 / (1.0 + after * after);
-    const Direction off_after{(1.0 - after * after) * scale, 2.0 * after * scale};
-    const double turned_rad = 2.0 * std::atan((after - before) / (1.0 + after * before));
-    const Direction middle = Direction::of_vector(off.x + off_after.x, off.y + off_after.y);
-    return {middle.turned_by(behind).turned_by(half_turn), turned_rad / period_s - twist.w_rad_s,
-            off_after.turned_by(behind).turned_back_by(half_turn)};
-  }
-  Step drag(const Twist& twist, double period_s) {
-    const Step step = dragged(twist, period_s);
-    fork_ = step.end;
+    Step step;
+    step.period_s_ = period_s;
+    step.turn_rad_s_ = twist.w_rad_s;
+    step.half_turn_ = Direction::of_angle(0.5 * twist.w_rad_s * period_s);
+    step.behind_ = leaning(Direction::of_vector(twist.v_m_s, sideways_m_s));
+    step.off_ = fork_.turned_back_by(step.half_turn_).turned_back_by(step.behind_);
+    step.before_ = tangent_of_half(step.off_);
+    step.after_ = step.before_ * std::exp(-pivot_m_s * period_s / trail_m_);
+    const double scale = 1.0 / (1.0 + step.after_ * step.after_);
+    step.off_after_ = {(1.0 - step.after_ * step.after_) * scale, 2.0 * step.after_ * scale};
     return step;
   }
+  void move_on(const Step& step) { fork_ = step.end(); }
   void reset() { fork_ = Direction::of_angle(lean_rad_); }
 
  private:
@@ -160,13 +178,14 @@ class StiffSwivel final : public EffectOf<StiffSwivel> {
     const Twist kept{(1.0 - share) * taken_.v_m_s, (1.0 - share) * taken_.w_rad_s};
     const Twist unhindered = sum(twist, kept, 1.0);
     const Fork::Step free = fork_.dragged(unhindered, context.period_s);
-    const Twist whole = push_towards(free.middle, share * push_m_s_, context.wheel_base_m);
-    const double sign = std::copysign(1.0, free.swivel_rad_s);
+    const Twist whole = push_towards(free.middle(), share * push_m_s_, context.wheel_base_m);
+    const double free_rad_s = free.swivel_rad_s();
+    const double sign = std::copysign(1.0, free_rad_s);
     const Fork::Step held = fork_.dragged(sum(unhindered, whole, sign), context.period_s);
-    const double slower_rad_s = std::max(0.0, sign * (free.swivel_rad_s - held.swivel_rad_s));
-    taken_ = sum(kept, whole, std::tanh(free.swivel_rad_s / (sliding_rad_s_ + slower_rad_s)));
+    const double slower_rad_s = std::max(0.0, sign * (free_rad_s - held.swivel_rad_s()));
+    taken_ = sum(kept, whole, std::tanh(free_rad_s / (sliding_rad_s_ + slower_rad_s)));
     twist = sum(twist, taken_, 1.0);
-    fork_.drag(twist, context.period_s);
+    fork_.move_on(fork_.dragged(twist, context.period_s));
   }
   void reset() override {
     fork_.reset();
@@ -200,7 +219,9 @@ class ScrubbingSwing final : public EffectOf<ScrubbingSwing> {
         fork_(arguments.parameters[1], arguments.parameters[2], arguments.parameters[3]) {}
 
   void body(Twist& twist, const StepContext& context) override {
-    twist.w_rad_s += angle_rad_ / std::numbers::pi * fork_.drag(twist, context.period_s).swivel_rad_s;
+    const Fork::Step step = fork_.dragged(twist, context.period_s);
+    fork_.move_on(step);
+    twist.w_rad_s += angle_rad_ / std::numbers::pi * step.swivel_rad_s();
   }
   void reset() override { fork_.reset(); }
 
