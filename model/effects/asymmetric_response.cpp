@@ -177,9 +177,8 @@ EffectInfo asymmetric_response() {
       "speeding up and slowing down have different dynamics",
       "Drivers that coast instead of braking, PID loops that cannot brake: one of the two takes longer. "
       "'command': the drive itself, 'speed': the wheel behind it; '_coasting': slowing down, the wheel "
-      "rolls freely until it is no faster than it should be; 'motor_coasting': so does a wheel that "
-      "friction, a "
-      "caster or a slope pushes.",
+      "rolls freely until it is no faster than it should be; 'motor_coasting': also "
+      "where friction, a caster or a slope pushes the wheel.",
       {{"command", EffectStage::command},
        {"speed", EffectStage::wheel},
        {"command_coasting", EffectStage::command, coasting_parameters()},

@@ -46,8 +46,7 @@ struct EffectHooks {
   bool floor = false;
   bool body = false;
   bool observed = false;
-  bool load =
-      false;  // at the wheels: what it takes from their speed, a motor without current does not give back
+  bool load = false;  // on the wheels: what it takes of their speed counts as StepContext::load_m_s
 };
 
 // One effect at work. Holds its own state; never allocates after it was made.
@@ -85,7 +84,7 @@ struct DeclaredBy<Member Class::*> {
 template <typename Hook>
 constexpr bool is_overridden = !std::is_same_v<typename DeclaredBy<Hook>::type, Effect>;
 
-// Whether a class says that it is a load of the motors, by a member `loads_motors`.
+// Whether a class says by a member `loads_motors` that what it does to the wheels is a load of their motors.
 template <typename Derived>
 constexpr bool is_load = requires {
   requires Derived::loads_motors;

@@ -301,8 +301,9 @@ std::vector<EffectSetting> TrialModel::settings() const {
 
 std::vector<TrialEffect> TrialModel::acting() const {
   std::vector<TrialEffect> acting = effects;
-  std::stable_partition(acting.begin(), acting.end(),
-                        [](const TrialEffect& effect) { return effect.info->variants[effect.variant].acts_first; });
+  std::stable_partition(acting.begin(), acting.end(), [](const TrialEffect& effect) {
+    return effect.info->variants[effect.variant].acts_first;
+  });
   return acting;
 }
 
