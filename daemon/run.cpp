@@ -149,7 +149,7 @@ void Run::watch_after(const RunOutcome& outcome, const LogReport& logs, const si
 void Run::start_all() {
   try {
     start_loop();
-    tell_how_it_is_set_up();
+    log_setup();
     start_threads();
   } catch (const std::system_error& error) {
     end_loop();
@@ -193,7 +193,7 @@ void Run::start_loop() {
                      config_.file.string() + ": real_time.policy is 'require', but " + real_time_.shortfall);
 }
 
-void Run::tell_how_it_is_set_up() {
+void Run::log_setup() {
   guardian_.set_patience(guardian_patience(config_.link, real_time_.priority > 0));
   spdlog::info("{}: {}{}", config_.device.string(), describe(real_time_),
                port_.low_latency ? ", low-latency port" : "");

@@ -44,7 +44,7 @@ class Run {
  private:
   void keep_inputs();
   void start_loop();
-  void tell_how_it_is_set_up();
+  void log_setup();
   void start_threads();
   void watch_after(const RunOutcome& outcome, const LogReport& logs, const sigset_t& signals);
   void start_all();

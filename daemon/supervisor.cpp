@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 
 constexpr auto answer_patience = 15s;
 constexpr auto linger_after_end = 500ms;  // the robot comes to rest, and the log gets to see it
-constexpr auto tell_every = 1s;
+constexpr auto report_interval = 1s;
 constexpr auto long_enough = 60s;  // for a process to be no part of a row of failures
 constexpr long look_every_ns = 50'000'000;
 
@@ -33,7 +33,7 @@ RunOutcome Supervisor::run(const sigset_t& signals) {
     if (auto end = obey(signal)) return *end;
     arm_when_ready();
     if (auto end = end_of_run()) return *end;
-    tell(Clock::now());
+    report_status(Clock::now());
   }
 }
 
@@ -146,11 +146,11 @@ void Supervisor::watch_model() {
   parts_.watch.look();
 }
 
-void Supervisor::tell(Clock::time_point now) {
+void Supervisor::report_status(Clock::time_point now) {
   service_.notifier.feed(parts_.session.counts().ticks);
   if (parts_.wiring.robot_answers.load()) service_.notifier.ready();
-  if (now - told_ < tell_every) return;
-  told_ = now;
+  if (now - last_report_ < report_interval) return;
+  last_report_ = now;
   watch_model();
   if (now - started_ > long_enough) service_.restarts.lasted();
   const StatusView view{parts_.config,        parts_.session,        parts_.real_time,

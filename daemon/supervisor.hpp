@@ -62,14 +62,14 @@ class Supervisor {
   void arm();
   bool moves() const;
   void arm_when_ready();
-  void tell(Clock::time_point now);
+  void report_status(Clock::time_point now);
   void watch_model();
 
   Supervised parts_;
   Service& service_;
   Clock::time_point started_ = Clock::now();
   Clock::time_point not_over_ = started_;
-  Clock::time_point told_{};
+  Clock::time_point last_report_{};
   bool armed_once_ = false;
   bool status_failed_ = false;
   bool moved_ = false;  // when it was looked at last

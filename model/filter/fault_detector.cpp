@@ -102,12 +102,12 @@ void FaultDetector::look_for_stall_end(std::size_t wheel, const TickEvidence& ev
   const WheelEvidence& seen = evidence.wheels[wheel];
   constexpr double fade = 0.9;
   if (side.kind != FaultKind::stalled) {
-    side.told_m = side.turned_m = 0.0;
+    side.predicted_m = side.turned_m = 0.0;
     return;
   }
-  side.told_m = fade * side.told_m + std::abs(seen.predicted_m);
+  side.predicted_m = fade * side.predicted_m + std::abs(seen.predicted_m);
   side.turned_m = fade * side.turned_m + std::abs(seen.counted_m);
-  if (side.told_m < 0.005 || side.turned_m < 0.6 * side.told_m) return;
+  if (side.predicted_m < 0.005 || side.turned_m < 0.6 * side.predicted_m) return;
   events.add({FaultEvent::Stage::ended, side.kind, side_of(wheel), evidence.tick, seen.excess_a});
   side.kind = FaultKind::none;
 }

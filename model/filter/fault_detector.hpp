@@ -69,8 +69,8 @@ class FaultDetector {
     MisfitRecord record;
     double recent_misfits = 0.0;  // fading
     bool overcurrent = false;
-    double turned_m = 0.0;  // while stalled: what it was told and what it did, fading
-    double told_m = 0.0;
+    double turned_m = 0.0;  // while stalled: what it turned, and what the model predicts, fading
+    double predicted_m = 0.0;
     double held_s = 0.0;  // of high current although the wheel turns
   };
 

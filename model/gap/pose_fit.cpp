@@ -183,7 +183,7 @@ WheelFit PoseFit::wheel_fit(const Estimate& gain, bool left) const {
 
 bool hold_poses_alone(std::span<const DriveLog> logs) {
   return std::ranges::all_of(
-      logs, [](const DriveLog& log) { return !log.has_ticks() && log.references_tell_places(); });
+      logs, [](const DriveLog& log) { return !log.has_ticks() && log.has_reference_positions(); });
 }
 
 tl::expected<PoseFit, Refusal> fit_from_poses(std::span<const DriveLog> logs, const ParallelFor& parallel_for,

@@ -57,8 +57,8 @@ struct DriveLog {
   std::size_t first_line = 1;  // line of the first sample in its file, for messages
 
   bool has_ticks() const { return metres_per_tick && !samples.empty() && samples.front().ticks; }
-  // Where they do not, references tell the heading alone, or there are none.
-  bool references_tell_places() const {
+  // Else references have headings alone, or there are none.
+  bool has_reference_positions() const {
     return std::ranges::any_of(samples,
                                [](const DriveSample& sample) { return sample.reference_pose().has_value(); });
   }

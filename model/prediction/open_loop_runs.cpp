@@ -46,7 +46,7 @@ std::vector<std::vector<PredictedMotion>> open_loop_runs(const RobotModel& model
   const auto effects = effect_settings(model);
   if (!is_reset_to_measured_pose(model, log)) return {free_run(model.linear_part, effects, log)};
   const bool by_pose = any_acts(effects, &EffectInfo::by_pose);
-  const bool by_place = by_pose && log.references_tell_places();
+  const bool by_place = by_pose && log.has_reference_positions();
   const auto tells = [=](const DriveSample& sample) {
     if (by_place) return sample.reference_pose().has_value();
     return by_pose ? sample.reference_theta_rad.has_value() : sample.ticks.has_value();

@@ -8,8 +8,10 @@ namespace wheelwright {
 namespace {
 
 constexpr double sharp_corner_rad = 0.8;  // from here on the robot stops and turns in place
-constexpr double aligned_rad = 0.012;     // heading error at which a turn in place ends
-constexpr double look_ahead_m = 0.12;     // on the leg, beyond the robot
+// The same, of a robot that turns on for a while when it is told to go straight: a model knows least of that.
+constexpr double sharp_corner_of_late_turn_rad = 0.25;
+constexpr double aligned_rad = 0.012;  // heading error at which a turn in place ends
+constexpr double look_ahead_m = 0.12;  // on the leg, beyond the robot
 constexpr double heading_gain_per_s = 3.0;
 // With a dead band in turning: heading errors at which a correction begins and ends, and the least turn rate
 // of one, in dead bands.
@@ -41,12 +43,13 @@ void RouteFollower::restart(const Checkpoint& start) {
   correcting_ = false;
 }
 
-bool RouteFollower::stops_at(std::size_t checkpoint) const {
+bool RouteFollower::stops_at(std::size_t checkpoint, const DriveLimits& robot) const {
   if (checkpoint + 1 >= route_.checkpoints.size()) return true;
   const Checkpoint& before = checkpoint == 0 ? leg_start_ : route_.checkpoints[checkpoint - 1];
   const Checkpoint& at = route_.checkpoints[checkpoint];
   const double corner = wrap_angle(angle_of(at, route_.checkpoints[checkpoint + 1]) - angle_of(before, at));
-  return std::abs(corner) > sharp_corner_rad;
+  return std::abs(corner) >
+         (robot.straightening_periods > 0 ? sharp_corner_of_late_turn_rad : sharp_corner_rad);
 }
 
 WheelPair RouteFollower::steer(const Pose& rest, const DriveLimits& robot) {
@@ -83,9 +86,9 @@ WheelPair RouteFollower::drive(const Pose& rest, const DriveLimits& robot) {
   const double s = std::sin(direction);
   const double remaining = c * (target.x_m - rest.x_m) + s * (target.y_m - rest.y_m);
   const double beside = -s * (rest.x_m - target.x_m) + c * (rest.y_m - target.y_m);
-  const bool stops = stops_at(visited_);
+  const bool stops = stops_at(visited_, robot);
   if (remaining <= (stops ? stop_short_m : 0.0)) {
-    arrive(rest);
+    arrive(rest, robot);
     return stops ? WheelPair{} : next_command(rest, robot);
   }
   const double error = wrap_angle(direction - std::atan2(beside, look_ahead_m) - rest.theta_rad);
@@ -106,7 +109,7 @@ double RouteFollower::turn_rate_for(double error_rad, const DriveLimits& robot) 
                        error_rad);
 }
 
-void RouteFollower::arrive(const Pose& rest) {
+void RouteFollower::arrive(const Pose& rest, const DriveLimits& robot) {
   const Checkpoint& target = route_.checkpoints[visited_];
   const bool last = visited_ + 1 == route_.checkpoints.size();
   const double missed_by = std::hypot(target.x_m - rest.x_m, target.y_m - rest.y_m);
@@ -117,7 +120,7 @@ void RouteFollower::arrive(const Pose& rest) {
     speed_now_ = 0.0;
     return;
   }
-  if (stops_at(visited_)) {
+  if (stops_at(visited_, robot)) {
     state_ = last ? State::finished : State::turning;
     speed_now_ = 0.0;
   }

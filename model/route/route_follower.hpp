@@ -3,7 +3,8 @@
 // The robot answers with some tenths of a second of lag. So the follower looks at the pose at which the robot
 // would come to rest if it were stopped now: a command moves that pose at once, which takes the lag out of
 // the loop, and a stop at a checkpoint is the moment when the rest pose is there. Between sharp corners it
-// aims at a point ahead on the leg; at sharp corners and at the end it stops and turns in place.
+// aims at a point ahead on the leg; at sharp corners and at the end it stops and turns in place. A robot that
+// turns on for a while when it is told to go straight (DriveLimits) does so at slight corners, too.
 #pragma once
 
 #include <cstddef>
@@ -46,12 +47,12 @@ class RouteFollower {
  private:
   enum class State { turning, driving, finished };
 
-  bool stops_at(std::size_t checkpoint) const;
+  bool stops_at(std::size_t checkpoint, const DriveLimits& robot) const;
   WheelPair next_command(const Pose& rest, const DriveLimits& robot);
   WheelPair turn(const Pose& rest, const DriveLimits& robot);
   WheelPair drive(const Pose& rest, const DriveLimits& robot);
   double turn_rate_for(double error_rad, const DriveLimits& robot);
-  void arrive(const Pose& rest);
+  void arrive(const Pose& rest, const DriveLimits& robot);
   double fastest_m_s(const DriveLimits& robot) const;
   WheelPair limited(double v_m_s, double w_rad_s, double largest_m_s) const;
   WheelPair eased(const WheelPair& wanted_m_s) const;

@@ -243,7 +243,7 @@ Screening screen(const Problem& problem, const Fit& fit, std::span<const EffectI
     effects.push_back(screened.start);
   }
   const Common common = responses.common(effects, parallel_for);
-  result.pair = telling_pair(named, common);
+  result.pair = stronger_pair(named, common);
   if (!result.pair) result.pair = hidden_pair(named, common);
   return result;
 }

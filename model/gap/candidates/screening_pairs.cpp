@@ -63,7 +63,7 @@ std::optional<ScreenedPair> best_pair(std::span<const Screened> effects, const C
 
 }  // namespace
 
-std::optional<ScreenedPair> telling_pair(std::span<const Screened> effects, const Common& common) {
+std::optional<ScreenedPair> stronger_pair(std::span<const Screened> effects, const Common& common) {
   constexpr double alike = 0.98;  // cosine
   constexpr double times_the_best_single = 1.5;
   double best_single_nats = 0.0;

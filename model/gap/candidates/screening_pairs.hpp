@@ -26,7 +26,7 @@ inline bool vanishes_at_zero(const ParameterInfo& parameter) {
 }
 
 // The pair that explains far more than any of `effects` does alone. `common` holds them in the same order.
-std::optional<ScreenedPair> telling_pair(std::span<const Screened> effects, const Common& common);
+std::optional<ScreenedPair> stronger_pair(std::span<const Screened> effects, const Common& common);
 
 // The pair of which neither shows: what one does, the other undoes, nearly. A wheel base that is off, and
 // counts that were scaled by turning on it.

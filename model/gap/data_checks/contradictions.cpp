@@ -133,7 +133,7 @@ ReferenceGains reference_gains(const GateState& gate) {
   constexpr double longest_turn_rad = 1.5;
   const DriveLog& log = gate.result.log;
   const auto& samples = log.samples;
-  const bool heading_alone = !log.references_tell_places();
+  const bool heading_alone = !log.has_reference_positions();
   ReferenceGains gains;
   std::optional<std::size_t> from;
   double forward = 0.0;

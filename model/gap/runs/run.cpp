@@ -128,7 +128,7 @@ bool flagged(const std::vector<char>& rows, std::size_t i) {
 }
 
 void collect_references(const DriveLog& log, const RowFlags& flags, GapRun& run) {
-  run.heading_alone = !log.references_tell_places();
+  run.heading_alone = !log.has_reference_positions();
   const ExpectedTurn expected(run);
   bool anew = false;
   bool lost = false;

@@ -78,6 +78,22 @@ TEST_CASE("A robot that turns in place is steered by the heading at which it sto
   CHECK_THAT(robot.rest_pose().theta_rad, WithinAbs(heading_after(robot, {}), 1e-4));
 }
 
+TEST_CASE("A robot whose turn goes on when it is told to go straight stops at slight corners") {
+  const auto slowest_near_corner_m_s = [](const std::vector<EffectSetting>& effects) {
+    MotionPredictor robot(robot_with(effects));
+    RouteFollower follower({"corner", 0.2, 0.02, {{1.0, 0.0}, {2.0, 0.5}}}, {});
+    double slowest_m_s = 1.0;
+    while (!follower.finished()) {
+      robot.step(robot.command_for(follower.steer(robot.rest_pose(), robot.limits())));
+      if (std::hypot(robot.pose().x_m - 1.0, robot.pose().y_m) < 0.1)
+        slowest_m_s = std::min(slowest_m_s, robot.motion().twist.v_m_s);
+    }
+    return slowest_m_s;
+  };
+  CHECK(slowest_near_corner_m_s({}) > 0.15);
+  CHECK(slowest_near_corner_m_s({coasting, stiff_caster}) < 0.02);
+}
+
 TEST_CASE("A robot with a stiff caster and motors that cannot brake does not swing about its way for ever") {
   MotionPredictor robot(robot_with({coasting, stiff_caster}));
   RouteFollower follower({"corner", 0.2, 0.02, {{1.0, 0.0}, {4.0, 2.1}}}, {});

@@ -33,8 +33,8 @@ double other_value(const DriveColumns& columns, double forward) {
 
 }  // namespace
 
-void tell_forward_bit(std::span<const Recording> recordings, const GivenMapping& given, Mapping& mapping,
-                      std::vector<std::string>& findings, std::vector<std::string>& doubts) {
+void infer_forward_bit(std::span<const Recording> recordings, const GivenMapping& given, Mapping& mapping,
+                       std::vector<std::string>& findings, std::vector<std::string>& doubts) {
   if (!mapping.command || !mapping.command->direction[0] || given.says("command.forward")) return;
   const auto columns = gather_sample(recordings, mapping);
   if (!columns) return;
@@ -51,8 +51,8 @@ void tell_forward_bit(std::span<const Recording> recordings, const GivenMapping&
                      ": both wheels count up with it");
 }
 
-void tell_steering(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
-                   std::vector<std::string>& findings, std::vector<std::string>& doubts) {
+void infer_steering(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
+                    std::vector<std::string>& findings, std::vector<std::string>& doubts) {
   if (!mapping.command || mapping.command->kind != CommandKind::throttle ||
       given.says("command.steering_gain"))
     return;

@@ -14,11 +14,11 @@ namespace wheelwright::import {
 
 // The value of the bits of direction at which the counts rise. Adds a line to `findings` where it is not 1,
 // and to `doubts` where the motion does not tell.
-void tell_forward_bit(std::span<const Recording> recordings, const GivenMapping& given, Mapping& mapping,
-                      std::vector<std::string>& findings, std::vector<std::string>& doubts);
+void infer_forward_bit(std::span<const Recording> recordings, const GivenMapping& given, Mapping& mapping,
+                       std::vector<std::string>& findings, std::vector<std::string>& doubts);
 
 // The share and the sign of the steering beside the throttle.
-void tell_steering(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
-                   std::vector<std::string>& findings, std::vector<std::string>& doubts);
+void infer_steering(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
+                    std::vector<std::string>& findings, std::vector<std::string>& doubts);
 
 }  // namespace wheelwright::import

@@ -193,8 +193,8 @@ class CounterKind {
 
 }  // namespace
 
-void tell_counters(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
-                   std::vector<std::string>& findings, std::vector<std::string>& doubts) {
+void infer_counters(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
+                    std::vector<std::string>& findings, std::vector<std::string>& doubts) {
   if (!mapping.command || !mapping.wheels) return;
   CounterKind(columns, given, mapping, findings, doubts).run();
 }

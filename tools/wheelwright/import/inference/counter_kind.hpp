@@ -12,7 +12,7 @@ namespace wheelwright::import {
 
 // Sets what is not given; adds a line with the evidence to `findings`, and to `doubts` where the motion
 // leaves it open.
-void tell_counters(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
-                   std::vector<std::string>& findings, std::vector<std::string>& doubts);
+void infer_counters(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
+                    std::vector<std::string>& findings, std::vector<std::string>& doubts);
 
 }  // namespace wheelwright::import

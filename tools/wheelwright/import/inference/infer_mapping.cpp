@@ -76,12 +76,12 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
   mapping = to_mapping(overlaid(mapping, given), name);
   if (mapping.wheels) mapping.wheels->unit_assumed = unit_assumed;
   if (mapping.gyro) mapping.gyro->unit_is_stated = gyro_is_stated;
-  tell_forward_bit(recordings, given, mapping, inference.findings, inference.doubts);
-  tell_hundredths(recordings, given, mapping, inference.findings, inference.doubts);
+  infer_forward_bit(recordings, given, mapping, inference.findings, inference.doubts);
+  infer_hundredths(recordings, given, mapping, inference.findings, inference.doubts);
   if (mapping.command || mapping.wheels) {
     if (const auto columns = gather_sample(recordings, mapping)) {
-      tell_counters(*columns, given, mapping, inference.findings, inference.doubts);
-      tell_steering(*columns, given, mapping, inference.findings, inference.doubts);
+      infer_counters(*columns, given, mapping, inference.findings, inference.doubts);
+      infer_steering(*columns, given, mapping, inference.findings, inference.doubts);
       set_units(*columns, given, mapping, inference.findings, inference.doubts);
       set_step_scale(*columns, given, mapping, inference.findings);
       set_gyro_unit(*columns, given, mapping, inference.findings, inference.doubts);

@@ -72,8 +72,8 @@ void set_time_unit(std::span<const Recording> recordings, const GivenMapping& gi
                      (stated ? ", not in " + std::string(in_words(*stated)) + " as its name says" : ""));
 }
 
-void tell_hundredths(std::span<const Recording> recordings, const GivenMapping& given, Mapping& mapping,
-                     std::vector<std::string>& findings, std::vector<std::string>& doubts) {
+void infer_hundredths(std::span<const Recording> recordings, const GivenMapping& given, Mapping& mapping,
+                      std::vector<std::string>& findings, std::vector<std::string>& doubts) {
   const auto time = mapped_time(recordings, mapping);
   if (!time || given.says("time.unit") || mapping.time.period_s || mapping.time.unit != TimeUnit::ms ||
       time_unit_stated_for(*time->stream, *time->channel))

@@ -16,7 +16,7 @@ void set_time_unit(std::span<const Recording> recordings, const GivenMapping& gi
 
 // Whole numbers of which the steps leave open whether they are milliseconds or hundredths of a second:
 // decided by the wheels, which go as fast as commanded in one of them; a doubt where those say nothing.
-void tell_hundredths(std::span<const Recording> recordings, const GivenMapping& given, Mapping& mapping,
-                     std::vector<std::string>& findings, std::vector<std::string>& doubts);
+void infer_hundredths(std::span<const Recording> recordings, const GivenMapping& given, Mapping& mapping,
+                      std::vector<std::string>& findings, std::vector<std::string>& doubts);
 
 }  // namespace wheelwright::import

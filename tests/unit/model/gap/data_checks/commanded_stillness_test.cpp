@@ -26,7 +26,9 @@ DriveLog slalom(double threshold_m_s) {
   log.period_s = period_s;
   log.metres_per_tick = WheelPair{metres_per_tick, metres_per_tick};
   WheelPair way_m;
-  const auto turned = [&](double told_m_s) { return std::abs(told_m_s) < threshold_m_s ? 0.0 : told_m_s; };
+  const auto turned = [&](double commanded_m_s) {
+    return std::abs(commanded_m_s) < threshold_m_s ? 0.0 : commanded_m_s;
+  };
   for (int row = 0; row < 2000; ++row) {
     DriveSample sample;
     sample.t_s = period_s * row;
