@@ -124,7 +124,7 @@ struct EffectVariant {
   std::string name;
   EffectStage stage;
   std::vector<ParameterInfo> parameters{};  // of its own, in the place of the effect's
-  bool acts_first = false;                  // of its stage, in what the gap workflow makes
+  bool acts_first = false;                  // before the others of its stage, in models of the gap workflow
 };
 
 // What the data must hold for the effect to be seen at all.

@@ -69,6 +69,7 @@ TEST_CASE(
   const double straight_rad = heading_after(robot, {0.2, 0.2}) - turning_rad;
   const double stopped_rad = heading_after(robot, {}) - turning_rad;
   CHECK(straight_rad > 2.0 * stopped_rad);
+  // The end of the turn, which is slow, is left out.
   CHECK_THAT(robot.rest_pose().theta_rad - turning_rad, WithinRel(straight_rad, 0.3));
 }
 
@@ -103,5 +104,5 @@ TEST_CASE("A robot with a stiff caster and motors that cannot brake does not swi
     if (robot.pose().x_m > 2.6 && robot.pose().x_m < 3.8)
       off_leg_rad = std::max(off_leg_rad, std::abs(robot.pose().theta_rad - std::atan2(2.1, 3.0)));
   }
-  CHECK(off_leg_rad < 0.18);
+  CHECK(off_leg_rad < 0.01);
 }
