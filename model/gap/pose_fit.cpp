@@ -15,6 +15,7 @@
 #include "model/gap/selection/search_start.hpp"
 #include "model/identification/excitation.hpp"
 #include "model/log/near_periods.hpp"
+#include "model/statistics/confidence.hpp"
 #include "model/statistics/significant_digits.hpp"
 
 namespace wheelwright::gap {
@@ -123,7 +124,8 @@ tl::expected<std::array<Estimate, figures.size()>, Refusal> estimates(const Prob
   std::array<Estimate, figures.size()> found;
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const double value = figures[i].of(fit.model);
-    const double white = two_sided_95 * white_error(slopes.row(static_cast<Eigen::Index>(i)), information);
+    const double white =
+        deviations_in_ci95 * white_error(slopes.row(static_cast<Eigen::Index>(i)), information);
     found[i] = {value,
                 {value + std::min(deviations[i].deviation.lower, -white),
                  value + std::max(deviations[i].deviation.upper, white)}};
@@ -172,7 +174,7 @@ std::optional<Refusal> fault_of(const GatedLog& gated) {
 }  // namespace
 
 WheelFit PoseFit::wheel_fit(const Estimate& gain, bool left) const {
-  const double error = (gain.interval.upper - gain.interval.lower) / (2.0 * two_sided_95);
+  const double error = standard_deviation(gain.interval);
   WheelFit fit;
   (left ? fit.gain.from_left : fit.gain.from_right) = gain.value;
   (left ? fit.gain_standard_error.from_left : fit.gain_standard_error.from_right) = error;

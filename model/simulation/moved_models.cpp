@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "model/effects/library/effect_library.hpp"
+#include "model/statistics/confidence.hpp"
 
 namespace wheelwright {
 namespace {

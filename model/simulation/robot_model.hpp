@@ -9,6 +9,7 @@
 #include "model/geometry/pose.hpp"
 #include "model/simulation/linear_model.hpp"
 #include "model/simulation/wheel_fit.hpp"
+#include "model/statistics/confidence.hpp"
 
 namespace wheelwright {
 
@@ -25,8 +26,6 @@ struct ParameterInterval {
   double upper = 0.0;
 };
 
-// Either end of a 95 % interval of a normal distribution is so many standard deviations from the middle.
-inline constexpr double deviations_in_ci95 = 1.96;
 inline double standard_deviation(const ParameterInterval& interval) {
   return (interval.upper - interval.lower) / (2.0 * deviations_in_ci95);
 }

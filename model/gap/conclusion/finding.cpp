@@ -5,6 +5,7 @@
 #include <map>
 
 #include "model/gap/candidates/decoys.hpp"
+#include "model/statistics/confidence.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -117,7 +118,7 @@ std::optional<Finding> dropout_finding(std::span<const Dropout> dropouts, double
                    "",
                    {std::min(1.0, lost_s / watched_s), lost_s / static_cast<double>(dropouts.size())}};
   const double share = found.setting.parameters[0];
-  const double relative = 1.96 / std::sqrt(static_cast<double>(dropouts.size()));
+  const double relative = deviations_in_ci95 / std::sqrt(static_cast<double>(dropouts.size()));
   found.intervals = {{share * std::max(0.0, 1.0 - relative), std::min(1.0, share * (1.0 + relative))},
                      {found.setting.parameters[1] * std::max(0.0, 1.0 - relative),
                       found.setting.parameters[1] * (1.0 + relative)}};

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "model/prediction/free_run.hpp"
+#include "model/statistics/confidence.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -191,7 +192,7 @@ ResidualRow row_of(std::span<const Window* const> windows, Quantity quantity, st
   for (const Window* window : windows) blocks[window->block] += window->residual - row.mean;
   double variance = 0.0;
   for (const auto& [block, sum] : blocks) variance += sum * sum;
-  row.ci95 = 1.96 * std::sqrt(variance) / count;
+  row.ci95 = deviations_in_ci95 * std::sqrt(variance) / count;
   return row;
 }
 
@@ -221,7 +222,7 @@ std::optional<Tabulated> tabulated(const Windows& windows, Quantity quantity) {
     const ResidualRow row = row_of(std::span(sorted).subspan(begin, end - begin), quantity, sorted.size());
     const double deviation = row.mean - mean;
     between += static_cast<double>(end - begin) * deviation * deviation;
-    if (row.ci95 > 0.0) result.surprise += std::pow(1.96 * deviation / row.ci95, 2);
+    if (row.ci95 > 0.0) result.surprise += std::pow(deviations_in_ci95 * deviation / row.ci95, 2);
     result.table.rows.push_back(row);
   }
   result.table.explained = power > 0.0 ? between / power : 0.0;

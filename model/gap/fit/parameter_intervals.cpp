@@ -5,6 +5,7 @@
 #include <map>
 
 #include "model/gap/fit/block_bootstrap.hpp"
+#include "model/statistics/confidence.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -52,7 +53,7 @@ std::vector<LinearInterval> linear_intervals(const Problem& problem, const Eigen
   for (Eigen::Index i = 0; i < columns.cols(); ++i) {
     std::vector<double> sorted(bootstrap.deviations.row(i).begin(), bootstrap.deviations.row(i).end());
     std::ranges::sort(sorted);
-    const double white = two_sided_95 * bootstrap.white_deviations(i);
+    const double white = deviations_in_ci95 * bootstrap.white_deviations(i);
     const auto tail = static_cast<std::size_t>(0.025 * static_cast<double>(draws));
     intervals.push_back({{std::min(sorted[tail], -white), std::max(sorted[draws - 1 - tail], white)},
                          bootstrap.white_deviations(i)});

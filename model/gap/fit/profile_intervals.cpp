@@ -6,10 +6,12 @@
 #include <limits>
 #include <optional>
 
+#include "model/statistics/confidence.hpp"
+
 namespace wheelwright::gap {
 namespace {
 
-constexpr double chi_squared_95 = two_sided_95 * two_sided_95;
+constexpr double chi_squared_95 = deviations_in_ci95 * deviations_in_ci95;
 constexpr int max_steps_of_others = 5;
 constexpr double worth_a_step = 0.02;  // of the sum of squares
 constexpr int max_doublings = 30;
@@ -189,7 +191,7 @@ Profiles profile_intervals(const Problem& problem, const Fit& fit, const Eigen::
     const ParameterInfo& info = *fit.model.parameter_info(parameter);
     const ParameterInterval& by_slope = linear[parameter].deviation;
     const double deviation = lower ? -by_slope.lower : by_slope.upper;
-    const double white = two_sided_95 * linear[parameter].white_deviation;
+    const double white = deviations_in_ci95 * linear[parameter].white_deviation;
     const double scatter = white > 0.0 ? std::max(1.0, deviation / white) : 1.0;
     const double estimate = fit.model.parameter(parameter);
     const double bound = lower ? info.lower : info.upper;

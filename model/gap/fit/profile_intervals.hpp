@@ -17,8 +17,6 @@
 
 namespace wheelwright::gap {
 
-constexpr double two_sided_95 = 1.96;  // standard deviations
-
 // What the derivatives say of one parameter.
 struct LinearInterval {
   ParameterInterval deviation;   // from the estimate

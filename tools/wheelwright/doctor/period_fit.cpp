@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/statistics/confidence.hpp"
+
 namespace wheelwright::tools::doctor {
 namespace {
 
@@ -60,7 +62,7 @@ std::optional<PeriodFit> fit_period(std::span<const FrameArrival> arrivals) {
   }
   const double correlation = neighbour_correlation(residuals, sum_of_squares);
   const double variance = sum_of_squares / (count - 2.0) * (1.0 + correlation) / (1.0 - correlation);
-  fit.uncertainty_s = 1.96 * std::sqrt(variance / number_squares);
+  fit.uncertainty_s = deviations_in_ci95 * std::sqrt(variance / number_squares);
   for (double& residual : residuals) residual = std::abs(residual);
   fit.jitter = spread_of(std::move(residuals));
   return fit;

@@ -6,6 +6,7 @@
 
 #include "config/load/printable_text.hpp"
 #include "model/effects/library/effect_library.hpp"
+#include "model/statistics/confidence.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -41,10 +42,9 @@ Figure product(const Figure& one, const Figure& other) {
 // A fit's standard error as an interval.
 Figure gain_figure(double gain, const std::optional<WheelFit>& fit, double DcGain::*own,
                    const std::string& from) {
-  constexpr double half_width = 1.96;
   Figure figure{gain, {}, from};
   const double error = fit ? fit->gain_standard_error.*own : 0.0;
-  if (error > 0.0) figure.interval = {gain - half_width * error, gain + half_width * error};
+  if (error > 0.0) figure.interval = {gain - deviations_in_ci95 * error, gain + deviations_in_ci95 * error};
   return figure;
 }
 

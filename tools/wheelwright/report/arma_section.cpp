@@ -5,6 +5,7 @@
 #include "model/prediction/free_run.hpp"
 #include "model/prediction/score.hpp"
 #include "model/simulation/poles.hpp"
+#include "model/statistics/confidence.hpp"
 #include "tools/wheelwright/page/html.hpp"
 #include "tools/wheelwright/page/number_text.hpp"
 #include "tools/wheelwright/page/plot.hpp"
@@ -18,13 +19,12 @@ using config::fixed_number;
 using Rows = std::vector<std::vector<std::string>>;
 
 constexpr double shown_sequence_s = 15.0;
-constexpr double interval = 1.96;  // standard errors to each side: 95 %
 
 std::string with_interval(const std::vector<double>& values, const std::vector<double>& errors,
                           std::size_t i) {
   if (i >= values.size()) return "";
   const std::string text = fixed_number(values[i], 4);
-  return i < errors.size() ? text + " ± " + fixed_number(interval * errors[i], 4) : text;
+  return i < errors.size() ? text + " ± " + fixed_number(deviations_in_ci95 * errors[i], 4) : text;
 }
 
 // As the paper's Table I, for both wheels. i counts periods into the past.
@@ -52,7 +52,7 @@ PlotPoints weights(const std::vector<double>& values, const std::vector<double>&
                    double beside) {
   PlotPoints points;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const double error = i < errors.size() ? interval * errors[i] : 0.0;
+    const double error = i < errors.size() ? deviations_in_ci95 * errors[i] : 0.0;
     points.push_back({static_cast<double>(i + first) + beside, values[i], error});
   }
   return points;

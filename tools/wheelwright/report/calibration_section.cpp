@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "model/calibration/turn_signal.hpp"
+#include "model/statistics/confidence.hpp"
 #include "tools/wheelwright/page/html.hpp"
 #include "tools/wheelwright/page/number_text.hpp"
 #include "tools/wheelwright/page/plot.hpp"
@@ -71,10 +72,10 @@ Plot match_plot(const EncoderScaleFit& scale) {
 std::string fit_table(const FirFit& fit) {
   const auto row = [](const std::string& wheel, const WheelFit& quality, double own, double own_error,
                       double other, double other_error) {
-    return std::vector<std::string>{wheel, fixed_number(own, 4) + " ± " + fixed_number(1.96 * own_error, 4),
-                                    fixed_number(other, 4) + " ± " + fixed_number(1.96 * other_error, 4),
-                                    fixed_number(1e3 * quality.position_noise_m, 2),
-                                    fixed_number(1e3 * quality.drift_m_per_sqrt_s, 2)};
+    return std::vector<std::string>{
+        wheel, fixed_number(own, 4) + " ± " + fixed_number(deviations_in_ci95 * own_error, 4),
+        fixed_number(other, 4) + " ± " + fixed_number(deviations_in_ci95 * other_error, 4),
+        fixed_number(1e3 * quality.position_noise_m, 2), fixed_number(1e3 * quality.drift_m_per_sqrt_s, 2)};
   };
   const WheelFit& left = fit.left;
   const WheelFit& right = fit.right;
@@ -95,7 +96,7 @@ std::string encoder_scale_section(const CalibrationMaterial& material) {
   std::vector<Plot> plots{bumper_plot(material)};
   if (material.scale) {
     const EncoderScaleFit& scale = *material.scale;
-    const double error = 1.96 * scale.relative_standard_error;
+    const double error = deviations_in_ci95 * scale.relative_standard_error;
     text += html::table(
         {"", "value", "95 %", "unit"},
         {{"metres per tick", fixed_number(1e3 * scale.metres_per_tick.left, 5),

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "model/statistics/confidence.hpp"
+
 namespace wheelwright::tools {
 namespace {
 
@@ -26,7 +28,7 @@ struct Mean {
   double interval() const {
     if (count < 2.0) return 0.0;
     const double variance = std::max(0.0, (squares - sum * sum / count) / (count - 1.0));
-    return 1.96 * std::sqrt(variance / count);
+    return deviations_in_ci95 * std::sqrt(variance / count);
   }
 };
 
