@@ -1,10 +1,10 @@
 #include "model/adaptation/adaptation_fit.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "model/effects/library/effect_library.hpp"
+#include "model/statistics/levenberg_marquardt.hpp"
 
 namespace wheelwright {
 namespace {
@@ -36,25 +36,55 @@ WheelResponse corrected(const WheelResponse& response, const Eigen::VectorXd& we
           response.from_own_past};
 }
 
-double objective(const AdaptedParameters& parameters, const Eigen::VectorXd& residual,
-                 const Eigen::VectorXd& at) {
-  return residual.squaredNorm() +
-         (at - parameters.present()).cwiseQuotient(parameters.deviations()).squaredNorm();
-}
+class AdaptationFit {
+ public:
+  struct Point {
+    Eigen::VectorXd parameters;
+    Eigen::VectorXd residual;
+    double objective = 0.0;
+  };
 
-Eigen::MatrixXd derivative(const AdaptedParameters& parameters, const ResidualOf& residual_of,
-                           const Eigen::VectorXd& at, const Eigen::VectorXd& residual) {
-  constexpr double step_in_deviations = 0.02;
-  Eigen::MatrixXd slopes(residual.size(), at.size());
-  for (Eigen::Index i = 0; i < at.size(); ++i) {
-    Eigen::VectorXd moved = at;
-    moved[i] += step_in_deviations * parameters.deviations()[i];
-    moved = parameters.bounded(moved);
-    if (moved[i] == at[i]) moved[i] -= step_in_deviations * parameters.deviations()[i];
-    slopes.col(i) = (residual_of(moved) - residual) / (moved[i] - at[i]);
+  AdaptationFit(const AdaptedParameters& parameters, const ResidualOf& residual_of)
+      : parameters_(parameters), residual_of_(residual_of) {}
+
+  Point at(const Eigen::VectorXd& parameters) const {
+    Point point{parameters, residual_of_(parameters)};
+    point.objective =
+        point.residual.squaredNorm() +
+        (parameters - parameters_.present()).cwiseQuotient(parameters_.deviations()).squaredNorm();
+    return point;
   }
-  return slopes;
-}
+  static double objective(const Point& point) { return point.objective; }
+  NormalEquations linearise(const Point& point) const {
+    const Eigen::VectorXd prior = parameters_.deviations().cwiseAbs2().cwiseInverse();
+    const Eigen::MatrixXd slopes = derivatives(point);
+    Eigen::MatrixXd information = slopes.transpose() * slopes;
+    information.diagonal() += prior;
+    return {std::move(information), slopes.transpose() * point.residual +
+                                        prior.cwiseProduct(point.parameters - parameters_.present())};
+  }
+  std::optional<Point> moved(const Point& point, const Eigen::VectorXd& step) const {
+    return at(parameters_.bounded(point.parameters + step));
+  }
+
+ private:
+  Eigen::MatrixXd derivatives(const Point& point) const {
+    constexpr double step_in_deviations = 0.02;
+    const Eigen::VectorXd& at = point.parameters;
+    Eigen::MatrixXd slopes(point.residual.size(), at.size());
+    for (Eigen::Index i = 0; i < at.size(); ++i) {
+      Eigen::VectorXd moved = at;
+      moved[i] += step_in_deviations * parameters_.deviations()[i];
+      moved = parameters_.bounded(moved);
+      if (moved[i] == at[i]) moved[i] -= step_in_deviations * parameters_.deviations()[i];
+      slopes.col(i) = (residual_of_(moved) - point.residual) / (moved[i] - at[i]);
+    }
+    return slopes;
+  }
+
+  const AdaptedParameters& parameters_;
+  const ResidualOf& residual_of_;
+};
 
 }  // namespace
 
@@ -109,38 +139,8 @@ RobotModel AdaptedParameters::model_with(const Eigen::VectorXd& parameters) cons
 }
 
 Eigen::VectorXd most_likely(const AdaptedParameters& parameters, const ResidualOf& residual_of) {
-  constexpr int max_iterations = 12;
-  constexpr double enough = 1e-4;  // relative fall of the objective
-  Eigen::VectorXd best = parameters.present();
-  Eigen::VectorXd residual = residual_of(best);
-  double value = objective(parameters, residual, best);
-  double damping = 1e-3;
-  const Eigen::VectorXd prior = parameters.deviations().cwiseAbs2().cwiseInverse();
-  for (int i = 0; i < max_iterations; ++i) {
-    const Eigen::MatrixXd slopes = derivative(parameters, residual_of, best, residual);
-    Eigen::MatrixXd information = slopes.transpose() * slopes;
-    information.diagonal() += prior;
-    const Eigen::VectorXd gradient =
-        slopes.transpose() * residual + prior.cwiseProduct(best - parameters.present());
-    bool fell = false;
-    double fall = 0.0;
-    for (int tries = 0; tries < 6 && !fell; ++tries) {
-      Eigen::MatrixXd damped = information;
-      damped.diagonal() *= 1.0 + damping;
-      const Eigen::VectorXd moved = parameters.bounded(best - damped.ldlt().solve(gradient));
-      const Eigen::VectorXd of_moved = residual_of(moved);
-      const double moved_value = objective(parameters, of_moved, moved);
-      fell = moved_value < value;
-      damping *= fell ? 0.1 : 10.0;
-      if (!fell) continue;
-      fall = value - moved_value;
-      best = moved;
-      residual = of_moved;
-      value = moved_value;
-    }
-    if (!fell || fall < enough * value) break;
-  }
-  return best;
+  const AdaptationFit fit(parameters, residual_of);
+  return levenberg_marquardt(fit, fit.at(parameters.present()), {.min_relative_fall = 1e-4}).parameters;
 }
 
 }  // namespace wheelwright

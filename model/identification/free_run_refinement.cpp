@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "model/identification/filtered_run.hpp"
 #include "model/identification/free_run_prior.hpp"
+#include "model/statistics/levenberg_marquardt.hpp"
 
 namespace wheelwright {
 namespace {
@@ -14,10 +14,8 @@ namespace {
 using Factor = LeastSquaresAccumulator::Factor;
 
 constexpr std::size_t prior_periods = 60;  // in which a response is over
-constexpr int max_steps = 40;
-constexpr double min_progress = 1e-5;  // of the square sum, in one step
-constexpr double first_damping = 1e-6;
-constexpr double max_damping = 1e4;
+// Dampings are relative to the largest singular value: 1e4 and more moves nothing.
+constexpr LevenbergMarquardtRule search_rule{.max_steps = 40, .max_attempts = 10, .first_damping = 1e-6};
 
 // The steps of the whitening filter for one noise, reading by reading through all runs.
 struct Whitening {
@@ -119,45 +117,32 @@ double negative_log_likelihood(const FreeRunProblem& problem, const Misfit& left
   return 0.5 * left.rows * std::log(noise_variance(problem, left)) + 0.5 * left.log_variance_sum;
 }
 
-// One search with the noise held fixed.
-class Search {
+// A response, judged under noise that is held fixed.
+class FreeRunFit {
  public:
-  Search(const FreeRunProblem& problem, const Whitening& whitening, double noise_variance)
+  struct Point {
+    WheelResponse response;
+    double cost = 0.0;
+  };
+
+  FreeRunFit(const FreeRunProblem& problem, const Whitening& whitening, double noise_variance)
       : problem_(problem), whitening_(whitening), noise_variance_(noise_variance) {}
 
-  // Improves `response` by Levenberg-Marquardt steps and returns the linearised problem around it.
-  Factor run(WheelResponse& response) const {
-    double best = cost(response);
-    double damping = first_damping;
-    Factor factor = linearise(response);
-    DampedSteps steps(factor);
-    for (int step = 0; step < max_steps && damping < max_damping; ++step) {
-      const Eigen::VectorXd unknowns = problem_.layout.to_unknowns(response) + steps.step(damping);
-      const WheelResponse candidate = problem_.layout.to_response(unknowns);
-      const double reached = cost(candidate);
-      if (!(reached < best)) {
-        damping *= 10.0;
-        continue;
-      }
-      const double progress = (best - reached) / best;
-      best = reached;
-      response = candidate;
-      damping *= 0.1;
-      factor = linearise(response);
-      if (progress < min_progress) break;
-      steps = DampedSteps(factor);
-    }
-    return factor;
+  Point at(const WheelResponse& response) const {
+    return {response, misfit(residuals_m(problem_, response), whitening_).square_sum +
+                          noise_variance_ * prior_square_sum(problem_, response)};
+  }
+  static double objective(const Point& point) { return point.cost; }
+  DampedSteps linearise(const Point& point) const { return DampedSteps(factor(point.response)); }
+  std::optional<Point> moved(const Point& point, const Eigen::VectorXd& step) const {
+    const WheelResponse response =
+        problem_.layout.to_response(problem_.layout.to_unknowns(point.response) + step);
+    if (!(largest_pole(response) < largest_allowed_pole)) return std::nullopt;
+    return at(response);
   }
 
- private:
-  double cost(const WheelResponse& response) const {
-    if (!(largest_pole(response) < largest_allowed_pole)) return std::numeric_limits<double>::infinity();
-    return misfit(residuals_m(problem_, response), whitening_).square_sum +
-           noise_variance_ * prior_square_sum(problem_, response);
-  }
-
-  Factor linearise(const WheelResponse& response) const {
+  // The linearised problem around a response.
+  Factor factor(const WheelResponse& response) const {
     const Eigen::Index columns = problem_.layout.columns();
     LeastSquaresAccumulator accumulator(columns, 1);
     const auto add = [&](const Eigen::RowVectorXd& row) {
@@ -169,6 +154,7 @@ class Search {
     return accumulator.factor();
   }
 
+ private:
   const FreeRunProblem& problem_;
   const Whitening& whitening_;
   double noise_variance_;
@@ -190,7 +176,9 @@ RefinedResponse refine_free_run(const FreeRunProblem& problem, const WheelRespon
         });
     whitening = whitening_of(problem, result.noise);
     result.noise_variance = noise_variance(problem, misfit(residuals, whitening));
-    factor = Search(problem, whitening, result.noise_variance).run(result.response);
+    const FreeRunFit fit(problem, whitening, result.noise_variance);
+    result.response = levenberg_marquardt(fit, fit.at(result.response), search_rule).response;
+    factor = fit.factor(result.response);
   }
   const Misfit left = misfit(residuals_m(problem, result.response), whitening);
   result.last_step = solve_small(factor);

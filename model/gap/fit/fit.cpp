@@ -1,22 +1,12 @@
 // How residuals follow the parameters, and the fit that goes down that slope.
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "model/gap/fit/problem.hpp"
+#include "model/statistics/levenberg_marquardt.hpp"
 
 namespace wheelwright::gap {
 namespace {
-
-double damping_floor(const Eigen::MatrixXd& information, Eigen::Index i) {
-  return information(i, i) > 0.0 ? information(i, i) : 1.0;
-}
-
-// Of all columns with each other, and with what is left.
-struct Products {
-  Eigen::MatrixXd of_columns;
-  Eigen::VectorXd with_residuals;
-};
 
 // Those of another part are empty and not worth multiplying.
 std::vector<Eigen::Index> filled_columns(const Eigen::MatrixXd& columns) {
@@ -28,9 +18,13 @@ std::vector<Eigen::Index> filled_columns(const Eigen::MatrixXd& columns) {
 }
 
 // In slices of rows, whose sums do not depend on how many of them are worked on at once.
-Products products_of(const Eigen::MatrixXd& columns, const std::vector<double>& residuals,
-                     const ParallelFor& parallel_for) {
+NormalEquations normal_equations(const Eigen::MatrixXd& columns, const std::vector<double>& residuals,
+                                 const ParallelFor& parallel_for) {
   constexpr Eigen::Index slice_rows = 4096;
+  struct Products {
+    Eigen::MatrixXd of_columns;
+    Eigen::VectorXd with_residuals;
+  };
   const Eigen::Map<const Eigen::VectorXd> residual(residuals.data(), columns.rows());
   const std::vector<Eigen::Index> filled = filled_columns(columns);
   std::vector<Products> slices(static_cast<std::size_t>((columns.rows() + slice_rows - 1) / slice_rows));
@@ -51,7 +45,7 @@ Products products_of(const Eigen::MatrixXd& columns, const std::vector<double>& 
   Products all{Eigen::MatrixXd::Zero(columns.cols(), columns.cols()), Eigen::VectorXd::Zero(columns.cols())};
   all.of_columns(filled, filled) = Eigen::MatrixXd(sum.of_columns.selfadjointView<Eigen::Lower>());
   all.with_residuals(filled) = sum.with_residuals;
-  return all;
+  return {std::move(all.of_columns), std::move(all.with_residuals)};
 }
 
 TrialModel moved(const TrialModel& model, const Eigen::VectorXd& step) {
@@ -61,6 +55,35 @@ TrialModel moved(const TrialModel& model, const Eigen::VectorXd& step) {
   }
   return result;
 }
+
+// The parameters of one part, which residuals of that part judge.
+class FitOfPart {
+ public:
+  using Point = Fit;
+
+  FitOfPart(const Problem& problem, Part part, const ParallelFor& parallel_for)
+      : problem_(problem), part_(part), parallel_for_(parallel_for) {}
+
+  Fit at(const TrialModel& model) const {
+    Fit fit{model, 0.0, problem_.residuals(model, part_)};
+    fit.sum_squares = sum_squares_of(fit.residuals);
+    return fit;
+  }
+  static double objective(const Fit& fit) { return fit.sum_squares; }
+  NormalEquations linearise(const Fit& fit) const {
+    return normal_equations(problem_.jacobian(fit.model, fit.residuals, part_), fit.residuals, parallel_for_);
+  }
+  std::optional<Fit> moved(const Fit& fit, const Eigen::VectorXd& step) const {
+    const TrialModel model = gap::moved(fit.model, step);
+    if (!model.stable()) return std::nullopt;
+    return at(model);
+  }
+
+ private:
+  const Problem& problem_;
+  Part part_;
+  const ParallelFor& parallel_for_;
+};
 
 }  // namespace
 
@@ -144,39 +167,14 @@ void Problem::fill_columns(const TrialModel& model, const std::vector<double>& r
 
 Fit Problem::fit(const TrialModel& start, int max_steps, Part part) const {
   constexpr double worth_a_step = 0.2;  // of the sum of squares: a tenth of a nat
-  Fit best{start, 0.0, residuals(start, part), {}};
-  best.sum_squares = sum_squares_of(best.residuals);
-  double damping = 1e-3;
-  for (int step = 0; step < max_steps; ++step) {
-    const Products products =
-        products_of(jacobian(best.model, best.residuals, part), best.residuals, parallel_for_);
-    best.information = products.of_columns;
-    const double before = best.sum_squares;
-    for (int attempt = 0; attempt < 6; ++attempt) {
-      Eigen::MatrixXd damped = best.information;
-      for (Eigen::Index i = 0; i < damped.rows(); ++i) {
-        damped(i, i) += damping * damping_floor(best.information, i);
-      }
-      const TrialModel candidate = moved(best.model, -damped.ldlt().solve(products.with_residuals));
-      if (candidate.stable()) {
-        std::vector<double> there = residuals(candidate, part);
-        const double sum_squares = sum_squares_of(there);
-        if (sum_squares < best.sum_squares) {
-          best.model = candidate;
-          best.residuals = std::move(there);
-          best.sum_squares = sum_squares;
-          damping = std::max(1e-7, 0.2 * damping);
-          break;
-        }
-      }
-      damping *= 8.0;
-    }
-    if (before - best.sum_squares < worth_a_step + 1e-5 * before) break;
-  }
-  if (part != Part::all) {
-    best.residuals = residuals(best.model);
-    best.sum_squares = sum_squares_of(best.residuals);
-  }
+  const LevenbergMarquardtRule rule{.max_steps = max_steps,
+                                    .min_damping = 1e-7,
+                                    .decrease = 0.2,
+                                    .increase = 8.0,
+                                    .min_fall = worth_a_step};
+  const FitOfPart problem(*this, part, parallel_for_);
+  Fit best = levenberg_marquardt(problem, problem.at(start), rule);
+  if (part != Part::all) best = FitOfPart(*this, Part::all, parallel_for_).at(best.model);
   return best;
 }
 

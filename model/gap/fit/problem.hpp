@@ -36,7 +36,6 @@ struct Fit {
   TrialModel model;
   double sum_squares = 0.0;  // sum of squared innovations: minus twice the log likelihood
   std::vector<double> residuals;
-  Eigen::MatrixXd information;  // of all parameters, at the solution; zero rows where nothing is learned
 };
 
 class Problem {

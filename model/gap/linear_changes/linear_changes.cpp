@@ -1,6 +1,5 @@
 #include "model/gap/linear_changes/linear_changes.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include "model/effects/library/effect_library.hpp"
 #include "model/gap/adequacy/variance_ratio.hpp"
 #include "model/gap/fit/parameter_intervals.hpp"
+#include "model/statistics/levenberg_marquardt.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -40,6 +40,12 @@ bool any_acts(const RobotModel& model, bool EffectInfo::*how) {
 // Residuals of one problem as a function of the correction.
 class CorrectedRuns {
  public:
+  struct Point {
+    Parameters parameters;
+    std::vector<double> residuals;
+    double sum_squares = 0.0;
+  };
+
   CorrectedRuns(const RobotModel& model, const TrialModel& measured, const Problem& problem)
       : problem_(problem),
         lag_s_(lag_of(model.linear_part)),
@@ -71,7 +77,24 @@ class CorrectedRuns {
     return columns;
   }
 
-  double min_lag_s() const { return -0.9 * lag_s_; }
+  Point at(const Parameters& p) const {
+    Point point{p, residuals(p)};
+    point.sum_squares = sum_squares_of(point.residuals);
+    return point;
+  }
+  static double objective(const Point& point) { return point.sum_squares; }
+  NormalEquations linearise(const Point& point) const {
+    const Eigen::MatrixXd columns = derivatives(point.parameters, point.residuals);
+    const Eigen::Map<const Eigen::VectorXd> residual(point.residuals.data(), columns.rows());
+    Eigen::MatrixXd information = columns.transpose() * columns;
+    information.diagonal().array() += prior_information;
+    return {std::move(information), columns.transpose() * residual};
+  }
+  std::optional<Point> moved(const Point& point, const Eigen::VectorXd& step) const {
+    Parameters p = point.parameters + Parameters(step);
+    p(3) = std::max(p(3), -0.9 * lag_s_);
+    return at(p);
+  }
 
  private:
   const Problem& problem_;
@@ -98,37 +121,9 @@ Parameters best_delay(const CorrectedRuns& runs, double period_s) {
   return best;
 }
 
-// Levenberg-Marquardt.
-Parameters fitted(const CorrectedRuns& runs, Parameters p) {
-  constexpr int max_steps = 12;
-  constexpr int attempts = 5;
-  auto residuals = runs.residuals(p);
-  double sum_squares = sum_squares_of(residuals);
-  double damping = 1e-3;
-  for (int step = 0; step < max_steps; ++step) {
-    const Eigen::MatrixXd columns = runs.derivatives(p, residuals);
-    const Eigen::Map<const Eigen::VectorXd> left(residuals.data(), columns.rows());
-    const Eigen::MatrixXd information = columns.transpose() * columns;
-    const Eigen::VectorXd slope = columns.transpose() * left;
-    const double before = sum_squares;
-    for (int attempt = 0; attempt < attempts; ++attempt, damping *= 8.0) {
-      Eigen::MatrixXd damped = information;
-      damped.diagonal() +=
-          damping * information.diagonal() + Eigen::VectorXd::Constant(parameter_count, prior_information);
-      Parameters moved = p - Parameters(damped.ldlt().solve(slope));
-      moved(3) = std::max(moved(3), runs.min_lag_s());
-      auto there = runs.residuals(moved);
-      const double sum_squares_there = sum_squares_of(there);
-      if (sum_squares_there >= sum_squares) continue;
-      p = moved;
-      residuals = std::move(there);
-      sum_squares = sum_squares_there;
-      damping = std::max(1e-7, 0.1 * damping);
-      break;
-    }
-    if (before - sum_squares < 0.2 + 1e-5 * before) break;
-  }
-  return p;
+Parameters fitted(const CorrectedRuns& runs, const Parameters& start) {
+  const LevenbergMarquardtRule rule{.max_attempts = 5, .min_damping = 1e-7, .increase = 8.0, .min_fall = 0.2};
+  return levenberg_marquardt(runs, runs.at(start), rule).parameters;
 }
 
 bool leaves_out(const ParameterInterval& interval, double none) {

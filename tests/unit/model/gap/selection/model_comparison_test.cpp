@@ -57,7 +57,7 @@ TEST_CASE("What all runs say a little stands before what the training alone says
   const auto candidate = [&](const TrialModel& model) {
     Candidate result;
     const auto residuals = train.residuals(model);
-    result.fit = {model, sum_squares_of(residuals), residuals, {}};
+    result.fit = {model, sum_squares_of(residuals), residuals};
     return result;
   };
   SelectionStep selection_step;
@@ -82,7 +82,7 @@ TEST_CASE("A lag that is the same both ways is no asymmetric response, however m
     const Problem problem = driven(robot, 3000);
     const auto fit = [&](const TrialModel& model) -> Fit {
       const auto residuals = problem.residuals(model);
-      return {model, sum_squares_of(residuals), residuals, {}};
+      return {model, sum_squares_of(residuals), residuals};
     };
     SelectionStep selection_step;
     selection_step.without = fit(with_effects({}));
@@ -116,7 +116,7 @@ TEST_CASE("What training leaves no doubt of needs less on held-out runs to be co
   CHECK_FALSE(good_enough(7.0, 40.0));
 }
 
-TEST_CASE("What held-out runs cannot show is confirmed by training runs left out, if it is in each of them") {
+TEST_CASE("What held-out runs hardly show is confirmed by training runs left out, if it is in each of them") {
   const TrialModel effect = with_effects({{"direction_gain", {-0.03}}});
   const TrialModel nothing = with_effects({});
   const auto with_little_noise = [](Problem problem) {
@@ -183,7 +183,7 @@ TEST_CASE("What is out of its name's character is no candidate for it") {
     selection_step.without.residuals = problem.residuals(selection_step.without.model);
     selection_step.without.sum_squares = sum_squares_of(selection_step.without.residuals);
     selection_step.candidates.resize(1);
-    selection_step.candidates.front().fit = {model, sum_squares_of(residuals), residuals, {}};
+    selection_step.candidates.front().fit = {model, sum_squares_of(residuals), residuals};
     comparison.judge(selection_step);
     return !selection_step.candidates.empty();
   };
