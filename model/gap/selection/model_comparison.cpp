@@ -99,6 +99,7 @@ Candidate ModelComparison::judged(const Fit& without, const std::vector<double>&
   candidate.train_nats = 0.5 * (without.sum_squares - fit.sum_squares);
   const std::vector<double> heldout_with = heldout_.residuals(fit.model);
   candidate.heldout_nats = 0.5 * (sum_squares_of(heldout_without) - sum_squares_of(heldout_with));
+  candidate.heldout_residuals = heldout_with;
   candidate.autocorrelation_factor =
       std::max(autocorrelation_factor_of(train_, without.residuals, fit.residuals),
                autocorrelation_factor_of(heldout_, heldout_without, heldout_with));
@@ -106,26 +107,33 @@ Candidate ModelComparison::judged(const Fit& without, const std::vector<double>&
     // Two angles were taken from each held-out run: that much they explain of mere noise.
     candidate.heldout_nats -= candidate.autocorrelation_factor * static_cast<double>(heldout_.runs().size());
   }
-  if (hardly_shows_held_out(candidate, heldout_without, heldout_with))
+  const bool first = without.model.effects.empty();
+  // As long as nothing is found, other runs can be held out, in which it acts: that proves more.
+  if (undecided_by_held_out_runs(candidate) && (!first || acts_in_held_out_runs(candidate)))
     candidate.left_out_nats =
         left_out_runs_gain_nats(train_, without, fit, fit.model.effects.size() - 1 - candidate.behind);
-  candidate.heldout_residuals = heldout_with;
   return candidate;
 }
 
-// Whether held-out runs could not confirm it though it were there as training leaves no doubt, and do not
-// speak against it. Its gain there is half its change squared, by chance more or less by what two standard
-// deviations are.
-bool ModelComparison::hardly_shows_held_out(const Candidate& candidate, const std::vector<double>& without,
-                                            const std::vector<double>& with) const {
-  if (candidate.train_nats / candidate.autocorrelation_factor < limits_.clear_train_nats) return false;
+// Whether training leaves no doubt, and held-out runs neither confirm it nor refute it: they may not reach
+// the speed or the turn in which it shows.
+bool ModelComparison::undecided_by_held_out_runs(const Candidate& candidate) const {
+  const double train_nats = candidate.train_nats / candidate.autocorrelation_factor;
+  const double heldout_nats = candidate.heldout_nats / candidate.autocorrelation_factor;
+  return train_nats > limits_.clear_train_nats && std::abs(heldout_nats) < limits_.min_heldout_nats;
+}
+
+bool ModelComparison::acts_in_held_out_runs(const Candidate& candidate) const {
+  TrialModel without = candidate.fit.model;
+  without.effects.erase(without.effects.end() - 1 - static_cast<std::ptrdiff_t>(candidate.behind));
+  const std::vector<double> residuals = heldout_.residuals(without);
   double change_squared = 0.0;
-  for (std::size_t i = 0; i < with.size(); ++i)
-    change_squared += (without[i] - with[i]) * (without[i] - with[i]);
-  const double expected_nats = 0.5 * change_squared / candidate.autocorrelation_factor;
-  const double by_chance_nats = 2.0 * std::sqrt(2.0 * expected_nats);
-  return expected_nats < limits_.min_heldout_nats &&
-         candidate.heldout_nats / candidate.autocorrelation_factor >= expected_nats - by_chance_nats;
+  for (std::size_t i = 0; i < residuals.size(); ++i) {
+    const double change = residuals[i] - candidate.heldout_residuals[i];
+    change_squared += change * change;
+  }
+  constexpr double nothing_nats = 1e-3;
+  return 0.5 * change_squared > nothing_nats;
 }
 
 void ModelComparison::judge(SelectionStep& selection_step) const {

@@ -15,7 +15,7 @@ struct Candidate {
   TrialEffect effect;
   double train_nats = 0.0;    // gain of log likelihood over the model without it
   double heldout_nats = 0.0;  // the same on the held-out runs, with nothing fitted there
-  // Where held-out runs could not show it: the same on each training run, fitted to the others. Else 0.
+  // Where held-out runs do not decide: the same on each training run, fitted to the others. Else 0.
   double left_out_nats = 0.0;
   // By which correlation of the residuals makes these gains look too large.
   double autocorrelation_factor = 1.0;
@@ -94,8 +94,8 @@ class ModelComparison {
 
  private:
   Candidate judged(const Fit& without, const std::vector<double>& heldout_without, Candidate candidate) const;
-  bool hardly_shows_held_out(const Candidate& candidate, const std::vector<double>& without,
-                             const std::vector<double>& with) const;
+  bool undecided_by_held_out_runs(const Candidate& candidate) const;
+  bool acts_in_held_out_runs(const Candidate& candidate) const;
   bool acts_linearly(const Candidate& candidate) const;
   double autocorrelation_factor_between(const Candidate& worse, const Candidate& better) const;
   void rank(std::vector<Candidate>& candidates) const;

@@ -139,11 +139,16 @@ TEST_CASE("What held-out runs hardly show is confirmed by training runs left out
     REQUIRE(step.candidates.size() == 1);
     return std::pair(step.candidates.front(), comparison.good_enough(step.candidates.front()));
   };
-  const Problem forward_alone =
-      with_little_noise(driven(effect, 100));  // in two seconds, and so cannot show it
-  const auto [in_both, confirmed] = judged(of_two(effect, effect), forward_alone);
+  const Problem hardly_backward =
+      with_little_noise(driven(effect, 440));  // for less than a second, and so hardly shows it
+  const auto [in_both, confirmed] = judged(of_two(effect, effect), hardly_backward);
   CHECK(in_both.left_out_nats > 0.0);
   CHECK(confirmed);
+  // Where it cannot act, other runs are held out in the place of these.
+  const Problem forward_alone = with_little_noise(driven(effect, 100));
+  const auto [absent, confirmed_by_none] = judged(of_two(effect, effect), forward_alone);
+  CHECK(absent.left_out_nats == 0.0);
+  CHECK_FALSE(confirmed_by_none);
   const auto [held_out, confirmed_by_it] =
       judged(of_two(effect, effect), with_little_noise(driven(effect, 2000)));
   CHECK(held_out.left_out_nats == 0.0);
