@@ -8,7 +8,11 @@ namespace wheelwright {
 namespace {
 
 constexpr double standing_m_s = 1e-4;
+constexpr double straight_rad_s = 1e-3;
+constexpr int straight_periods = 16;  // longer than a command takes to show
 constexpr int longest_coast_periods = 80;
+// In these a command does not show, so that a slow start is no standstill.
+constexpr int dead_periods = 8;
 
 }  // namespace
 
@@ -41,8 +45,8 @@ Pose MotionPredictor::rest_pose() {
   scratch_ = simulation_;
   for (int k = 0; k < longest_coast_periods; ++k) {
     const WheelPair& speed = scratch_.step({}).wheel_m_s;
-    // The dead time passes before a command shows, so a slow start is no standstill.
-    if (k > 8 && std::abs(speed.left) < standing_m_s && std::abs(speed.right) < standing_m_s) break;
+    if (k > dead_periods && std::abs(speed.left) < standing_m_s && std::abs(speed.right) < standing_m_s)
+      break;
   }
   Pose rest = scratch_.pose();
   if (settled_ && settled_->limits().straightening_periods > 0)
@@ -56,7 +60,11 @@ double MotionPredictor::straightened_heading_rad(const Pose& rest) {
   const double ahead_m_s = simulation_.motion().twist.v_m_s;
   const WheelPair straight = settled_->command_for({ahead_m_s, ahead_m_s});
   scratch_ = simulation_;
-  for (int k = 0; k < settled_->limits().straightening_periods; ++k) scratch_.step(straight);
+  int straight_for = 0;  // periods: a turn that changes its direction is straight for a moment
+  for (int k = 0; k < settled_->limits().straightening_periods && straight_for < straight_periods; ++k) {
+    const double turn_rad_s = scratch_.step(straight).twist.w_rad_s;
+    straight_for = std::abs(turn_rad_s) < straight_rad_s ? straight_for + 1 : 0;
+  }
   return scratch_.pose().theta_rad;
 }
 
