@@ -124,7 +124,7 @@ struct EffectVariant {
   std::string name;
   EffectStage stage;
   std::vector<ParameterInfo> parameters{};  // of its own, in the place of the effect's
-  bool acts_first = false;                  // before the others of its stage, in models of the gap workflow
+  bool acts_first = false;                  // before the others of its stage
 };
 
 // What the data must hold for the effect to be seen at all.

@@ -1,5 +1,6 @@
 #include "model/simulation/model_simulation.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "model/effects/library/effect_library.hpp"
@@ -8,8 +9,11 @@ namespace wheelwright {
 namespace {
 
 std::vector<std::unique_ptr<Effect>> made(std::span<const EffectSetting> settings) {
+  std::vector<EffectSetting> acting(settings.begin(), settings.end());
+  std::ranges::stable_partition(acting, acts_first);
   std::vector<std::unique_ptr<Effect>> effects;
-  for (const auto& setting : settings) effects.push_back(make_effect(setting));
+  effects.reserve(acting.size());
+  for (const auto& setting : acting) effects.push_back(make_effect(setting));
   return effects;
 }
 

@@ -17,9 +17,10 @@ namespace wheelwright {
 
 class ModelSimulation {
  public:
-  // Throws std::invalid_argument for an effect that make_effect refuses.
+  // Effects act as they are listed, but for those that act first (effect_library.hpp). Throws
+  // std::invalid_argument for one that make_effect refuses.
   ModelSimulation(const LinearModel& linear_part, std::span<const EffectSetting> effects);
-  // With effects that need not be of the library.
+  // With effects that need not be of the library, in the order in which they act.
   ModelSimulation(const LinearModel& linear_part, std::vector<std::unique_ptr<Effect>> effects);
   ModelSimulation(const ModelSimulation& other);
   ModelSimulation& operator=(const ModelSimulation& other);

@@ -75,6 +75,11 @@ std::span<const ParameterInfo> parameters_of(const EffectSetting& setting) {
   return info->parameters_of(variant_index(*info, setting.variant));
 }
 
+bool acts_first(const EffectSetting& setting) {
+  const EffectInfo* info = find_effect(setting.name);
+  return info != nullptr && info->variants[variant_index(*info, setting.variant)].acts_first;
+}
+
 std::unique_ptr<Effect> make_effect(const EffectSetting& setting) {
   const EffectInfo* info = find_effect(setting.name);
   if (info == nullptr) {

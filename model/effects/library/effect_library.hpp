@@ -24,4 +24,8 @@ std::size_t variant_index(const EffectInfo& info, std::string_view variant);
 // std::invalid_argument for an unknown variant.
 std::span<const ParameterInfo> parameters_of(const EffectSetting& setting);
 
+// Whether it acts before the others of its stage, wherever a model lists it. False where there is no effect
+// of that name. Throws std::invalid_argument for an unknown variant.
+bool acts_first(const EffectSetting& setting);
+
 }  // namespace wheelwright

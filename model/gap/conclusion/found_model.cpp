@@ -30,9 +30,7 @@ RobotModel linear_model_of(const TrialModel& trial, const ModelOrigin& origin) {
 
 RobotModel whole_model_of(const TrialModel& trial, const ModelOrigin& origin) {
   RobotModel model = linear_model_of(trial, origin);
-  TrialModel acting = trial;
-  acting.effects = trial.acting();
-  for (const auto& setting : acting.settings()) model.effects.push_back({setting, {}, {}, {}, {}, {}});
+  for (const auto& setting : trial.settings()) model.effects.push_back({setting, {}, {}, {}, {}, {}});
   return model;
 }
 
@@ -45,7 +43,7 @@ RobotModel found_model_of(const TrialModel& trial, std::span<const Finding> foun
     }
   };
   add(std::string(dropout_name));
-  for (const auto& effect : trial.acting()) add(effect.info->name);
+  for (const auto& effect : trial.effects) add(effect.info->name);
   return model;
 }
 

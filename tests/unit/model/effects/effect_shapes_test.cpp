@@ -119,6 +119,18 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("A motor acts before its loads, in whatever order a model lists them") {
+  const EffectSetting coasting{"asymmetric_response", "motor_coasting", {rolling_time_s, motor_lag_s, 0.5}};
+  const EffectSetting friction{"coulomb_friction", "", {0.004, motor_lag_s}};
+  ModelSimulation one(lagging(), std::vector{coasting, friction});
+  ModelSimulation other(lagging(), std::vector{friction, coasting});
+  for (int k = 0; k < 200; ++k) {
+    const double command_m_s = k < 80 ? 0.2 : 0.05;
+    REQUIRE(one.step({command_m_s, command_m_s}).wheel_m_s.left ==
+            other.step({command_m_s, command_m_s}).wheel_m_s.left);
+  }
+}
+
 TEST_CASE("A motor at its full voltage approaches its limit with its own lag") {
   ModelSimulation simulation = only({"saturation", "speed", {0.2, 0.1, 0.0}});
   CHECK_THAT(speed_after(simulation, 0.4, 10), WithinAbs(0.2 * (1.0 - left_of_way(0.1, 10)), 1e-12));

@@ -25,7 +25,7 @@ struct Placed {
 };
 
 struct Header {
-  std::vector<Placed> placed;  // in the order in which they act
+  std::vector<Placed> placed;  // in the order in which they act (ModelSimulation)
   std::vector<Unsaid> unsaid;
 };
 
@@ -56,6 +56,8 @@ Header arrange(const RobotModel& model) {
       header.placed.push_back(place(effect, *fragment, header.placed.size() + 1));
     }
   }
+  std::ranges::stable_partition(header.placed,
+                                [](const Placed& one) { return acts_first(one.effect->setting); });
   return header;
 }
 

@@ -76,6 +76,8 @@ std::vector<RobotModel> models() {
   all.push_back(
       model_of({of_library("asymmetric_response", "motor_coasting"), of_library("coulomb_friction"),
                 of_library("caster_kick", "swivel_at_wheels"), of_library("floor_slope", "wheel")}));
+  all.push_back(
+      model_of({of_library("coulomb_friction"), of_library("asymmetric_response", "motor_coasting")}));
   return all;
 }
 
