@@ -10,7 +10,7 @@ namespace {
 
 std::vector<std::unique_ptr<Effect>> made(std::span<const EffectSetting> settings) {
   std::vector<EffectSetting> acting(settings.begin(), settings.end());
-  std::ranges::stable_partition(acting, acts_first);
+  std::stable_partition(acting.begin(), acting.end(), acts_first);
   std::vector<std::unique_ptr<Effect>> effects;
   effects.reserve(acting.size());
   for (const auto& setting : acting) effects.push_back(make_effect(setting));

@@ -56,8 +56,8 @@ Header arrange(const RobotModel& model) {
       header.placed.push_back(place(effect, *fragment, header.placed.size() + 1));
     }
   }
-  std::ranges::stable_partition(header.placed,
-                                [](const Placed& one) { return acts_first(one.effect->setting); });
+  std::stable_partition(header.placed.begin(), header.placed.end(),
+                        [](const Placed& one) { return acts_first(one.effect->setting); });
   return header;
 }
 
