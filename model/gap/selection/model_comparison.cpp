@@ -97,19 +97,19 @@ Candidate ModelComparison::judged(const Fit& without, const std::vector<double>&
   const Fit& fit = candidate.fit;
   candidate.effect = effect_of(candidate);
   candidate.train_nats = 0.5 * (without.sum_squares - fit.sum_squares);
-  const std::vector<double> heldout_with = heldout_.residuals(fit.model);
-  candidate.heldout_nats = 0.5 * (sum_squares_of(heldout_without) - sum_squares_of(heldout_with));
-  candidate.heldout_residuals = heldout_with;
+  candidate.heldout_residuals = heldout_.residuals(fit.model);
+  candidate.heldout_nats =
+      0.5 * (sum_squares_of(heldout_without) - sum_squares_of(candidate.heldout_residuals));
   candidate.autocorrelation_factor =
       std::max(autocorrelation_factor_of(train_, without.residuals, fit.residuals),
-               autocorrelation_factor_of(heldout_, heldout_without, heldout_with));
+               autocorrelation_factor_of(heldout_, heldout_without, candidate.heldout_residuals));
   if (candidate.effect.info->by_wheel_angle && angles_differ_) {
     // Two angles were taken from each held-out run: that much they explain of mere noise.
     candidate.heldout_nats -= candidate.autocorrelation_factor * static_cast<double>(heldout_.runs().size());
   }
-  const bool first = without.model.effects.empty();
   // As long as nothing is found, other runs can be held out, in which it acts: that proves more.
-  if (undecided_by_held_out_runs(candidate) && (!first || acts_in_held_out_runs(candidate)))
+  const bool something_found = !without.model.effects.empty();
+  if (undecided_by_held_out_runs(candidate) && (something_found || acts_in_held_out_runs(candidate)))
     candidate.left_out_nats =
         left_out_runs_gain_nats(train_, without, fit, fit.model.effects.size() - 1 - candidate.behind);
   return candidate;
@@ -126,14 +126,7 @@ bool ModelComparison::undecided_by_held_out_runs(const Candidate& candidate) con
 bool ModelComparison::acts_in_held_out_runs(const Candidate& candidate) const {
   TrialModel without = candidate.fit.model;
   without.effects.erase(without.effects.end() - 1 - static_cast<std::ptrdiff_t>(candidate.behind));
-  const std::vector<double> residuals = heldout_.residuals(without);
-  double change_squared = 0.0;
-  for (std::size_t i = 0; i < residuals.size(); ++i) {
-    const double change = residuals[i] - candidate.heldout_residuals[i];
-    change_squared += change * change;
-  }
-  constexpr double nothing_nats = 1e-3;
-  return 0.5 * change_squared > nothing_nats;
+  return heldout_.residuals(without) != candidate.heldout_residuals;
 }
 
 void ModelComparison::judge(SelectionStep& selection_step) const {

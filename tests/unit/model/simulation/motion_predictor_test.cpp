@@ -52,6 +52,17 @@ TEST_CASE("A robot that is told to stop comes to rest where the predictor said")
   }
 }
 
+TEST_CASE("A turn that a long delay still holds back is not overlooked on a straight way") {
+  const EffectSetting delay{"transport_delay", "", {0.2}};
+  MotionPredictor robot(robot_with({delay, coasting, stiff_caster}));
+  REQUIRE(robot.limits().straightening_periods > 0);
+  drive(robot, {0.2, 0.2}, 200);
+  const double straight_rad = robot.rest_pose().theta_rad;
+  drive(robot, {0.15, 0.25}, 6);  // shows after 0.2 s
+  REQUIRE_THAT(robot.pose().theta_rad, WithinAbs(straight_rad, 1e-3));
+  CHECK(robot.rest_pose().theta_rad > straight_rad + 0.01);
+}
+
 TEST_CASE("A turn that ends alike whether the robot stops or goes straight is not simulated twice") {
   CHECK(MotionPredictor(robot_with({})).limits().straightening_periods == 0);
   CHECK(
