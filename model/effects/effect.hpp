@@ -29,13 +29,14 @@ enum class EffectStage { command, wheel, floor, body, observation, counts };
 struct StepContext {
   double period_s = 0.018;
   double wheel_base_m = 0.235;
-  double time_s = 0.0;       // since the start of the run
-  WheelPair command_m_s;     // as sent
-  WheelPair speed_m_s;       // of the wheels, as the encoders saw it, in the period before
-  WheelPair distance_m;      // rolled by the wheels since the start, as the encoders saw it
-  WheelPair next_speed_m_s;  // of the wheels in this period; from the floor stage on
-  WheelPair load_m_s;        // speed that loads have taken from the wheels, in the period before
-  Pose pose;                 // of the middle of the axle
+  double time_s = 0.0;          // since the start of the run
+  WheelPair command_m_s;        // as sent
+  WheelPair speed_m_s;          // of the wheels, as the encoders saw it, in the period before
+  WheelPair distance_m;         // rolled by the wheels since the start, as the encoders saw it
+  WheelPair next_speed_m_s;     // of the wheels in this period; from the floor stage on
+  WheelPair load_m_s;           // speed that loads have taken from the wheels, in the period before
+  WheelPair rolling{1.0, 1.0};  // rolled on the floor per counted, of each wheel (Effect::rolling)
+  Pose pose;                    // of the middle of the axle
   double battery_v = std::numeric_limits<double>::quiet_NaN();  // where it was measured
 };
 
@@ -64,6 +65,9 @@ class Effect {
   virtual void body(Twist& /*twist*/, const StepContext&) {}
   // The pose of the point that an outside reference measures.
   virtual Pose observed(const Pose& axle) const { return axle; }
+  // Of an effect on the floor: what each wheel rolls there per what its encoder counts, where that is
+  // constant.
+  virtual WheelPair rolling() const { return {1.0, 1.0}; }
   virtual EffectHooks hooks() const = 0;
 
   // To rest, at the start of a run.

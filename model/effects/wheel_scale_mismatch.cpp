@@ -21,6 +21,7 @@ class WheelScaleMismatch final : public EffectOf<WheelScaleMismatch> {
     speed_m_s.left *= gain_.left;
     speed_m_s.right *= gain_.right;
   }
+  WheelPair rolling() const override { return gain_; }
 
  private:
   WheelPair gain_;

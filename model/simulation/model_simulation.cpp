@@ -26,6 +26,11 @@ ModelSimulation::ModelSimulation(const LinearModel& linear_part, std::vector<std
     : linear_part_(linear_part), effects_(std::move(effects)) {
   context_.period_s = linear_part.period_s;
   context_.wheel_base_m = linear_part.wheel_base_m;
+  for (const auto& effect : effects_) {
+    const WheelPair rolling = effect->rolling();
+    context_.rolling.left *= rolling.left;
+    context_.rolling.right *= rolling.right;
+  }
   sort_by_hook();
   reset({});
 }

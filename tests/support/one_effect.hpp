@@ -1,4 +1,4 @@
-// A robot that does at once what it is told, but for one effect.
+// A robot that does at once what it is told, but for one effect, or a few.
 #pragma once
 
 #include <vector>
@@ -10,10 +10,13 @@ namespace wheelwright::test {
 constexpr double one_effect_period_s = 0.018;
 constexpr double one_effect_wheel_base_m = 0.258;
 
-inline ModelSimulation only(const EffectSetting& effect) {
+inline ModelSimulation only(const std::vector<EffectSetting>& effects) {
   const LinearModel linear_part{
       ModelType::arma, one_effect_period_s, one_effect_wheel_base_m, {{1.0}, {0.0}, {}}, {{0.0}, {1.0}, {}}};
-  return {linear_part, std::vector{effect}};
+  return {linear_part, effects};
+}
+inline ModelSimulation only(const EffectSetting& effect) {
+  return only(std::vector{effect});
 }
 
 }  // namespace wheelwright::test

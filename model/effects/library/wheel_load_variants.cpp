@@ -12,9 +12,12 @@ class AtTheWheels final : public Effect {
   void wheel(WheelPair& speed_m_s, const StepContext& context) override {
     StepContext now = context;
     now.next_speed_m_s = speed_m_s;
-    Twist twist = twist_of_wheels(speed_m_s, context.wheel_base_m);
+    const WheelPair& rolling = context.rolling;
+    Twist twist = twist_of_wheels({speed_m_s.left * rolling.left, speed_m_s.right * rolling.right},
+                                  context.wheel_base_m);
     inner_->body(twist, now);
-    speed_m_s = wheels_of_twist(twist, context.wheel_base_m);
+    const WheelPair floor_m_s = wheels_of_twist(twist, context.wheel_base_m);
+    speed_m_s = {floor_m_s.left / rolling.left, floor_m_s.right / rolling.right};
   }
   EffectHooks hooks() const override { return {.wheel = true, .load = true}; }
   void reset() override { inner_->reset(); }

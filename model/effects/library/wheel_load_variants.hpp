@@ -1,5 +1,6 @@
 // An effect on the body that the wheels feel: its force loads the motors, so that the wheels themselves turn
-// as the body does and the encoders see it. The same effect, at another place.
+// as the body does and the encoders see it. The same effect, at another place. The body turns as the wheels
+// roll on the floor, which unequal wheels do otherwise than they are counted (StepContext::rolling).
 #pragma once
 
 #include <memory>

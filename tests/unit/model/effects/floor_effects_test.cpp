@@ -3,6 +3,7 @@
 #include <numbers>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "model/simulation/model_simulation.hpp"
 #include "tests/support/catch.hpp"
@@ -277,4 +278,43 @@ TEST_CASE("Scrubbing tyres take the same of every turn rate, or the more the fas
   CHECK_THAT(
       turned(wet, 0.1),
       WithinAbs(wheels_rad_s * (1.0 - 0.1 * wheels_rad_s - 0.02 * wheels_rad_s * wheels_rad_s), 1e-12));
+}
+
+TEST_CASE("Tyres that creep take a share of a slow turn, and no more than their friction of a fast one") {
+  constexpr double dry_rad_s = 0.05;
+  constexpr double sliding_rad_s = 0.1;
+  constexpr double lag_s = 0.06;
+  const auto lost_rad_s = [&](double rate_rad_s, int periods) {
+    ModelSimulation simulation = only({"turn_scrub", "creep", {dry_rad_s, sliding_rad_s, lag_s}});
+    const WheelPair wheels = wheels_of_twist({0.1, rate_rad_s}, 0.258);
+    double left_rad_s = rate_rad_s;
+    for (int k = 0; k < periods; ++k) left_rad_s = simulation.step(wheels).twist.w_rad_s;
+    return rate_rad_s - left_rad_s;
+  };
+  CHECK_THAT(lost_rad_s(2.0, 200), WithinAbs(dry_rad_s, 1e-9));
+  CHECK_THAT(lost_rad_s(-2.0, 200), WithinAbs(-dry_rad_s, 1e-9));
+  CHECK_THAT(lost_rad_s(2.0, 4),
+             WithinAbs(dry_rad_s * (1.0 - std::pow(lag_s / (period_s + lag_s), 4)), 1e-9));
+  // Of the rate that is left: friction rises with it by dry / sliding.
+  const double slow_rad_s = 1e-4;
+  const double left_rad_s = slow_rad_s - lost_rad_s(slow_rad_s, 400);
+  CHECK_THAT(lost_rad_s(slow_rad_s, 400), WithinRel(dry_rad_s / sliding_rad_s * left_rad_s, 1e-4));
+}
+
+TEST_CASE("A load of turning sees the turn on the floor, which unequal wheels do not count") {
+  const EffectSetting unequal{"wheel_scale_mismatch", "", {0.04}};
+  const EffectSetting scrub{"turn_scrub", "at_wheels", {0.0, 0.0, 0.05}};
+  const auto moved = [](const std::vector<EffectSetting>& effects, const WheelPair& command_m_s) {
+    return only(effects).step(command_m_s);
+  };
+  const WheelPair straight{0.2 / 0.98, 0.2 / 1.02};  // on the floor
+  const ModelSimulation::Motion unhindered = moved({scrub, unequal}, straight);
+  CHECK_THAT(unhindered.twist.w_rad_s, WithinAbs(0.0, 1e-12));
+  CHECK_THAT(unhindered.wheel_m_s.left, WithinAbs(straight.left, 1e-12));
+  const WheelPair even{0.2, 0.2};  // counted, and a bend to the left on the floor
+  const double bend_rad_s = moved({unequal}, even).twist.w_rad_s;
+  const ModelSimulation::Motion hindered = moved({scrub, unequal}, even);
+  CHECK(bend_rad_s > 0.0);
+  CHECK(hindered.twist.w_rad_s == 0.0);  // less than the tyres hold
+  CHECK(hindered.wheel_m_s.left > hindered.wheel_m_s.right);
 }

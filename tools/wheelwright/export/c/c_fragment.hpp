@@ -6,6 +6,7 @@
 //   NAME_wheels([state,] p, variant, around, pair)                on commands or wheel speeds
 //   NAME_body([state,] p, variant, around, twist)                 on the motion of the body
 //   NAME_observed(p, pose)                                        on the point that a reference measures
+//   NAME_rolling(p, variant)                                      as Effect::rolling
 //   NAME_undo_wheels, NAME_undo_body (with a constant state)      the input that gives that output, or 0
 // with `p` its parameters, and the variant's place in its EffectInfo. One without any of them says "Not
 // said:" and why.

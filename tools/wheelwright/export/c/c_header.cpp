@@ -119,10 +119,9 @@ std::string arguments_of(const Placed& placed, const std::string& context, const
 std::string call(const Placed& placed, const std::string& what) {
   const std::string name(placed.fragment->name);
   if (placed.wheel_load_variants) {
-    return "  at = *around;\n  at.next_speed = speed;\n"
-           "  twist = ww_twist_of(speed, around->wheel_base_m);\n  " +
-           name + "_body" + arguments_of(placed, "&at", "&twist") +
-           ";\n  speed = ww_wheels_of(twist, around->wheel_base_m);\n";
+    return "  at = *around;\n  at.next_speed = speed;\n  twist = ww_floor_twist(around, speed);\n  " + name +
+           "_body" + arguments_of(placed, "&at", "&twist") +
+           ";\n  speed = ww_counted_wheels(around, twist);\n";
   }
   const std::string function = what == "twist" ? "_body" : "_wheels";
   return "  " + name + function + arguments_of(placed, "around", "&" + what) + ";\n";
@@ -154,9 +153,8 @@ std::string undo_call(const Placed& placed, const std::string& what) {
   const bool of_body = placed.wheel_load_variants || what == "twist";
   if (!placed.fragment->has(of_body ? "undo_body" : "undo_wheels")) return "";
   if (placed.wheel_load_variants) {
-    return "  twist = ww_twist_of(speed, around->wheel_base_m);\n  reached &= " + name + "_undo_body" +
-           arguments_of(placed, "around", "&twist") +
-           ";\n  speed = ww_wheels_of(twist, around->wheel_base_m);\n";
+    return "  twist = ww_floor_twist(around, speed);\n  reached &= " + name + "_undo_body" +
+           arguments_of(placed, "around", "&twist") + ";\n  speed = ww_counted_wheels(around, twist);\n";
   }
   return "  reached &= " + name + (of_body ? "_undo_body" : "_undo_wheels") +
          arguments_of(placed, "around", "&" + what) + ";\n";
@@ -191,7 +189,7 @@ std::string init_function(const RobotModel& model, const Header& header) {
   std::string text = R"c(
 /* To rest, at x = y = theta = 0. */
 static inline void wheelwright_init(wheelwright_model* m) {
-  static const ww_around at_rest = {0.0, 0.0, 0.0, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0};
+  static const ww_around at_rest = {0.0, 0.0, 0.0, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {1.0, 1.0}, {0.0, 0.0, 0.0}, 0.0};
   m->around = at_rest;
   m->wheel_speed = m->floor_speed = at_rest.speed;
   m->twist.v = m->twist.w = 0.0;
@@ -199,6 +197,11 @@ static inline void wheelwright_init(wheelwright_model* m) {
 )c";
   text += "  m->around.period_s = " + config::plain_number(model.linear_part.period_s) + ";\n";
   text += "  m->around.wheel_base_m = " + config::plain_number(model.linear_part.wheel_base_m) + ";\n";
+  for (const Placed& placed : header.placed) {
+    if (!placed.fragment->has("rolling")) continue;
+    text += "  m->around.rolling = ww_scaled(m->around.rolling, " + std::string(placed.fragment->name) +
+            "_rolling(" + placed.numbers + ", " + std::to_string(placed.variant) + "));\n";
+  }
   for (const Placed& placed : header.placed) {
     if (placed.state.empty()) continue;
     text += "  " + std::string(placed.fragment->name) + "_reset(&m->" + placed.state + ", " + placed.numbers +

@@ -18,6 +18,7 @@ typedef struct {
   ww_pair distance;   /* rolled since the start, m */
   ww_pair next_speed; /* of the wheels in this period, from the floor stage on */
   ww_pair load;       /* speed that loads took from the wheels in the period before, m/s */
+  ww_pair rolling;    /* rolled on the floor per counted, of each wheel */
   ww_pose pose;       /* of the middle of the axle */
   double battery_v;   /* as measured last; 0 where it is not known */
 } ww_around;
@@ -40,6 +41,24 @@ static inline ww_pair ww_wheels_of(ww_twist twist, double wheel_base_m) {
   ww_pair speed;
   speed.left = twist.v - half_difference;
   speed.right = twist.v + half_difference;
+  return speed;
+}
+
+static inline ww_pair ww_scaled(ww_pair pair, ww_pair gain) {
+  pair.left *= gain.left;
+  pair.right *= gain.right;
+  return pair;
+}
+
+/* How the body moves on wheels that turn at these counted speeds; and back. */
+static inline ww_twist ww_floor_twist(const ww_around* around, ww_pair counted) {
+  return ww_twist_of(ww_scaled(counted, around->rolling), around->wheel_base_m);
+}
+
+static inline ww_pair ww_counted_wheels(const ww_around* around, ww_twist twist) {
+  ww_pair speed = ww_wheels_of(twist, around->wheel_base_m);
+  speed.left /= around->rolling.left;
+  speed.right /= around->rolling.right;
   return speed;
 }
 

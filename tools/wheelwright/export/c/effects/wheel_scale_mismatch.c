@@ -2,7 +2,7 @@
    Inverse: exact. */
 
 /* Variants: half by each wheel, the left wheel alone, the right wheel alone. */
-static inline ww_pair wheel_scale_mismatch_gain(const double* p, int variant) {
+static inline ww_pair wheel_scale_mismatch_rolling(const double* p, int variant) {
   const double of_left = variant == 0 ? 0.5 : variant == 1 ? 1.0 : 0.0;
   ww_pair gain;
   gain.left = 1.0 - of_left * p[0];
@@ -12,7 +12,7 @@ static inline ww_pair wheel_scale_mismatch_gain(const double* p, int variant) {
 
 static inline void wheel_scale_mismatch_wheels(const double* p, int variant, const ww_around* around,
                                                ww_pair* speed) {
-  const ww_pair gain = wheel_scale_mismatch_gain(p, variant);
+  const ww_pair gain = wheel_scale_mismatch_rolling(p, variant);
   (void)around;
   speed->left *= gain.left;
   speed->right *= gain.right;
@@ -20,7 +20,7 @@ static inline void wheel_scale_mismatch_wheels(const double* p, int variant, con
 
 static inline int wheel_scale_mismatch_undo_wheels(const double* p, int variant, const ww_around* around,
                                                    ww_pair* speed) {
-  const ww_pair gain = wheel_scale_mismatch_gain(p, variant);
+  const ww_pair gain = wheel_scale_mismatch_rolling(p, variant);
   (void)around;
   speed->left /= gain.left;
   speed->right /= gain.right;

@@ -78,6 +78,8 @@ std::vector<RobotModel> models() {
                 of_library("caster_kick", "swivel_at_wheels"), of_library("floor_slope", "wheel")}));
   all.push_back(
       model_of({of_library("coulomb_friction"), of_library("asymmetric_response", "motor_coasting")}));
+  all.push_back(model_of({of_library("turn_scrub", "creep_at_wheels"), of_library("wheel_scale_mismatch"),
+                          of_library("caster_kick", "swivel_at_wheels")}));
   return all;
 }
 
