@@ -75,7 +75,7 @@ RobotModel ModelAdaptation::adapted() const {
                         share / std::max(min_reading_sd_m, noise.position_noise_m.right)};
   const auto residual_of = [&](const Eigen::VectorXd& at) {
     const RobotModel model = parameters.model_with(at);
-    ModelSimulation simulation(model.linear_part, effect_settings(model));
+    ModelSimulation simulation(model);
     simulation.take_over(start_);
     Eigen::VectorXd residual = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * periods_.size()));
     WheelPair off_m;  // predicted less counted, with leak

@@ -34,7 +34,7 @@ class ModelTrial {
 
  private:
   struct Runner {
-    explicit Runner(const RobotModel& model) : simulation(model.linear_part, effect_settings(model)) {}
+    explicit Runner(const RobotModel& model) : simulation(model) {}
     ModelSimulation simulation;
     WheelPair travel_m;  // since the start of the block
     double block_squares = 0.0;

@@ -11,15 +11,11 @@ namespace {
 // As far as a parameter may be off before a reading is called a fault.
 constexpr double deviations = 3.0;
 
-ModelSimulation simulation_of(const RobotModel& model) {
-  return {model.linear_part, effect_settings(model)};
-}
-
 }  // namespace
 
 ModelDoubt::ModelDoubt(const RobotModel& model) {
   for (const MovedModels& moved : moved_effects(model, deviations))
-    moved_.push_back({simulation_of(moved.up), simulation_of(moved.down)});
+    moved_.push_back({ModelSimulation(moved.up), ModelSimulation(moved.down)});
 }
 
 void ModelDoubt::set_place(const Pose& pose, const WheelPair& distance_m) {

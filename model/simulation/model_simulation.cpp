@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "model/effects/library/effect_library.hpp"
+#include "model/simulation/robot_model.hpp"
 
 namespace wheelwright {
 namespace {
@@ -18,6 +19,9 @@ std::vector<std::unique_ptr<Effect>> made(std::span<const EffectSetting> setting
 }
 
 }  // namespace
+
+ModelSimulation::ModelSimulation(const RobotModel& model)
+    : ModelSimulation(model.linear_part, effect_settings(model)) {}
 
 ModelSimulation::ModelSimulation(const LinearModel& linear_part, std::span<const EffectSetting> effects)
     : ModelSimulation(linear_part, made(effects)) {}

@@ -15,8 +15,11 @@
 
 namespace wheelwright {
 
+struct RobotModel;
+
 class ModelSimulation {
  public:
+  explicit ModelSimulation(const RobotModel& model);
   // Effects act as they are listed, but for those that act first (effect_library.hpp). Throws
   // std::invalid_argument for one that make_effect refuses.
   ModelSimulation(const LinearModel& linear_part, std::span<const EffectSetting> effects);

@@ -32,12 +32,8 @@ PoseUncertainty::PoseUncertainty(const RobotModel& model)
     : period_s_(model.linear_part.period_s),
       noise_(filter_noise_of(model)),
       with_noise_(model.linear_part.wheel_base_m, {.scale = 0.0, .wheel_mismatch = noise_.wheel_mismatch}) {
-  const auto simulation_of = [](const RobotModel& moved) {
-    return ModelSimulation(moved.linear_part, effect_settings(moved));
-  };
-  for (const MovedModels& moved : moved_models(model)) {
-    moved_.push_back({simulation_of(moved.up), simulation_of(moved.down)});
-  }
+  for (const MovedModels& moved : moved_models(model))
+    moved_.push_back({ModelSimulation(moved.up), ModelSimulation(moved.down)});
 }
 
 void PoseUncertainty::step(const WheelPair& command_m_s, const ModelSimulation::Motion& motion) {

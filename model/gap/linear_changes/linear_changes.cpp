@@ -49,9 +49,9 @@ class CorrectedRuns {
   CorrectedRuns(const RobotModel& model, const TrialModel& measured, const Problem& problem)
       : problem_(problem),
         lag_s_(lag_of(model.linear_part)),
-        simulation_{ModelSimulation(model.linear_part, effect_settings(model)),
-                    any_acts(model, &EffectInfo::by_pose), any_acts(model, &EffectInfo::by_wheel_angle),
-                    measured.reference_lag_s(), measured.gyro_scale()} {}
+        simulation_{ModelSimulation(model), any_acts(model, &EffectInfo::by_pose),
+                    any_acts(model, &EffectInfo::by_wheel_angle), measured.reference_lag_s(),
+                    measured.gyro_scale()} {}
 
   std::vector<double> residuals(const Parameters& p) const {
     std::vector<RunErrors> errors;

@@ -96,7 +96,7 @@ WheelPair rolled_m(const DriveLog& log) {
 
 DriveLog measured_drive(const RobotModel& model, DriveLog log, const DriveNoise& noise,
                         const WheelPair& initial_travel_m, Random& random) {
-  ModelSimulation simulation(model.linear_part, effect_settings(model));
+  ModelSimulation simulation(model);
   simulation.reset({}, initial_travel_m);
   const double deviation_m = noise.drift_m_per_sqrt_s * std::sqrt(log.period_s);
   for (DriveSample& sample : log.samples) {

@@ -13,10 +13,6 @@ using namespace wheelwright;
 
 namespace {
 
-ModelSimulation at_rest(const RobotModel& model) {
-  return {model.linear_part, effect_settings(model)};
-}
-
 const RobotModel& calibrated() {
   static const RobotModel made = test::calibrated_model("default", "box", 61);
   return made;
@@ -52,7 +48,7 @@ TEST_CASE(
     "Driving straight corrects what it shows and leaves the rest, and standing for an hour shows nothing") {
   // Both wheels roll 3 % further than the model says.
   for (const double speed_m_s : {0.0, 0.2}) {
-    ModelAdaptation adaptation(calibrated(), at_rest(calibrated()));
+    ModelAdaptation adaptation(calibrated(), ModelSimulation(calibrated()));
     const auto gain_of = [](const RobotModel& model) { return dc_gain(model.linear_part.left).from_left; };
     SensorFrame frame = drive().back();
     frame.command.speed_m_s = {speed_m_s, speed_m_s};
@@ -98,7 +94,7 @@ TEST_CASE(
 
 TEST_CASE("A candidate that was made from corrupted data is not accepted") {
   // What it learns from is wrong by a fifth, what it is judged on is right.
-  ModelAdaptation adaptation(calibrated(), at_rest(calibrated()));
+  ModelAdaptation adaptation(calibrated(), ModelSimulation(calibrated()));
   for (SensorFrame frame : drive()) {
     frame.ticks.left = frame.ticks.left * 6 / 5;
     adaptation.take(frame, true);
@@ -134,7 +130,7 @@ TEST_CASE(
     "A correction of a correction for ever does not make the response longer for ever, and keeps its gain") {
   RobotModel model = outdated(0.93);
   for (int k = 0; k < 60; ++k) {
-    ModelAdaptation adaptation(model, at_rest(model));
+    ModelAdaptation adaptation(model, ModelSimulation(model));
     for (std::size_t i = 0; i < 600; ++i) adaptation.take(drive()[i], true);
     model = adaptation.adapted();
   }
@@ -144,7 +140,7 @@ TEST_CASE(
 }
 
 TEST_CASE("While a fault is there nothing is learnt") {
-  ModelAdaptation adaptation(calibrated(), at_rest(calibrated()));
+  ModelAdaptation adaptation(calibrated(), ModelSimulation(calibrated()));
   for (const SensorFrame& frame : drive()) adaptation.take(frame, false);
   CHECK_THAT(dc_gain(adaptation.adapted().linear_part.left).from_left,
              WithinAbs(dc_gain(calibrated().linear_part.left).from_left, 1e-9));

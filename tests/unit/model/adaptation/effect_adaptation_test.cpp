@@ -7,10 +7,6 @@ using namespace wheelwright;
 
 namespace {
 
-ModelSimulation at_rest(const RobotModel& model) {
-  return {model.linear_part, effect_settings(model)};
-}
-
 constexpr double friction_m_s = 0.012;
 
 struct Adapted {
@@ -57,7 +53,7 @@ TEST_CASE("Effects of the firmware and of the floor are not what counts can chan
   RobotModel model = test::dry_friction_model({}, friction_m_s);
   model.effects.push_back({{"dead_zone", "", {0.01, 1.0}}, {}, {}, {}, {}, {}});
   model.effects.push_back({{"turn_scrub", "", {0.05, 0.0, 0.0}}, {}, {}, {}, {}, {}});
-  ModelAdaptation adaptation(model, at_rest(model));
+  ModelAdaptation adaptation(model, ModelSimulation(model));
   for (const SensorFrame& frame : test::dry_friction_drive({}, 0.02, 0.02, 0.0, 30.0, 6))
     adaptation.take(frame, true);
   const RobotModel adapted = adaptation.adapted();

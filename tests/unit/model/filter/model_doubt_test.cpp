@@ -42,7 +42,7 @@ RobotModel model_in_steps(double rises) {
 
 // After a second of driving straight by one command.
 WheelPair doubt_at(const RobotModel& model, double command_m_s) {
-  ModelSimulation simulation(model.linear_part, effect_settings(model));
+  ModelSimulation simulation(model);
   ModelDoubt doubt(model);
   WheelPair doubt_m_s;
   for (int k = 0; k < 60; ++k) {
@@ -78,7 +78,7 @@ TEST_CASE("Commands at the edge of a step cause no alarm, and a jump of the coun
   const RobotModel model = model_in_steps(rises_at);
   const RobotModel robot = model_in_steps(rises_at - 0.006);
   const double edge_m_s = 6.5 * step_m_s;
-  ModelSimulation simulation(robot.linear_part, effect_settings(robot));
+  ModelSimulation simulation(robot);
   HybridFilter filter(model);
   WheelPair command;
   bool found = false;

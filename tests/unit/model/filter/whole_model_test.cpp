@@ -41,7 +41,7 @@ struct Drive {
 
 // Frames of a robot that does as a model says; counts are whole ticks.
 Drive drive_of(const RobotModel& robot, int ticks) {
-  ModelSimulation simulation(robot.linear_part, effect_settings(robot));
+  ModelSimulation simulation(robot);
   Drive drive;
   WheelPair command;
   for (int tick = 0; tick < ticks; ++tick) {

@@ -37,7 +37,7 @@ WheelPair command_at(int tick) {
 DriveLog run_of(const RobotModel& model, const Noise& noise, double seconds, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
-  ModelSimulation simulation(model.linear_part, effect_settings(model));
+  ModelSimulation simulation(model);
   DriveLog log;
   log.metres_per_tick = WheelPair{metres_per_tick, metres_per_tick};
   WheelPair walk_m;

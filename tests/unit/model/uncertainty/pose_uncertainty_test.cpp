@@ -59,7 +59,7 @@ WheelPair command_at(int period) {
 constexpr int periods = 950;
 
 Pose driven(const RobotModel& model) {
-  ModelSimulation simulation(model.linear_part, effect_settings(model));
+  ModelSimulation simulation(model);
   for (int k = 0; k < periods; ++k) simulation.step(command_at(k));
   return simulation.pose();
 }

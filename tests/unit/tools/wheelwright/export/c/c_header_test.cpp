@@ -245,7 +245,7 @@ double apart(const Twist& a, const Twist& b) {
 }
 
 double largest_difference(const RobotModel& model, const std::vector<Row>& rows) {
-  ModelSimulation simulation(model.linear_part, effect_settings(model));
+  ModelSimulation simulation(model);
   double largest = 0.0;
   for (int k = 0; k < periods; ++k) {
     const auto& motion = simulation.step(command_at(k), battery_at(k));
