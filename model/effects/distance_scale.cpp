@@ -11,6 +11,7 @@ class DistanceScale final : public EffectOf<DistanceScale> {
   void floor(WheelPair& speed_m_s, const StepContext&) override {
     both(speed_m_s, [this](double speed) { return speed * (1.0 + change_); });
   }
+  WheelPair rolling() const override { return {1.0 + change_, 1.0 + change_}; }
 
  private:
   double change_;

@@ -301,7 +301,7 @@ TEST_CASE("Tyres that creep take a share of a slow turn, and no more than their 
   CHECK_THAT(lost_rad_s(slow_rad_s, 400), WithinRel(dry_rad_s / sliding_rad_s * left_rad_s, 1e-4));
 }
 
-TEST_CASE("A load of turning sees the turn on the floor, which unequal wheels do not count") {
+TEST_CASE("A load of turning sees the turn on the floor, which wheels of another size do not count") {
   const EffectSetting unequal{"wheel_scale_mismatch", "", {0.04}};
   const EffectSetting scrub{"turn_scrub", "at_wheels", {0.0, 0.0, 0.05}};
   const auto moved = [](const std::vector<EffectSetting>& effects, const WheelPair& command_m_s) {
@@ -317,4 +317,8 @@ TEST_CASE("A load of turning sees the turn on the floor, which unequal wheels do
   CHECK(bend_rad_s > 0.0);
   CHECK(hindered.twist.w_rad_s == 0.0);  // less than the tyres hold
   CHECK(hindered.wheel_m_s.left > hindered.wheel_m_s.right);
+  const EffectSetting larger{"distance_scale", "", {0.1}};
+  const WheelPair turning{0.1, 0.2};
+  const double freely_rad_s = moved({larger}, turning).twist.w_rad_s;
+  CHECK_THAT(moved({scrub, larger}, turning).twist.w_rad_s, WithinAbs(freely_rad_s - 0.05, 1e-12));
 }

@@ -79,7 +79,7 @@ std::vector<RobotModel> models() {
   all.push_back(
       model_of({of_library("coulomb_friction"), of_library("asymmetric_response", "motor_coasting")}));
   all.push_back(model_of({of_library("turn_scrub", "creep_at_wheels"), of_library("wheel_scale_mismatch"),
-                          of_library("caster_kick", "swivel_at_wheels")}));
+                          of_library("distance_scale"), of_library("caster_kick", "swivel_at_wheels")}));
   return all;
 }
 
