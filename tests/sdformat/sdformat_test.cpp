@@ -1,7 +1,6 @@
 // What `wheelwright export --to sdf` writes, as the parser of Gazebo reads it.
 #include <algorithm>
 #include <sdf/sdf.hh>
-#include <sstream>
 
 #include "tests/support/catch.hpp"
 #include "tests/support/exported_model.hpp"
