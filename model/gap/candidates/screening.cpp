@@ -244,7 +244,6 @@ Screening screen(const Problem& problem, const Fit& fit, std::span<const EffectI
   }
   const Common common = responses.common(effects, parallel_for);
   result.pair = stronger_pair(named, common);
-  if (!result.pair) result.pair = hidden_pair(named, common);
   return result;
 }
 

@@ -42,10 +42,14 @@ std::optional<ScreenedPair> pair_of(const TrialEffect& one, const TrialEffect& o
   return ScreenedPair{{*start, *beside}, 0.5 * (first * p + second * q)};
 }
 
-// Of all that are accepted by their gain and the gains of both alone, the one that explains the most.
-template <typename Accept>
-std::optional<ScreenedPair> best_pair(std::span<const Screened> effects, const Common& common, double alike,
-                                      Accept accept) {
+}  // namespace
+
+std::optional<ScreenedPair> stronger_pair(std::span<const Screened> effects, const Common& common) {
+  constexpr double alike = 0.98;  // cosine
+  constexpr double times_the_best_single = 1.5;
+  double min_nats = min_gain_nats;
+  for (const Screened& effect : effects)
+    min_nats = std::max(min_nats, times_the_best_single * effect.gain_nats);
   std::optional<ScreenedPair> best;
   for (std::size_t i = 0; i < effects.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -54,31 +58,10 @@ std::optional<ScreenedPair> best_pair(std::span<const Screened> effects, const C
       if (one.info == other.info) continue;
       const std::array<Eigen::Index, 2> at{static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)};
       const auto pair = pair_of(one, other, {common.products(at, at), common.with_left(at)}, alike);
-      if (!pair || pair->gain_nats <= (best ? best->gain_nats : min_gain_nats)) continue;
-      if (accept(pair->gain_nats, std::max(effects[i].gain_nats, effects[j].gain_nats))) best = pair;
+      if (pair && pair->gain_nats > (best ? best->gain_nats : min_nats)) best = pair;
     }
   }
   return best;
-}
-
-}  // namespace
-
-std::optional<ScreenedPair> stronger_pair(std::span<const Screened> effects, const Common& common) {
-  constexpr double alike = 0.98;  // cosine
-  constexpr double times_the_best_single = 1.5;
-  double best_single_nats = 0.0;
-  for (const Screened& effect : effects) best_single_nats = std::max(best_single_nats, effect.gain_nats);
-  return best_pair(effects, common, alike, [&](double both_nats, double) {
-    return both_nats > times_the_best_single * best_single_nats;
-  });
-}
-
-std::optional<ScreenedPair> hidden_pair(std::span<const Screened> effects, const Common& common) {
-  constexpr double alike = 0.999999;
-  constexpr double shows = 0.1;  // of what both explain
-  return best_pair(effects, common, alike, [](double both_nats, double better_alone_nats) {
-    return better_alone_nats < shows * both_nats;
-  });
 }
 
 }  // namespace wheelwright::gap

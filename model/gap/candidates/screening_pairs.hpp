@@ -28,8 +28,4 @@ inline bool vanishes_at_zero(const ParameterInfo& parameter) {
 // The pair that explains far more than any of `effects` does alone. `common` holds them in the same order.
 std::optional<ScreenedPair> stronger_pair(std::span<const Screened> effects, const Common& common);
 
-// The pair of which neither shows: what one does, the other undoes, nearly. A wheel base that is off, and
-// counts that were scaled by turning on it.
-std::optional<ScreenedPair> hidden_pair(std::span<const Screened> effects, const Common& common);
-
 }  // namespace wheelwright::gap

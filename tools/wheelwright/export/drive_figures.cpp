@@ -60,6 +60,8 @@ void add_scale(const RobotModel& model, const AddedEffect& effect, DriveFigures&
   if (effect.setting.name == "distance_scale") {
     times(figures.left_radius_multiplier, [](double change) { return 1.0 + change; });
     times(figures.right_radius_multiplier, [](double change) { return 1.0 + change; });
+    if (effect.setting.variant == "turns_as_counted")
+      times(figures.separation_multiplier, [](double change) { return 1.0 + change; });
   } else if (effect.setting.name == "wheel_scale_mismatch") {
     const double of_left = effect.setting.variant == "left_wheel"    ? 1.0
                            : effect.setting.variant == "right_wheel" ? 0.0

@@ -322,3 +322,15 @@ TEST_CASE("A load of turning sees the turn on the floor, which wheels of another
   const double freely_rad_s = moved({larger}, turning).twist.w_rad_s;
   CHECK_THAT(moved({scrub, larger}, turning).twist.w_rad_s, WithinAbs(freely_rad_s - 0.05, 1e-12));
 }
+
+TEST_CASE("A scale of distance whose turns are as counted moves the robot further, and turns it as before") {
+  constexpr double change = 0.1;
+  const WheelPair command_m_s{0.1, 0.25};
+  const Twist counted = only(std::vector<EffectSetting>{}).step(command_m_s).twist;
+  const Twist moved = only({"distance_scale", "turns_as_counted", {change}}).step(command_m_s).twist;
+  CHECK_THAT(moved.v_m_s, WithinRel((1.0 + change) * counted.v_m_s, 1e-12));
+  CHECK_THAT(moved.w_rad_s, WithinRel(counted.w_rad_s, 1e-12));
+  const EffectSetting scrub{"turn_scrub", "at_wheels", {0.0, 0.0, 0.05}};
+  const EffectSetting scale{"distance_scale", "turns_as_counted", {change}};
+  CHECK_THAT(only({scrub, scale}).step(command_m_s).twist.w_rad_s, WithinAbs(counted.w_rad_s - 0.05, 1e-12));
+}

@@ -43,13 +43,12 @@ TEST_CASE("Steps of the command are found though only the right step rounds the 
 }
 
 TEST_CASE(
-    "A wheel base that is off, and counts scaled by turning on it, are told though they hide each other") {
+    "Counts that were scaled by turning on a wheel base that is off are one effect, and turn as counted") {
   test::GapCaseSpec spec;
   spec.channels = test::Channels::ticks_ref;
   spec.runs = 3;
   spec.seconds = 50.0;
   auto logs = test::make_gap_case(spec).runs;
-  const double wheel_base_m = logs.front().wheel_base_m;
   for (DriveLog& log : logs) {
     log.wheel_base_m *= 0.97;
     log.metres_per_tick->left *= 0.97;
@@ -58,10 +57,9 @@ TEST_CASE(
   const auto analysis = analysed(logs);
   REQUIRE(analysis.verdict == Verdict::named);
   INFO(analysis.summary);
-  REQUIRE(analysis.found.size() == 2);
-  for (const Finding& found : analysis.found) {
-    const bool of_base = found.setting.name == "effective_track";
-    CHECK((of_base || found.setting.name == "distance_scale"));
-    CHECK_THAT(found.setting.parameters[0], WithinRel(of_base ? 0.03 * wheel_base_m : 0.03 / 0.97, 0.1));
-  }
+  REQUIRE(analysis.found.size() == 1);
+  const EffectSetting& found = analysis.found.front().setting;
+  CHECK(found.name == "distance_scale");
+  CHECK(found.variant == "turns_as_counted");
+  CHECK_THAT(found.parameters[0], WithinRel(1.0 / 0.97 - 1.0, 0.03));
 }

@@ -119,6 +119,16 @@ TEST_CASE(
 }
 
 TEST_CASE(
+    "Counts that were scaled by turning on a wrong wheel base scale the wheels and their distance alike") {
+  RobotModel model = linear_model();
+  test::add_effect(model, "distance_scale", "turns_as_counted", {0.03});
+  const tools::DriveFigures figures = tools::drive_figures(model);
+  CHECK_THAT(figures.left_radius_multiplier.value, WithinAbs(1.03, 1e-12));
+  CHECK_THAT(figures.right_radius_multiplier.value, WithinAbs(1.03, 1e-12));
+  CHECK_THAT(figures.separation_multiplier.value, WithinAbs(1.03, 1e-12));
+}
+
+TEST_CASE(
     "What was measured of a wheel's drift becomes the covariance of odometry, and without it there is none") {
   RobotModel model = linear_model();
   CHECK_FALSE(YAML::Load(tools::to_ros2_control(model, radius_m)
