@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <ostream>
 #include <sstream>
 
@@ -62,6 +63,7 @@ class Circle {
   ExitStatus run() {
     hide();
     const RobotModel calibrated = calibrate();
+    check_scale(calibrated);
     report_.before = laps(calibrated);
     record(calibrated);
     find_gap(calibrated);
@@ -115,6 +117,16 @@ class Circle {
     model->robot = robot_.name;
     config::save_model(*model, folder_ / "calibrated.yaml");
     return *model;
+  }
+
+  // A robot that slips or drifts while it turns in place is calibrated to a wrong scale.
+  void check_scale(const RobotModel& calibrated) {
+    if (!calibrated.encoder_scale) return;
+    const double mean_diameter_m = 0.5 * (robot_.left.diameter_m + robot_.right.diameter_m);
+    const double true_m = std::numbers::pi * mean_diameter_m / robot_.encoder.counts_per_revolution;
+    const WheelPair& found_m = calibrated.encoder_scale->metres_per_tick;
+    const auto error = scale_error(0.5 * (found_m.left + found_m.right), true_m);
+    if (error) report_.calibration_errors.push_back(*error);
   }
 
   // By both models with the same luck.

@@ -1,12 +1,14 @@
 #include "tools/wheelwright/circle/circle_report.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <ostream>
 
 #include "config/load/text_format.hpp"
+#include "model/effects/library/effect_library.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -79,7 +81,28 @@ ordered_json to_json(const Laps& laps) {
   return json;
 }
 
+bool belongs_to_any(const std::string& effect, const std::vector<Imperfection>& imperfections) {
+  return std::ranges::any_of(
+      imperfections, [&](const Imperfection& imperfection) { return is_name_of(effect, imperfection); });
+}
+
+ordered_json to_json(const std::vector<Imperfection>& imperfections) {
+  auto json = ordered_json::array();
+  for (const auto& imperfection : imperfections)
+    json.push_back({{"what", imperfection.what}, {"effects", imperfection.effects}});
+  return json;
+}
+
 }  // namespace
+
+std::optional<Imperfection> scale_error(double calibrated_m, double true_m) {
+  const std::string effect = "distance_scale";
+  const double error = calibrated_m / true_m - 1.0;
+  if (std::abs(error) < find_effect(effect)->parameters.front().negligible) return std::nullopt;
+  return Imperfection{"metres per tick, calibrated " + fixed_number(100.0 * std::abs(error), 2) + " % too " +
+                          (error > 0.0 ? "large" : "small"),
+                      {effect}};
+}
 
 NamingScore naming_score(const CircleReport& report) {
   NamingScore score;
@@ -88,8 +111,8 @@ NamingScore naming_score(const CircleReport& report) {
         report.named, [&](const std::string& effect) { return is_name_of(effect, imperfection); });
   }
   for (const auto& effect : report.named) {
-    score.wrong += std::ranges::none_of(
-        report.hidden, [&](const Imperfection& imperfection) { return is_name_of(effect, imperfection); });
+    score.wrong +=
+        !belongs_to_any(effect, report.hidden) && !belongs_to_any(effect, report.calibration_errors);
   }
   return score;
 }
@@ -113,16 +136,15 @@ void print_circle(std::ostream& out, const CircleReport& report) {
     out << "  hidden: " << imperfection.what << " (rightly named " << joined(imperfection.effects, " or ")
         << ")\n";
   }
+  for (const auto& error : report.calibration_errors) {
+    out << "  not hidden, but so: " << error.what << " (" << joined(error.effects, " or ") << ")\n";
+  }
   const NamingScore score = naming_score(report);
   out << "  named rightly: " << score.right << " of " << report.hidden.size()
       << ", names that belong to nothing hidden: " << score.wrong << "\n";
 }
 
 ordered_json circle_json(const CircleReport& report) {
-  auto hidden = ordered_json::array();
-  for (const auto& imperfection : report.hidden) {
-    hidden.push_back({{"what", imperfection.what}, {"effects", imperfection.effects}});
-  }
   auto experiments = ordered_json::array();
   for (const Experiment& experiment : report.experiments) {
     experiments.push_back({{"manoeuvre", experiment.manoeuvre},
@@ -132,15 +154,11 @@ ordered_json circle_json(const CircleReport& report) {
     if (!experiment.failure.empty()) experiments.back()["failure"] = experiment.failure;
   }
   const NamingScore score = naming_score(report);
-  return {{"before", to_json(report.before)},
-          {"experiments", experiments},
-          {"verdict", report.verdict},
-          {"named", report.named},
-          {"proof", to_json(report.proof)},
-          {"after", to_json(report.after)},
-          {"hidden", hidden},
-          {"sealed_file", report.sealed_file},
-          {"named_rightly", score.right},
+  return {{"before", to_json(report.before)},  {"experiments", experiments},
+          {"verdict", report.verdict},         {"named", report.named},
+          {"proof", to_json(report.proof)},    {"after", to_json(report.after)},
+          {"hidden", to_json(report.hidden)},  {"calibration_errors", to_json(report.calibration_errors)},
+          {"sealed_file", report.sealed_file}, {"named_rightly", score.right},
           {"named_falsely", score.wrong}};
 }
 

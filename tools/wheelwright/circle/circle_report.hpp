@@ -47,6 +47,9 @@ struct Proof {
 struct CircleReport {
   std::string sealed_file;
   std::vector<Imperfection> hidden;
+  // What the calibration got wrong on this robot, though nobody hid it: a right name, which nobody has to
+  // find.
+  std::vector<Imperfection> calibration_errors;
   std::vector<Experiment> experiments;
   std::string verdict;             // of the gap workflow, at last
   std::vector<std::string> named;  // effects, the strongest first
@@ -55,7 +58,11 @@ struct CircleReport {
   Laps after;
 };
 
-// How many imperfections were named under one of their names, and how many names belong to none.
+// Of the metres per tick on the robot, beside the true ones; nothing where it is of no consequence.
+std::optional<Imperfection> scale_error(double calibrated_m, double true_m);
+
+// How many imperfections were named under one of their names, and how many names belong to none, nor to an
+// error of the calibration.
 struct NamingScore {
   std::size_t right = 0;
   std::size_t wrong = 0;
@@ -66,8 +73,8 @@ void print_circle(std::ostream& out, const CircleReport& report);
 
 // Keys: before, after {offsets_m, mean_offset_m, stopped, failure}, proof {calibrated_m, found_m,
 // calibrated_stopped, found_stopped, drives}, experiments [{manoeuvre, seconds, separates, failure}],
-// verdict, named, hidden [{what, effects}], sealed_file, named_rightly, named_falsely. Where no lap came to
-// its end the mean is null, where all did the failure is.
+// verdict, named, hidden [{what, effects}], calibration_errors [{what, effects}], sealed_file, named_rightly,
+// named_falsely. Where no lap came to its end the mean is null, where all did the failure is.
 nlohmann::ordered_json circle_json(const CircleReport& report);
 
 }  // namespace wheelwright::tools

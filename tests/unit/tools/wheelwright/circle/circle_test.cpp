@@ -71,6 +71,21 @@ TEST_CASE("A name counts for what was hidden under it, and else as false") {
   CHECK(tools::naming_score(report).wrong == 1);
 }
 
+TEST_CASE("A scale that the calibration got wrong is rightly named, and nobody has to find it") {
+  tools::CircleReport report;
+  report.hidden = {{"scrubbing tyres", {"turn_scrub"}}};
+  report.named = {"turn_scrub", "distance_scale"};
+  CHECK(tools::naming_score(report).wrong == 1);
+  const auto error = tools::scale_error(0.000443, 0.000445);
+  REQUIRE(error);
+  CHECK(error->what == "metres per tick, calibrated 0.45 % too small");
+  report.calibration_errors = {*error};
+  CHECK(tools::naming_score(report).wrong == 0);
+  report.named = {"turn_scrub"};
+  CHECK(tools::naming_score(report).right == 1);
+  CHECK_FALSE(tools::scale_error(0.0004451, 0.000445));
+}
+
 TEST_CASE("Where no lap came to its end the report says why instead of an offset") {
   tools::CircleReport report;
   report.before.failure = "stopped: bump";
