@@ -109,6 +109,7 @@ Candidate ModelComparison::judged(const Fit& without, const std::vector<double>&
   }
   // As long as nothing is found, other runs can be held out, in which it acts: that proves more.
   const bool something_found = !without.model.effects.empty();
+  candidate.left_out_nats = 0.0;
   if (undecided_by_held_out_runs(candidate) && (something_found || acts_in_held_out_runs(candidate)))
     candidate.left_out_nats =
         left_out_runs_gain_nats(train_, without, fit, fit.model.effects.size() - 1 - candidate.behind);
@@ -260,10 +261,9 @@ bool ModelComparison::worth_adding(const Candidate& candidate,
       largest = std::max(largest, all_nats(selection_step.candidates.front()));
   }
   // What a wrong shape of the strongest effect leaves, another may fit, but not so that noise alone is left.
-  constexpr double of_noise_alone = 2.0;
-  const double min_share =
-      candidate.autocorrelation_factor < of_noise_alone ? limits_.min_share_before_noise : limits_.min_share;
-  const double unseen_nats = candidate.unseen_nats() / candidate.autocorrelation_factor;
+  const double factor = candidate.autocorrelation_factor;
+  const double min_share = std::min(limits_.min_share, limits_.min_share_before_noise * factor * factor);
+  const double unseen_nats = candidate.unseen_nats() / factor;
   return good_enough(candidate) && (largest == 0.0 || (unseen_nats > limits_.min_further_nats &&
                                                        all_nats(candidate) > min_share * largest));
 }

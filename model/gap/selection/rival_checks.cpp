@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "model/gap/candidates/decoys.hpp"
+#include "model/gap/selection/left_out_runs.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -12,19 +13,37 @@ namespace {
 // stands.
 constexpr double resolution_of_a_fit = 1e-3;
 
+constexpr double clearly_ahead = 2.2;  // of the score: 9 to 1
+
 TrialModel with_last(TrialModel model, std::size_t place) {
   const auto at = model.effects.begin() + static_cast<std::ptrdiff_t>(place);
   std::rotate(at, at + 1, model.effects.end());
   return model;
 }
 
-// What is said for an effect where it was looked at in its own place; nothing where training speaks against
-// it.
-double own_nats(const SelectionStep& check, const EffectInfo* info) {
+// An effect where it was looked at in its own place; null where it came to nothing there.
+const Candidate* itself_in(const SelectionStep& check, const EffectInfo* info) {
   const auto itself = std::ranges::find_if(
       check.candidates, [&](const Candidate& candidate) { return candidate.effect.info == info; });
-  if (itself == check.candidates.end() || itself->train_nats <= 0.0) return 0.0;
+  return itself == check.candidates.end() ? nullptr : &*itself;
+}
+
+// What is said for it on runs that it was not fitted to; nothing where training speaks against it.
+double own_nats(const SelectionStep& check, const EffectInfo* info) {
+  const Candidate* itself = itself_in(check, info);
+  if (itself == nullptr || itself->train_nats <= 0.0) return 0.0;
   return itself->unseen_nats() / itself->autocorrelation_factor;
+}
+
+// Whether the first of a check is not what is present: another effect, or another variant that explains
+// clearly more. A variant was chosen beside fewer effects than there are now.
+bool is_another(const Candidate& best, const TrialEffect& present, const SelectionStep& check) {
+  if (best.effect.info != present.info) return true;
+  if (best.effect.variant == present.variant) return false;
+  const auto itself = std::ranges::find_if(check.candidates, [&](const Candidate& candidate) {
+    return candidate.effect.info == present.info && candidate.effect.variant == present.variant;
+  });
+  return itself == check.candidates.end() || best.score > itself->score + clearly_ahead;
 }
 
 }  // namespace
@@ -109,7 +128,7 @@ bool RivalChecks::improve_by_swaps(GapSearch& result, Swaps swaps) {
     }
     const Candidate* best = best_named(selection_step);
     const bool none = best == nullptr || !comparison_.good_enough(*best);
-    if (swaps == Swaps::made && (none || best->effect.info != present.info)) {
+    if (swaps == Swaps::made && (none || is_another(*best, present, selection_step))) {
       result.final =
           none ? selection_step.without : in_place(*best, i);  // none: not needed beside the others
       changed = true;
@@ -163,7 +182,8 @@ bool RivalChecks::drop_idle(GapSearch& result) {
     TrialModel others = result.final.model;
     others.effects.erase(others.effects.begin() + static_cast<std::ptrdiff_t>(place));
     Fit without = evaluation_.with_refitted_linear_part(train_.fit(others, steps_of_a_fit));
-    const bool closer = stands && free_runs_.closer(without.model, result.final.model);
+    const bool closer = stands && (free_runs_.closer(without.model, result.final.model) ||
+                                   shown_by_left_out_runs(result.checks[place], effects[place].info));
     if (closer && !of_a_linear_part) continue;
     if (closer || is_clear) {
       const double delay_s = effects[place].parameters.front();
@@ -175,18 +195,29 @@ bool RivalChecks::drop_idle(GapSearch& result) {
   return false;
 }
 
+// Held-out runs may hardly drive where an effect acts, and yet not speak against it: then training runs say
+// by each other whether it is there.
+bool RivalChecks::shown_by_left_out_runs(const SelectionStep& check, const EffectInfo* info) const {
+  const Candidate* itself = itself_in(check, info);
+  if (itself == nullptr) return false;
+  const double factor = itself->autocorrelation_factor;
+  if (itself->heldout_nats < -limits_.min_heldout_nats * factor) return false;
+  const std::size_t place = itself->fit.model.effects.size() - 1 - itself->behind;
+  return left_out_runs_gain_nats(train_, check.without, itself->fit, place) >
+         limits_.clear_left_out_nats * factor;
+}
+
 // One that helps a little and in whose place another would help more does not, nor one that a decoy beats,
 // nor one that is small beside the others and hardly told from its rivals.
 bool RivalChecks::stands_for_itself(const SelectionStep& check, const EffectInfo* info, double nats,
                                     double largest) const {
-  constexpr double told_by = 2.2;  // of the score: 9 to 1
   if (check.candidates.empty()) return nats >= limits_.min_idle_nats;
   const Candidate& first = check.candidates.front();
   if (is_decoy(*first.effect.info)) return false;
   if (first.effect.info != info) return nats >= limits_.min_idle_nats;
   const auto rival = std::ranges::find_if(
       check.candidates, [&](const Candidate& candidate) { return candidate.effect.info != info; });
-  const bool told = rival == check.candidates.end() || first.score - rival->score > told_by;
+  const bool told = rival == check.candidates.end() || first.score - rival->score > clearly_ahead;
   return told || nats >= limits_.min_share * largest;
 }
 
