@@ -14,7 +14,7 @@
 #include "daemon/process.hpp"
 #include "daemon/service/exit_status.hpp"
 #include "daemon/service/message_output.hpp"
-#include "daemon/threads/real_time.hpp"
+#include "daemon/threads/real_time_setup.hpp"
 #include "daemon/wiring/plan.hpp"
 
 namespace {

@@ -88,12 +88,12 @@ Run::Run(const config::DaemonConfig& config, const ProcessOptions& options, Serv
       real_time_(set_up_process(config.real_time)),
       wiring_(std::make_unique<Wiring>()),
       client_(*wiring_),
-      session_({config.link, config.device, config.baud}, port_, client_, &guardian_),
+      sensor_loop_({config.link, config.device, config.baud}, port_, client_, &guardian_),
       brain_(plan_.mission, plan_.limits,
              plan_.model ? std::make_unique<DrivingModel>(*plan_.model) : nullptr),
-      calibrator_(config, plan_, folder_, session_, *wiring_),
+      calibrator_(config, plan_, folder_, sensor_loop_, *wiring_),
       log_(config, folder_, plan_.limits.metres_per_tick, *wiring_, board_),
-      live_view_(config, session_, *wiring_),
+      live_view_(config, sensor_loop_, *wiring_),
       watch_(config, folder_) {
   keep_inputs();
 }
@@ -115,18 +115,18 @@ RunOutcome Run::drive(const sigset_t& signals) {
   RunOutcome outcome = supervise(signals);
   if (!outcome.reload) service_.notifier.stopping();
   end_loop();
-  if (const auto& silence = session_.silence(); silence && outcome.cause == EndCause::robot_silent) {
+  if (const auto& silence = sensor_loop_.silence(); silence && outcome.cause == EndCause::robot_silent) {
     outcome.stopped += "; " + explain(*silence, {config_.link.period_s, machine_load()});
   }
   end_threads(ending_of(outcome));
-  outcome.interrupted = outcome.interrupted || session_.link().state() != roomba::LinkState::running;
+  outcome.interrupted = outcome.interrupted || sensor_loop_.link().state() != roomba::LinkState::running;
 
   LogReport logs = log_.report();
   logs.errors.insert(logs.errors.end(), inputs_lost_.begin(), inputs_lost_.end());
   write_lateness(logs);
-  print_within(
-      summary_patience, STDOUT_FILENO,
-      summary(config_, outcome, calibrator_.report(), logs, session_, real_time_, wiring_->dropped.load()));
+  print_within(summary_patience, STDOUT_FILENO,
+               summary(config_, outcome, calibrator_.report(), logs, sensor_loop_, real_time_,
+                       wiring_->dropped.load()));
   watch_after(outcome, logs, signals);
   const bool complete = logs.errors.empty() && !calibrator_.report().file_error;
   if (outcome.cause == EndCause::done && !complete) outcome.cause = EndCause::files_lost;
@@ -161,8 +161,9 @@ void Run::start_all() {
 
 RunOutcome Run::supervise(const sigset_t& signals) {
   try {
-    return Supervisor({config_, options_, session_, guardian_, *wiring_, board_, real_time_, folder_, watch_},
-                      service_)
+    return Supervisor(
+               {config_, options_, sensor_loop_, guardian_, *wiring_, board_, real_time_, folder_, watch_},
+               service_)
         .run(signals);
   } catch (const std::exception& error) {
     return {EndCause::internal, std::string("the supervisor has ended: ") + error.what(), {}, true};
@@ -179,7 +180,7 @@ void Run::start_loop() {
     scheduled_.store(refused ? -1 : 1);
     scheduled_.notify_one();
     try {
-      if (!refused) session_.run();
+      if (!refused) sensor_loop_.run();
     } catch (const std::exception& error) {
       loop_failed_.store(true);
       wiring_->failure.report(std::string("the sensor loop has ended: ") + error.what());
@@ -216,7 +217,7 @@ void Run::start_threads() {
 
 // Before the other threads, since it holds the wheels.
 void Run::end_loop() {
-  session_.request_end();
+  sensor_loop_.request_end();
   if (loop_.joinable()) {
     if (!loop_ends()) abandon_loop();
     loop_.join();
@@ -255,8 +256,8 @@ void Run::abandon_loop() {
 
 // The same text in the folder of the run and, where one was asked for, in a file elsewhere.
 void Run::write_lateness(LogReport& logs) const {
-  const std::string text = lateness_text(
-      lateness_record(session_.lateness(), session_.counts(), config_.link.period_s, describe(real_time_)));
+  const std::string text = lateness_text(lateness_record(sensor_loop_.lateness(), sensor_loop_.counts(),
+                                                         config_.link.period_s, describe(real_time_)));
   const auto write = [&](const std::filesystem::path& file) {
     if (const auto error = config::write_output({file, config::OutputKind::lateness}, text)) {
       spdlog::error("{}", *error);

@@ -11,20 +11,20 @@
 #include <vector>
 
 #include "config/load/daemon_config.hpp"
-#include "daemon/guardian/guardian.hpp"
+#include "daemon/guardian/guardian_handle.hpp"
 #include "daemon/guardian/open_device.hpp"
 #include "daemon/process.hpp"
 #include "daemon/supervisor.hpp"
 #include "daemon/telemetry/live_view.hpp"
 #include "daemon/threads/calibrator_thread.hpp"
 #include "daemon/threads/log_thread.hpp"
-#include "daemon/threads/real_time.hpp"
+#include "daemon/threads/real_time_setup.hpp"
 #include "daemon/threads/ring_client.hpp"
 #include "daemon/watch/model_watch.hpp"
 #include "daemon/wiring/plan.hpp"
 #include "daemon/wiring/status_board.hpp"
 #include "daemon/wiring/wiring.hpp"
-#include "drivers/roomba/session.hpp"
+#include "drivers/roomba/sensor_loop.hpp"
 #include "model/brain/brain.hpp"
 
 namespace wheelwright::daemon {
@@ -60,13 +60,13 @@ class Run {
   const ProcessOptions& options_;
   Service& service_;
   Plan plan_;
-  Guardian guardian_;
+  GuardianHandle guardian_;
   serial::OpenPort port_;
   std::filesystem::path folder_;
   RealTimeStatus real_time_;
   std::unique_ptr<Wiring> wiring_;
   RingClient client_;
-  roomba::Session session_;
+  roomba::SensorLoop sensor_loop_;
   Brain brain_;
   CalibratorThread calibrator_;
   StatusBoard board_;

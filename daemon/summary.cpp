@@ -117,10 +117,10 @@ void add_commanded_drive(Table& table, const config::DaemonConfig& config, const
   end("odometry", last.odometry);
 }
 
-void add_loop(Table& table, const config::DaemonConfig& config, const roomba::Session& session,
+void add_loop(Table& table, const config::DaemonConfig& config, const roomba::SensorLoop& sensor_loop,
               const RealTimeStatus& real_time, std::uint64_t dropped) {
-  const auto& lateness = session.lateness();
-  const roomba::LoopCounts counts = session.counts();
+  const auto& lateness = sensor_loop.lateness();
+  const roomba::LoopCounts counts = sensor_loop.counts();
   table.title("Sensor loop");
   table.row("system", "{}", describe(real_time));
   table.row("ticks of " + fmt::format("{:g} ms", 1e3 * config.link.period_s), "{}", counts.ticks);
@@ -133,15 +133,15 @@ void add_loop(Table& table, const config::DaemonConfig& config, const roomba::Se
   table.row("periods skipped", "{} in {} overruns", counts.skipped_periods, counts.overruns);
   table.row("commands late", "{}", counts.commands_late);
   if (config.link.transport == roomba::Transport::query) {
-    const auto& replies = session.link().reply_counts();
+    const auto& replies = sensor_loop.link().reply_counts();
     table.row("replies", "{} of {} sound, {} missing, {} incomplete, {} garbled", replies.sound,
               replies.asked, replies.missing, replies.incomplete, replies.garbled);
   } else {
-    const auto& stream = session.link().stream_counts();
+    const auto& stream = sensor_loop.link().stream_counts();
     table.row("stream frames", "{} sound, {} corrupt", stream.frames, stream.corrupt);
   }
-  if (session.link().counts().implausible > 0) {
-    table.row("implausible counts", "{}", session.link().counts().implausible);
+  if (sensor_loop.link().counts().implausible > 0) {
+    table.row("implausible counts", "{}", sensor_loop.link().counts().implausible);
   }
   if (dropped > 0) table.row("dropped for a full ring", "{}", dropped);
 }
@@ -174,7 +174,8 @@ std::string route_in_words(const config::DaemonConfig& config, const LogReport& 
 
 std::string summary(const config::DaemonConfig& config, const RunOutcome& outcome,
                     const CalibrationReport& calibration, const LogReport& log,
-                    const roomba::Session& session, const RealTimeStatus& real_time, std::uint64_t dropped) {
+                    const roomba::SensorLoop& sensor_loop, const RealTimeStatus& real_time,
+                    std::uint64_t dropped) {
   Table table;
   table.title(outcome.finished() ? "Result: finished" : "Result: stopped, " + outcome.stopped);
   if (calibration.refusal) table.row("calibration refused", "{}", *calibration.refusal);
@@ -182,7 +183,7 @@ std::string summary(const config::DaemonConfig& config, const RunOutcome& outcom
   add_route(table, config, log);
   add_commanded_drive(table, config, log);
   add_faults(table, calibration, log);
-  add_loop(table, config, session, real_time, dropped);
+  add_loop(table, config, sensor_loop, real_time, dropped);
   add_files(table, config, calibration, log);
   return table.text();
 }

@@ -7,13 +7,14 @@
 #include "daemon/supervisor.hpp"
 #include "daemon/threads/calibrator_thread.hpp"
 #include "daemon/threads/log_thread.hpp"
-#include "daemon/threads/real_time.hpp"
+#include "daemon/threads/real_time_setup.hpp"
 
 namespace wheelwright::daemon {
 
 std::string summary(const config::DaemonConfig& config, const RunOutcome& outcome,
                     const CalibrationReport& calibration, const LogReport& log,
-                    const roomba::Session& session, const RealTimeStatus& real_time, std::uint64_t dropped);
+                    const roomba::SensorLoop& sensor_loop, const RealTimeStatus& real_time,
+                    std::uint64_t dropped);
 
 // How a route came out, in half a sentence: for who watches. Empty where none was driven.
 std::string route_in_words(const config::DaemonConfig& config, const LogReport& log);

@@ -49,7 +49,7 @@ std::optional<RunOutcome> Supervisor::obey(int signal) {
       arm();
       return std::nullopt;
     case SIGUSR2:
-      parts_.session.request_stop(StopReason::requested);
+      parts_.sensor_loop.request_stop(StopReason::requested);
       return std::nullopt;
     case SIGHUP:
       if (service_.from_terminal) return ended_by_signal("the terminal was closed");
@@ -132,7 +132,7 @@ void Supervisor::arm() {
     spdlog::error("not armed: {}", *error);
     return;
   }
-  parts_.session.request_arm();
+  parts_.sensor_loop.request_arm();
 }
 
 // Where the process ends with its run, the run itself sees to it.
@@ -147,13 +147,13 @@ void Supervisor::watch_model() {
 }
 
 void Supervisor::report_status(Clock::time_point now) {
-  service_.notifier.feed(parts_.session.counts().ticks);
+  service_.notifier.feed(parts_.sensor_loop.counts().ticks);
   if (parts_.wiring.robot_answers.load()) service_.notifier.ready();
   if (now - last_report_ < report_interval) return;
   last_report_ = now;
   watch_model();
   if (now - started_ > long_enough) service_.restarts.lasted();
-  const StatusView view{parts_.config,        parts_.session,        parts_.real_time,
+  const StatusView view{parts_.config,        parts_.sensor_loop,    parts_.real_time,
                         parts_.run_folder,    parts_.board.latest(), parts_.wiring.robot_answers.load(),
                         parts_.watch.answer()};
   service_.notifier.status(status_line(view));

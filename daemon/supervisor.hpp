@@ -10,15 +10,15 @@
 #include <string>
 
 #include "config/load/daemon_config.hpp"
-#include "daemon/guardian/guardian.hpp"
+#include "daemon/guardian/guardian_handle.hpp"
 #include "daemon/process.hpp"
 #include "daemon/service/exit_status.hpp"
 #include "daemon/telemetry/status_file.hpp"
-#include "daemon/threads/real_time.hpp"
+#include "daemon/threads/real_time_setup.hpp"
 #include "daemon/watch/model_watch.hpp"
 #include "daemon/wiring/status_board.hpp"
 #include "daemon/wiring/wiring.hpp"
-#include "drivers/roomba/session.hpp"
+#include "drivers/roomba/sensor_loop.hpp"
 
 namespace wheelwright::daemon {
 
@@ -35,8 +35,8 @@ struct RunOutcome {
 struct Supervised {
   const config::DaemonConfig& config;
   const ProcessOptions& options;
-  roomba::Session& session;
-  Guardian& guardian;
+  roomba::SensorLoop& sensor_loop;
+  GuardianHandle& guardian;
   Wiring& wiring;
   const StatusBoard& board;
   const RealTimeStatus& real_time;

@@ -1,7 +1,7 @@
-// The guardian's own process (daemon/guardian/guardian.hpp): what the child does after the fork.
+// The guardian's own process (daemon/guardian/guardian_handle.hpp): what the child does after the fork.
 #pragma once
 
-#include "daemon/guardian/guardian.hpp"
+#include "daemon/guardian/guardian_handle.hpp"
 
 namespace wheelwright::daemon {
 

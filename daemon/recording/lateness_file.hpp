@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "drivers/roomba/lateness_histogram.hpp"
-#include "drivers/roomba/session.hpp"
+#include "drivers/roomba/sensor_loop.hpp"
 
 namespace wheelwright::daemon {
 

@@ -54,9 +54,9 @@ std::string where(const config::LiveViewConfig& config) {
 
 }  // namespace
 
-LiveView::LiveView(const config::DaemonConfig& config, roomba::Session& session, Wiring& wiring)
+LiveView::LiveView(const config::DaemonConfig& config, roomba::SensorLoop& sensor_loop, Wiring& wiring)
     : config_(config),
-      session_(session),
+      sensor_loop_(sensor_loop),
       wiring_(wiring),
       unix_minus_steady_ns_(nanoseconds_since_epoch(std::chrono::system_clock::now()) -
                             nanoseconds_since_epoch(steady_clock::now())),
@@ -115,7 +115,7 @@ void LiveView::end(const std::string& result, const std::string& outcome) {
 
 // Each order stops the robot; not each has a line of the log.
 void LiveView::take_stop(const std::string& who) {
-  session_.request_stop(StopReason::requested);
+  sensor_loop_.request_stop(StopReason::requested);
   last_stop_by_ = who;
   if (stops_.happened(steady_clock::now())) spdlog::warn("live view: {} asks for a stop", who);
 }

@@ -31,7 +31,7 @@ class LiveView {
  public:
   // Listens at once and sets wiring.has_telemetry; so before any other thread starts. Where the port is not
   // to be had it says so in the log and there is no live view: a robot is not kept from driving by that.
-  LiveView(const config::DaemonConfig& config, roomba::Session& session, Wiring& wiring);
+  LiveView(const config::DaemonConfig& config, roomba::SensorLoop& sensor_loop, Wiring& wiring);
   LiveView(const LiveView&) = delete;
   LiveView& operator=(const LiveView&) = delete;
   ~LiveView();
@@ -66,7 +66,7 @@ class LiveView {
   std::uint64_t time_of(const LogEntry& entry) const;
 
   const config::DaemonConfig& config_;
-  roomba::Session& session_;
+  roomba::SensorLoop& sensor_loop_;
   Wiring& wiring_;
   std::int64_t unix_minus_steady_ns_;
   boost::asio::io_context context_{1};

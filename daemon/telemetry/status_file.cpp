@@ -49,7 +49,7 @@ nlohmann::json lateness_json(const roomba::LatenessHistogram& lateness) {
 }
 
 nlohmann::json loop_json(const StatusView& view) {
-  const roomba::LoopCounts counts = view.session.counts();
+  const roomba::LoopCounts counts = view.sensor_loop.counts();
   return {{"system", describe(view.real_time)},
           {"period_s", view.config.link.period_s},
           {"ticks", counts.ticks},
@@ -57,7 +57,7 @@ nlohmann::json loop_json(const StatusView& view) {
           {"skipped_periods", counts.skipped_periods},
           {"commands_late", counts.commands_late},
           {"readings_sound", counts.sound_readings},
-          {"lateness_us", lateness_json(view.session.lateness())}};
+          {"lateness_us", lateness_json(view.sensor_loop.lateness())}};
 }
 
 }  // namespace
@@ -78,9 +78,9 @@ std::string status_line(const StatusView& view) {
   line += fmt::format("; pose {:.2f} m, {:.2f} m, {:.0f} deg by {}", known->pose.x_m, known->pose.y_m,
                       known->pose.theta_rad * 180.0 / M_PI, known->by);
   line += fmt::format("; battery {:.1f} V", view.latest->frame.battery_v);
-  const roomba::LoopCounts counts = view.session.counts();
+  const roomba::LoopCounts counts = view.sensor_loop.counts();
   return line + fmt::format("; {} overruns, worst wake-up {:.0f} us late", counts.overruns,
-                            microseconds(view.session.lateness().largest()));
+                            microseconds(view.sensor_loop.lateness().largest()));
 }
 
 std::string status_json(const StatusView& view) {

@@ -11,16 +11,16 @@
 #include <string>
 
 #include "config/load/daemon_config.hpp"
-#include "daemon/threads/real_time.hpp"
+#include "daemon/threads/real_time_setup.hpp"
 #include "daemon/wiring/wiring.hpp"
-#include "drivers/roomba/session.hpp"
+#include "drivers/roomba/sensor_loop.hpp"
 
 namespace wheelwright::daemon {
 
 // All that is told of one moment.
 struct StatusView {
   const config::DaemonConfig& config;
-  const roomba::Session& session;
+  const roomba::SensorLoop& sensor_loop;
   const RealTimeStatus& real_time;
   std::filesystem::path run_folder;
   std::optional<LogEntry> latest;

@@ -26,12 +26,13 @@ std::string utc_now() {
 }
 
 CalibratorThread::CalibratorThread(const config::DaemonConfig& config, const Plan& plan,
-                                   std::filesystem::path folder, roomba::Session& session, Wiring& wiring)
+                                   std::filesystem::path folder, roomba::SensorLoop& sensor_loop,
+                                   Wiring& wiring)
     : config_(config),
       mission_(plan.mission),
       folder_(std::move(folder)),
       calibrator_(plan.mission, config.limits, plan.model),
-      session_(session),
+      sensor_loop_(sensor_loop),
       wiring_(wiring) {}
 
 void CalibratorThread::run() {
@@ -50,14 +51,14 @@ void CalibratorThread::deliver(CalibrationOutcome& outcome) {
   if (outcome.refusal) {
     spdlog::error("calibration refused: {}", outcome.refusal->reason);
     report_.refusal = outcome.refusal->reason;
-    session_.request_stop(StopReason::refused);
+    sensor_loop_.request_stop(StopReason::refused);
     wiring_.push(wiring_.deliveries, Delivery{});
     return;
   }
   if (outcome.route_refusal) {
     spdlog::error("{}", outcome.route_refusal->reason);
     report_.refusal = outcome.route_refusal->reason;
-    session_.request_stop(StopReason::refused);
+    sensor_loop_.request_stop(StopReason::refused);
     wiring_.push(wiring_.deliveries, Delivery{});
   }
   if (outcome.remark) {
@@ -102,8 +103,8 @@ void CalibratorThread::deliver_encoder_order(bool swapped) {
   }
   if (swapped) {
     const bool left_first = config_.link.encoder_order == roomba::EncoderOrder::left_is_43;
-    session_.request_encoder_order(left_first ? roomba::EncoderOrder::right_is_43
-                                              : roomba::EncoderOrder::left_is_43);
+    sensor_loop_.request_encoder_order(left_first ? roomba::EncoderOrder::right_is_43
+                                                  : roomba::EncoderOrder::left_is_43);
   }
   spdlog::info("encoder order: packet {} is the left wheel", swapped ? "44" : "43");
   wiring_.push(wiring_.deliveries, Delivery{.kind = CalibrationKind::encoder_order});

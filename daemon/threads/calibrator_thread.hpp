@@ -28,7 +28,7 @@ class CalibratorThread {
  public:
   // `folder` is the folder of this run; it exists.
   CalibratorThread(const config::DaemonConfig& config, const Plan& plan, std::filesystem::path folder,
-                   roomba::Session& session, Wiring& wiring);
+                   roomba::SensorLoop& sensor_loop, Wiring& wiring);
 
   // Runs until wiring.ending.
   void run();
@@ -50,7 +50,7 @@ class CalibratorThread {
   Mission mission_;
   std::filesystem::path folder_;
   Calibrator calibrator_;
-  roomba::Session& session_;
+  roomba::SensorLoop& sensor_loop_;
   Wiring& wiring_;
   CalibrationReport report_;
 };

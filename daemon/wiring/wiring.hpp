@@ -17,7 +17,7 @@
 #include <boost/lockfree/spsc_queue.hpp>
 
 #include "daemon/wiring/thread_failure.hpp"
-#include "drivers/roomba/session.hpp"
+#include "drivers/roomba/sensor_loop.hpp"
 #include "model/brain/brain.hpp"
 #include "model/brain/calibrator.hpp"
 

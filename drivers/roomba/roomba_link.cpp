@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "drivers/roomba/danger.hpp"
 #include "drivers/roomba/rest_bytes.hpp"
+#include "drivers/roomba/stop_reason.hpp"
 
 namespace wheelwright::roomba {
 namespace {
@@ -279,7 +279,7 @@ void RoombaLink::take_reading(const Reading& reading, SensorFrame& frame) {
   if (state_ == LinkState::starting) state_ = LinkState::running;
   last_sound_tick_ = frame.tick;
   // A wheel drop or cliff also ends Safe mode: the cause is told, not the consequence.
-  const StopReason danger = danger_in(reading, config_.lowest_battery_v);
+  const StopReason danger = stop_reason_in(reading, config_.lowest_battery_v);
   if (arm_state_ != ArmState::disarmed && danger != StopReason::none) stop(danger);
   follow_mode(reading.oi_mode);
 }

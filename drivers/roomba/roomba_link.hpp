@@ -1,4 +1,4 @@
-// The session with a Roomba, without clock, port or thread: ticks and bytes in, bytes and sensor frames out.
+// The link to a Roomba, without clock, port or thread: ticks and bytes in, bytes and sensor frames out.
 //
 // Query transport, each tick:   begin_tick -> write -> receive bytes -> complete_tick with the reading
 //                               (or complete_tick without one when the next tick comes first).

@@ -4,7 +4,7 @@
 // the motor's side of the gear, so that backlash is invisible to it.
 #pragma once
 
-#include "drivers/simulation/friction.hpp"
+#include "drivers/simulation/bearing_friction.hpp"
 #include "drivers/simulation/simulation_config.hpp"
 
 namespace wheelwright::simulation {
@@ -45,7 +45,7 @@ class DriveUnit {
   void let_teeth_meet();
 
   WheelConfig config_;
-  Friction friction_;
+  BearingFriction friction_;
   double torque_nm_per_a_;
   double motor_angle_rad_ = 0.0;
   double motor_speed_rad_s_ = 0.0;

@@ -1,6 +1,6 @@
 // coulomb_friction: speed loss that opposes motion, constant in size.
+#include "model/effects/dry_friction.hpp"
 #include "model/effects/effect.hpp"
-#include "model/effects/friction_element.hpp"
 
 namespace wheelwright::effects {
 namespace {
@@ -23,8 +23,8 @@ class CoulombFriction final : public EffectOf<CoulombFriction> {
 
  private:
   FrictionLevels levels_;
-  FrictionElement left_;
-  FrictionElement right_;
+  DryFriction left_;
+  DryFriction right_;
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // stiction: a wheel at rest needs more to break away than to keep moving.
+#include "model/effects/dry_friction.hpp"
 #include "model/effects/effect.hpp"
-#include "model/effects/friction_element.hpp"
 
 namespace wheelwright::effects {
 namespace {
@@ -24,8 +24,8 @@ class Stiction final : public EffectOf<Stiction> {
 
  private:
   FrictionLevels levels_;
-  FrictionElement left_;
-  FrictionElement right_;
+  DryFriction left_;
+  DryFriction right_;
 };
 
 // One that needs not twice as much to break away as to keep moving has mostly dry friction.

@@ -6,7 +6,8 @@
 //     happens at once (spike, freeze, stuck, stall, swap, lost counts),
 //   * gate on its mean over seven readings, 6 standard deviations but at least 3 mm; finds small jumps,
 //   * no count over 4.5 mm that the wheel was to roll; finds counts that are lost for a moment,
-//   * generalised likelihood ratio over windows up to 16 s (scale_drift_test.hpp), 7 standard deviations, 63
+//   * generalised likelihood ratio over windows up to 16 s (scale_drift_detector.hpp), 7 standard deviations,
+//   63
 //     windows four times a second: below 1e-4 an hour; finds what creeps.
 // What a linear model cannot know (motors that cannot brake) is not normal: both gates widen after changes of
 // speed, but where a reading jumps. Jumps of less than about 1 cm may stay unseen then, of 4 mm at steady
@@ -34,7 +35,7 @@ namespace wheelwright {
 struct TickEvidence {
   std::int64_t tick = 0;
   std::array<WheelEvidence, 2> wheels;      // left, right
-  std::array<double, 2> drift_statistic{};  // of scale_drift_test.hpp: steady, and with steps of any size
+  std::array<double, 2> drift_statistic{};  // of scale_drift_detector.hpp: steady, and with steps of any size
   std::array<double, 2> whole_drift_statistic{};
   std::array<double, 2> drift_collected_m{};
   bool driven = false;  // the robot obeys

@@ -33,7 +33,7 @@
 #include "model/filter/gain_misfit.hpp"
 #include "model/filter/model_doubt.hpp"
 #include "model/filter/pose_with_covariance.hpp"
-#include "model/filter/scale_drift_test.hpp"
+#include "model/filter/scale_drift_detector.hpp"
 #include "model/filter/wheel_filter.hpp"
 #include "model/geometry/wheel_side.hpp"
 #include "model/log/sensor_frame.hpp"
@@ -96,7 +96,7 @@ class HybridFilter {
   // The model in motion, where the filter has the robot.
   const ModelSimulation& simulation() const { return simulation_; }
   const GainMisfit& gain_misfit() const { return misfit_; }
-  const ScaleDriftTest& drift_test(WheelSide wheel) const {
+  const ScaleDriftDetector& drift_test(WheelSide wheel) const {
     return wheel == WheelSide::right ? right_.drift : left_.drift;
   }
 
@@ -106,7 +106,7 @@ class HybridFilter {
         : filter(noise, period_s), drift(period_s, gain_standard_error), metres_per_tick(scale) {}
 
     WheelFilter filter;
-    ScaleDriftTest drift;
+    ScaleDriftDetector drift;
     double metres_per_tick;
     double predicted_m = 0.0;  // over this tick
     double doubt_m = 0.0;      // by which that may be another (model_doubt.hpp)

@@ -4,7 +4,7 @@
 // There no standard deviation of the parameter describes what the wheels may do: they do the one thing or the
 // other. The model is run beside itself with each parameter of its effects moved up and down by three
 // standard deviations. What a parameter changes smoothly it changes by as much up as down; that is left to
-// the gain error and the roughness that the filter learns (scale_drift_test.hpp). What remains,
+// the gain error and the roughness that the filter learns (scale_drift_detector.hpp). What remains,
 //
 //   doubt = max_k |v(up_k) + v(down_k) - 2 v|,    v: speed of a wheel
 //

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "model/identification/arx_layout.hpp"
-#include "model/identification/least_squares.hpp"
+#include "model/identification/least_squares_accumulator.hpp"
 
 namespace wheelwright {
 

@@ -11,7 +11,7 @@
 #include "model/identification/free_run_refinement.hpp"
 #include "model/identification/free_run_starts.hpp"
 #include "model/identification/held_out_error.hpp"
-#include "model/identification/small_solve.hpp"
+#include "model/identification/least_squares_solution.hpp"
 #include "model/log/near_periods.hpp"
 #include "model/log/run_periods.hpp"
 #include "model/prediction/free_run.hpp"

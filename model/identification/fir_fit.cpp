@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "model/identification/fit_checks.hpp"
-#include "model/identification/least_squares.hpp"
+#include "model/identification/least_squares_accumulator.hpp"
 #include "model/identification/response_prior.hpp"
 #include "model/identification/travel_equations.hpp"
 #include "model/log/near_periods.hpp"

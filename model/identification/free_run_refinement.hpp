@@ -20,8 +20,8 @@
 
 #include "model/geometry/wheel_side.hpp"
 #include "model/identification/arx_layout.hpp"
+#include "model/identification/least_squares_solution.hpp"
 #include "model/identification/response_prior.hpp"
-#include "model/identification/small_solve.hpp"
 #include "model/identification/travel_runs.hpp"
 #include "model/identification/travel_whitener.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "model/identification/arx_accumulator.hpp"
-#include "model/identification/small_solve.hpp"
+#include "model/identification/least_squares_solution.hpp"
 #include "model/log/run_periods.hpp"
 
 namespace wheelwright {

@@ -9,7 +9,7 @@
 #include <memory>
 #include <thread>
 
-#include "daemon/threads/real_time.hpp"
+#include "daemon/threads/real_time_setup.hpp"
 #include "model/brain/brain.hpp"
 #include "tests/benchmark/plant_log.hpp"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "model/identification/arx_accumulator.hpp"
-#include "model/identification/small_solve.hpp"
+#include "model/identification/least_squares_solution.hpp"
 #include "model/log/run_periods.hpp"
 #include "tests/benchmark/solver/other_solvers.hpp"
 #include "tests/support/plant_run.hpp"

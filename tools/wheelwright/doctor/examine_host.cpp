@@ -7,7 +7,7 @@
 #include <cmath>
 #include <thread>
 
-#include "daemon/threads/real_time.hpp"
+#include "daemon/threads/real_time_setup.hpp"
 #include "tools/wheelwright/doctor/interruption.hpp"
 #include "tools/wheelwright/doctor/judge_host.hpp"
 

@@ -1,6 +1,6 @@
 #include "model/identification/arx_accumulator.hpp"
 
-#include "model/identification/small_solve.hpp"
+#include "model/identification/least_squares_solution.hpp"
 #include "model/log/run_periods.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/plant_run.hpp"

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "model/identification/least_squares.hpp"
+#include "model/identification/least_squares_accumulator.hpp"
 
 namespace wheelwright {
 

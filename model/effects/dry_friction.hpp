@@ -18,7 +18,7 @@ struct FrictionLevels {
   double sticking_m_s = 0.002;  // a slower wheel stands again, unless its drive would break it away
 };
 
-class FrictionElement {
+class DryFriction {
  public:
   // The wheel's speed over the period; `frictionless_m_s` is what the linear part says.
   double step(double frictionless_m_s, const FrictionLevels& levels, double period_s) {

@@ -1,4 +1,4 @@
-#include "drivers/roomba/session.hpp"
+#include "drivers/roomba/sensor_loop.hpp"
 
 #include <utility>  // Boost.Asio 1.74 needs it and does not say so
 
@@ -33,14 +33,14 @@ void sleep_until(steady_clock::time_point deadline) {
 
 }  // namespace
 
-struct Session::Io {
+struct SensorLoop::Io {
   asio::io_context context{1};
   asio::posix::stream_descriptor port{context};
   asio::steady_timer timer{context};
 };
 
-Session::Session(const SessionConfig& config, const serial::OpenPort& first_port, LoopClient& client,
-                 PortGuard* guard)
+SensorLoop::SensorLoop(const SensorLoopConfig& config, const serial::OpenPort& first_port, LoopClient& client,
+                       PortGuard* guard)
     : config_(config),
       client_(client),
       guard_(guard),
@@ -52,18 +52,18 @@ Session::Session(const SessionConfig& config, const serial::OpenPort& first_port
   adopt(first_port);
 }
 
-Session::~Session() = default;
+SensorLoop::~SensorLoop() = default;
 
-LoopCounts Session::counts() const {
+LoopCounts SensorLoop::counts() const {
   return {counts_.ticks.value(),          counts_.overruns.value(),      counts_.skipped_periods.value(),
           counts_.writes_held_up.value(), counts_.commands_late.value(), counts_.sound_readings.value()};
 }
 
-double Session::now_s() const {
+double SensorLoop::now_s() const {
   return std::chrono::duration<double>(steady_clock::now().time_since_epoch()).count();
 }
 
-void Session::run() {
+void SensorLoop::run() {
   started_ = steady_clock::now();
   deadline_ = started_ + period_;
   start_reading();
@@ -78,19 +78,19 @@ void Session::run() {
 }
 
 // A running stream is the clock; the timer then only notices its silence.
-steady_clock::time_point Session::timer_due() const {
+steady_clock::time_point SensorLoop::timer_due() const {
   const bool streaming = config_.link.transport == Transport::stream && link_.state() == LinkState::running;
   return streaming ? deadline_ + period_ : deadline_ - wake_ahead;
 }
 
-void Session::wait_for_tick() {
+void SensorLoop::wait_for_tick() {
   io_->timer.expires_at(timer_due());
   io_->timer.async_wait([this](const boost::system::error_code& error) {
     if (!error) on_timer();
   });
 }
 
-void Session::on_timer() {
+void SensorLoop::on_timer() {
   // A frame has come since the wait began. Were the wait begun again with each frame, Asio would need memory
   // for the old and the new one.
   if (steady_clock::now() < timer_due()) {
@@ -110,14 +110,14 @@ void Session::on_timer() {
   if (!ending_) wait_for_tick();
 }
 
-void Session::note_lateness(std::chrono::nanoseconds lateness) {
+void SensorLoop::note_lateness(std::chrono::nanoseconds lateness) {
   lateness_.add(lateness);
   silence_watch_.woke_up(lateness);
   client_.on_wake_up(deadline_, lateness);
 }
 
 // After an overrun the loop goes on at the next whole period: phase is kept, what was missed is counted.
-void Session::skip_missed_periods() {
+void SensorLoop::skip_missed_periods() {
   const auto late = steady_clock::now() - deadline_;
   if (late < period_ || config_.link.transport == Transport::stream) return;
   const auto missed = late / period_;
@@ -129,7 +129,7 @@ void Session::skip_missed_periods() {
   report(EventCode::overrun, static_cast<double>(missed));
 }
 
-void Session::tick() {
+void SensorLoop::tick() {
   if (tick_open_) finish_tick(nullptr);
   take_requests();
   if (ending_) {
@@ -140,7 +140,7 @@ void Session::tick() {
   begin_tick();
 }
 
-void Session::take_requests() {
+void SensorLoop::take_requests() {
   const bool arm = arm_requested_.exchange(false, std::memory_order_relaxed);
   if (end_requested_.load(std::memory_order_relaxed)) {
     end_when_standing();
@@ -156,7 +156,7 @@ void Session::take_requests() {
 
 // Who arms a robot that does not answer is not to see it drive off minutes later, when somebody switches it
 // on.
-void Session::arm_if_there() {
+void SensorLoop::arm_if_there() {
   if (link_.armed() && !link_.stands()) {
     report(EventCode::arm_needless, 0.0);
   } else if (link_.state() == LinkState::running) {
@@ -167,7 +167,7 @@ void Session::arm_if_there() {
 }
 
 // A robot brakes only while it obeys; sent to Passive at speed it would roll on for half a second.
-void Session::end_when_standing() {
+void SensorLoop::end_when_standing() {
   if (!end_by_tick_) {
     end_by_tick_ = tick_ + std::llround(longest_braking_s / config_.link.period_s);
     if (!link_.disarmed() && !(link_.armed() && link_.stands())) link_.stop(StopReason::requested);
@@ -175,7 +175,7 @@ void Session::end_when_standing() {
   ending_ = link_.state() != LinkState::running || link_.stands() || tick_ >= *end_by_tick_;
 }
 
-void Session::begin_tick() {
+void SensorLoop::begin_tick() {
   ++tick_;
   counts_.ticks.add();
   if (guard_ != nullptr) guard_->beat();
@@ -183,7 +183,7 @@ void Session::begin_tick() {
   write(link_.begin_tick(tick_, now_s(), client_.command_for(tick_)));
 }
 
-void Session::finish_tick(const open_interface::Reading* reading) {
+void SensorLoop::finish_tick(const open_interface::Reading* reading) {
   tick_open_ = false;
   SensorFrame frame = link_.complete_tick(reading);
   if (reading != nullptr) frame.late_us = lateness_of_reply_us();
@@ -197,7 +197,7 @@ void Session::finish_tick(const open_interface::Reading* reading) {
 
 // A frame of the stream is of its own moment by the robot's clock, however late it comes: adapters hand over
 // two and more at once.
-std::int32_t Session::lateness_of_reply_us() {
+std::int32_t SensorLoop::lateness_of_reply_us() {
   if (config_.link.transport == Transport::stream) return 0;
   const std::chrono::nanoseconds taken = steady_clock::now() - tick_due_;
   quickest_reply_ = std::min(quickest_reply_, taken);
@@ -206,7 +206,7 @@ std::int32_t Session::lateness_of_reply_us() {
       std::clamp<std::int64_t>(late / std::chrono::microseconds(1), 0, largest_late_us));
 }
 
-void Session::note_silence(bool received) {
+void SensorLoop::note_silence(bool received) {
   const auto skipped = counts_.skipped_periods.value();
   if (received) silence_watch_.received(skipped, link_.reply_counts());
   if (link_.stop_reason() == StopReason::blind && reported_stop_ != StopReason::blind) {
@@ -214,7 +214,7 @@ void Session::note_silence(bool received) {
   }
 }
 
-void Session::start_reading() {
+void SensorLoop::start_reading() {
   if (!io_->port.is_open()) return;
   io_->port.async_read_some(asio::buffer(input_),
                             [this](const boost::system::error_code& error, std::size_t count) {
@@ -228,13 +228,13 @@ void Session::start_reading() {
                             });
 }
 
-void Session::on_bytes(std::size_t count) {
+void SensorLoop::on_bytes(std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     if (const auto reading = link_.receive(input_.at(i))) on_reading(*reading);
   }
 }
 
-void Session::on_reading(const open_interface::Reading& reading) {
+void SensorLoop::on_reading(const open_interface::Reading& reading) {
   if (config_.link.transport == Transport::query) {
     if (tick_open_) finish_tick(&reading);
     return;
@@ -247,14 +247,14 @@ void Session::on_reading(const open_interface::Reading& reading) {
   deadline_ = steady_clock::now() + period_;
 }
 
-void Session::measure_stream_period() {
+void SensorLoop::measure_stream_period() {
   if (++stream_frames_ == 1) first_stream_frame_s_ = now_s();
   if (stream_frames_ != frames_to_measure + 1) return;
   report(EventCode::stream_period,
          (now_s() - first_stream_frame_s_) / static_cast<double>(frames_to_measure));
 }
 
-bool Session::flush_held_up() {
+bool SensorLoop::flush_held_up() {
   if (held_up_size_ == 0) return true;
   const ssize_t written = ::write(io_->port.native_handle(), held_up_.data(), held_up_size_);
   if (written <= 0) return false;
@@ -265,7 +265,7 @@ bool Session::flush_held_up() {
 }
 
 // A command goes out whole or, if the port takes only part of it now, its rest goes out before anything else.
-void Session::write(std::span<const std::uint8_t> bytes) {
+void SensorLoop::write(std::span<const std::uint8_t> bytes) {
   if (bytes.empty() || !io_->port.is_open()) return;
   if (!flush_held_up()) {
     drop_port();
@@ -284,7 +284,7 @@ void Session::write(std::span<const std::uint8_t> bytes) {
   held_up_size_ = rest.size();
 }
 
-void Session::adopt(const serial::OpenPort& port) {
+void SensorLoop::adopt(const serial::OpenPort& port) {
   io_->port.assign(port.descriptor);
   held_up_size_ = 0;
   stream_frames_ = 0;
@@ -293,13 +293,13 @@ void Session::adopt(const serial::OpenPort& port) {
   if (guard_ != nullptr) guard_->port_opened(port.descriptor);
 }
 
-void Session::close_port() {
+void SensorLoop::close_port() {
   boost::system::error_code ignored;
   io_->port.close(ignored);
   if (guard_ != nullptr) guard_->port_closed();
 }
 
-void Session::drop_port() {
+void SensorLoop::drop_port() {
   if (!io_->port.is_open()) return;
   close_port();
   link_.stop(StopReason::link_lost);
@@ -307,7 +307,7 @@ void Session::drop_port() {
   reopening_.closed(tick_);
 }
 
-void Session::reopen_if_due() {
+void SensorLoop::reopen_if_due() {
   if (link_.state() == LinkState::lost) drop_port();
   if (link_.state() != LinkState::closed || !reopening_.due(tick_)) return;
   const auto port = serial::open_port(config_.device, config_.baud);
@@ -320,7 +320,7 @@ void Session::reopen_if_due() {
   reopening_.failed(tick_);
 }
 
-void Session::report_changes() {
+void SensorLoop::report_changes() {
   if (link_.state() != reported_state_) {
     if (link_.state() == LinkState::running) {
       report(EventCode::robot_answers, 1e-3 * link_.last_reading().voltage_mv);
@@ -355,7 +355,7 @@ void Session::report_changes() {
   }
 }
 
-void Session::report(EventCode code, double value, std::string_view text) {
+void SensorLoop::report(EventCode code, double value, std::string_view text) {
   Event event;
   event.t_s = static_cast<double>(tick_) * config_.link.period_s;
   event.code = code;

@@ -67,19 +67,19 @@ struct LoopCounts {
   std::int64_t sound_readings = 0;
 };
 
-struct SessionConfig {
+struct SensorLoopConfig {
   LinkConfig link;
   std::filesystem::path device;
   int baud = 115200;
 };
 
-class Session {
+class SensorLoop {
  public:
   // `first_port` is the port as it was opened at start-up (so that a missing device is an error there).
   // Without a guard nobody stops the wheels when this process cannot.
-  Session(const SessionConfig& config, const serial::OpenPort& first_port, LoopClient& client,
-          PortGuard* guard = nullptr);
-  ~Session();
+  SensorLoop(const SensorLoopConfig& config, const serial::OpenPort& first_port, LoopClient& client,
+             PortGuard* guard = nullptr);
+  ~SensorLoop();
 
   // Loops until request_end(). Puts the wheels to rest on the way out, whatever the reason.
   void run();
@@ -129,7 +129,7 @@ class Session {
   void measure_stream_period();
   double now_s() const;
 
-  SessionConfig config_;
+  SensorLoopConfig config_;
   LoopClient& client_;
   PortGuard* guard_;
   RoombaLink link_;

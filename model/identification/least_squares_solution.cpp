@@ -1,4 +1,4 @@
-#include "model/identification/small_solve.hpp"
+#include "model/identification/least_squares_solution.hpp"
 
 #include <Eigen/QR>
 #include <Eigen/SVD>

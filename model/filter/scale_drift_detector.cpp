@@ -1,4 +1,4 @@
-#include "model/filter/scale_drift_test.hpp"
+#include "model/filter/scale_drift_detector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,27 +22,27 @@ constexpr double largest_step = 2.0;
 
 }  // namespace
 
-ScaleDriftTest::ScaleDriftTest(double period_s, double gain_standard_error)
+ScaleDriftDetector::ScaleDriftDetector(double period_s, double gain_standard_error)
     : ticks_per_mark_(std::max(1, static_cast<int>(std::lround(mark_interval_s / period_s)))),
       gain_variance_(gain_standard_error * gain_standard_error) {}
 
-double ScaleDriftTest::gain_standard_error() const {
+double ScaleDriftDetector::gain_standard_error() const {
   return std::sqrt(gain_variance_ + gain_floor * gain_floor);
 }
 
-double ScaleDriftTest::roughness() const {
+double ScaleDriftDetector::roughness() const {
   return std::sqrt(std::max(1.0, roughness2_));
 }
 
-void ScaleDriftTest::interrupt() {
+void ScaleDriftDetector::interrupt() {
   ticks_ = 0;
   count_ = 0;
   statistic_ = whole_statistic_ = 0.0;
   collected_m_ = 0.0;
 }
 
-void ScaleDriftTest::take(double predicted_m, double doubt_m, double offset_m, double process_variance_m2,
-                          double reading_sd_m) {
+void ScaleDriftDetector::take(double predicted_m, double doubt_m, double offset_m, double process_variance_m2,
+                              double reading_sd_m) {
   now_.model_m += predicted_m;
   now_.distance_m += std::abs(predicted_m);
   now_.doubt_m += doubt_m;
@@ -63,21 +63,21 @@ void ScaleDriftTest::take(double predicted_m, double doubt_m, double offset_m, d
 }
 
 // Anything from none of it to all of it, all along the same.
-double ScaleDriftTest::doubt_variance_m2(const Mark& then, const Mark& now) {
+double ScaleDriftDetector::doubt_variance_m2(const Mark& then, const Mark& now) {
   const double doubt_m = now.doubt_m - then.doubt_m;
   return doubt_m * doubt_m / 3.0;
 }
 
-double ScaleDriftTest::step_variance_m2(const Mark& then, const Mark& now) const {
+double ScaleDriftDetector::step_variance_m2(const Mark& then, const Mark& now) const {
   return std::max(1.0, roughness2_) * (now.variance_m2 - then.variance_m2) + doubt_variance_m2(then, now) +
          smallest_step_m * smallest_step_m;
 }
 
-double ScaleDriftTest::collected_m(const Mark& then, const Mark& now) const {
+double ScaleDriftDetector::collected_m(const Mark& then, const Mark& now) const {
   return now.offset_m - then.offset_m - gain_error_ * (now.model_m - then.model_m);
 }
 
-void ScaleDriftTest::look_back() {
+void ScaleDriftDetector::look_back() {
   statistic_ = whole_statistic_ = 0.0;
   collected_m_ = 0.0;
   if (!ready()) return;
@@ -105,7 +105,7 @@ void ScaleDriftTest::look_back() {
   }
 }
 
-void ScaleDriftTest::learn(const Mark& older, const Mark& newer) {
+void ScaleDriftDetector::learn(const Mark& older, const Mark& newer) {
   gain_variance_ += gain_walk_per_mark * gain_walk_per_mark;
   const double model_m = newer.model_m - older.model_m;
   const double noise_m2 = step_variance_m2(older, newer);
@@ -114,7 +114,7 @@ void ScaleDriftTest::learn(const Mark& older, const Mark& newer) {
   gain_variance_ *= 1.0 - weight * model_m;
 }
 
-void ScaleDriftTest::learn_roughness() {
+void ScaleDriftDetector::learn_roughness() {
   const Mark& older = past_[(newest_ + 1) % marks];
   const Mark& newer = past_[(newest_ + 1 + roughness_marks) % marks];
   const double expected_m2 = newer.variance_m2 - older.variance_m2 + doubt_variance_m2(older, newer) +

@@ -69,14 +69,14 @@ CallsWhileDriving drive_a_route(roomba::Transport transport) {
   link.transport = transport;
   link.late_commands_held = 50;  // the machine may be busy; that is not what is tested
   link.blind_limit_s = 0.9;
-  roomba::Session session({link, robot.path(), 115200}, *port, client);
+  roomba::SensorLoop sensor_loop({link, robot.path(), 115200}, *port, client);
   Brain brain(test::triangle_mission(PoseSource::fir), RobotLimits{},
               std::make_unique<DrivingModel>(test::lagging_model()));
   test::HeapCalls loop_calls{0};
   test::HeapCalls predictor_calls{0};
   std::thread loop([&] {
     const test::CountedScope scope(loop_calls);
-    session.run();
+    sensor_loop.run();
   });
   std::thread predictor([&] {
     const test::CountedScope scope(predictor_calls);
@@ -88,18 +88,18 @@ CallsWhileDriving drive_a_route(roomba::Transport transport) {
   std::this_thread::sleep_for(1s);
   const std::uint64_t loop_before = loop_calls;
   const std::uint64_t predictor_before = predictor_calls;
-  session.request_arm();
+  sensor_loop.request_arm();
   result.finished = within(60s, wiring->finished);
   result.loop = loop_calls - loop_before;
   result.predictor = predictor_calls - predictor_before;
 
-  session.request_end();
+  sensor_loop.request_end();
   loop.join();
   wiring->ending = true;
   wiring->frame_arrived.release();
   predictor.join();
-  result.readings = transport == roomba::Transport::query ? session.link().reply_counts().sound
-                                                          : session.link().stream_counts().frames;
+  result.readings = transport == roomba::Transport::query ? sensor_loop.link().reply_counts().sound
+                                                          : sensor_loop.link().stream_counts().frames;
   return result;
 }
 

@@ -28,7 +28,7 @@ namespace wheelwright::daemon {
 
 struct GuardianConfig {
   roomba::DriveMode drive_mode = roomba::DriveMode::direct;
-  std::chrono::milliseconds patience{250};  // without a beat; see Guardian::set_patience
+  std::chrono::milliseconds patience{250};  // without a beat; see GuardianHandle::set_patience
   int priority = 0;                         // SCHED_FIFO, where it is to be had; 0: does not ask for it
   bool lock_memory = false;
 };
@@ -47,16 +47,16 @@ struct GuardianBoard {
 };
 static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
 
-class Guardian final : public roomba::PortGuard {
+class GuardianHandle final : public roomba::PortGuard {
  public:
   // Starts the process. Call it before memory is locked. Throws StartFailure where the system has no process
   // or socket left.
-  explicit Guardian(const GuardianConfig& config);
-  Guardian(const Guardian&) = delete;
-  Guardian& operator=(const Guardian&) = delete;
+  explicit GuardianHandle(const GuardianConfig& config);
+  GuardianHandle(const GuardianHandle&) = delete;
+  GuardianHandle& operator=(const GuardianHandle&) = delete;
   // The daemon ends in order: so does the guardian, without touching the wheels. One that does not within
   // half a second is killed.
-  ~Guardian() override;
+  ~GuardianHandle() override;
 
   void port_opened(int descriptor) override;
   void port_closed() override;

@@ -1,4 +1,4 @@
-#include "model/identification/least_squares.hpp"
+#include "model/identification/least_squares_accumulator.hpp"
 
 #include <cmath>
 

@@ -20,9 +20,9 @@
 
 namespace wheelwright {
 
-class ScaleDriftTest {
+class ScaleDriftDetector {
  public:
-  ScaleDriftTest(double period_s, double gain_standard_error);
+  ScaleDriftDetector(double period_s, double gain_standard_error);
 
   // Takes a tick on which the reading was accepted. `doubt_m` is by how much the model's travel may be
   // another (model_doubt.hpp), `offset_m` the travel beyond the model's so far.

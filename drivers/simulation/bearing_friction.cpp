@@ -1,18 +1,18 @@
-#include "drivers/simulation/friction.hpp"
+#include "drivers/simulation/bearing_friction.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace wheelwright::simulation {
 
-Friction::Friction(const FrictionConfig& config, double inertia_kg_m2) : config_(config) {
+BearingFriction::BearingFriction(const FrictionConfig& config, double inertia_kg_m2) : config_(config) {
   config_.stiction_nm = std::max(config.stiction_nm, config.coulomb_nm);
   if (config_.stiction_nm <= 0.0) return;
   stiffness_nm_per_rad_ = config_.stiction_nm / config_.bristle_deflection_rad;
   damping_nm_s_per_rad_ = std::sqrt(stiffness_nm_per_rad_ * inertia_kg_m2);
 }
 
-double Friction::torque_nm(double speed_rad_s, double scale, double duration_s) {
+double BearingFriction::torque_nm(double speed_rad_s, double scale, double duration_s) {
   const double viscous_nm = config_.viscous_nm_s_per_rad * speed_rad_s;
   if (stiffness_nm_per_rad_ == 0.0) return scale * viscous_nm;
   const double relative = speed_rad_s / config_.stribeck_speed_rad_s;

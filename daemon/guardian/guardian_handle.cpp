@@ -1,4 +1,4 @@
-#include "daemon/guardian/guardian.hpp"
+#include "daemon/guardian/guardian_handle.hpp"
 
 #include <sys/mman.h>
 #include <sys/socket.h>
@@ -68,7 +68,7 @@ std::chrono::milliseconds guardian_patience(const roomba::LinkConfig& link, bool
   return std::max(shortest_patience, std::chrono::ceil<std::chrono::milliseconds>(wanted));
 }
 
-Guardian::Guardian(const GuardianConfig& config) : board_(shared_board()) {
+GuardianHandle::GuardianHandle(const GuardianConfig& config) : board_(shared_board()) {
   set_patience(config.patience);
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) {
@@ -81,7 +81,7 @@ Guardian::Guardian(const GuardianConfig& config) : board_(shared_board()) {
   socket_ = ends[0];
 }
 
-Guardian::~Guardian() {
+GuardianHandle::~GuardianHandle() {
   const int looks = socket_ >= 0 ? looks_in_order : looks_while_braking;
   if (socket_ >= 0) {
     send_order(socket_, GuardianOrder::farewell);
@@ -95,29 +95,29 @@ Guardian::~Guardian() {
   ::munmap(board_, sizeof(GuardianBoard));
 }
 
-void Guardian::port_opened(int descriptor) {
+void GuardianHandle::port_opened(int descriptor) {
   send_order(socket_, GuardianOrder::adopt, descriptor);
 }
 
-void Guardian::port_closed() {
+void GuardianHandle::port_closed() {
   send_order(socket_, GuardianOrder::let_go);
 }
 
-void Guardian::set_patience(std::chrono::milliseconds patience) {
+void GuardianHandle::set_patience(std::chrono::milliseconds patience) {
   board_->patience_ms.store(patience.count(), std::memory_order_relaxed);
 }
 
-bool Guardian::has_acted() {
+bool GuardianHandle::has_acted() {
   const std::uint64_t acts = board_->acts.load(std::memory_order_relaxed);
   return std::exchange(acts_seen_, acts) != acts;
 }
 
-bool Guardian::alive() {
+bool GuardianHandle::alive() {
   ended_ = ended_ || ::waitpid(process_, nullptr, WNOHANG) == process_;
   return !ended_;
 }
 
-bool Guardian::responds() {
+bool GuardianHandle::responds() {
   const auto now = std::chrono::steady_clock::now();
   const auto since_last = std::min<std::chrono::nanoseconds>(now - asked_, longest_interval);
   asked_ = now;
@@ -127,7 +127,7 @@ bool Guardian::responds() {
   return silent_for_ < response_patience;
 }
 
-void Guardian::leave_wheels_to_guardian() {
+void GuardianHandle::leave_wheels_to_guardian() {
   ::close(std::exchange(socket_, -1));
 }
 

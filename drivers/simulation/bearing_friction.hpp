@@ -9,10 +9,10 @@
 
 namespace wheelwright::simulation {
 
-class Friction {
+class BearingFriction {
  public:
   // `inertia_kg_m2` is what the friction acts on: the bristles are damped for it.
-  Friction(const FrictionConfig& config, double inertia_kg_m2);
+  BearingFriction(const FrictionConfig& config, double inertia_kg_m2);
 
   // Moves the bristles on, and returns the torque against motion. `scale` multiplies all friction (1: as
   // configured).

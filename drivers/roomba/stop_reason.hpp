@@ -7,6 +7,6 @@
 namespace wheelwright::roomba {
 
 // The worst of what is wrong, or none.
-StopReason danger_in(const open_interface::Reading& reading, double lowest_battery_v);
+StopReason stop_reason_in(const open_interface::Reading& reading, double lowest_battery_v);
 
 }  // namespace wheelwright::roomba

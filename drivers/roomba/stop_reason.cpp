@@ -1,8 +1,8 @@
-#include "drivers/roomba/danger.hpp"
+#include "drivers/roomba/stop_reason.hpp"
 
 namespace wheelwright::roomba {
 
-StopReason danger_in(const open_interface::Reading& reading, double lowest_battery_v) {
+StopReason stop_reason_in(const open_interface::Reading& reading, double lowest_battery_v) {
   constexpr unsigned bumps = 3U;
   constexpr unsigned wheel_drops = 12U;
   constexpr unsigned wheel_overcurrents = 24U;

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <random>
 
-#include "model/filter/scale_drift_test.hpp"
+#include "model/filter/scale_drift_detector.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace wheelwright;
@@ -36,7 +36,7 @@ class Wheel {
  private:
   std::mt19937_64 random_;
   std::normal_distribution<double> normal_;
-  ScaleDriftTest test_{period_s, 0.005};
+  ScaleDriftDetector test_{period_s, 0.005};
   double offset_m_ = 0.0;
 };
 

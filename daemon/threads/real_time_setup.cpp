@@ -1,4 +1,4 @@
-#include "daemon/threads/real_time.hpp"
+#include "daemon/threads/real_time_setup.hpp"
 
 #include <malloc.h>
 #include <pthread.h>
