@@ -159,7 +159,7 @@ TEST_CASE("What held-out runs hardly show is confirmed by training runs left out
   CHECK_FALSE(named_all_the_same);
 }
 
-TEST_CASE("What leaves noise alone is worth adding though it is small beside the strongest") {
+TEST_CASE("The less of what an effect leaves is correlated, the smaller it may be beside the strongest") {
   const Problem runs = driven(with_effects({}), 300);
   const ModelComparison comparison(runs, runs, {});
   const auto explaining = [](double nats, double autocorrelation_factor) {
@@ -173,8 +173,11 @@ TEST_CASE("What leaves noise alone is worth adding though it is small beside the
   first.candidates = {explaining(10000.0, 1.0)};
   CHECK(comparison.worth_adding(explaining(700.0, 30.0), {first}));
   CHECK_FALSE(comparison.worth_adding(explaining(300.0, 30.0), {first}));
-  CHECK(comparison.worth_adding(explaining(300.0, 1.5), {first}));
-  CHECK_FALSE(comparison.worth_adding(explaining(100.0, 1.5), {first}));
+  CHECK(comparison.worth_adding(explaining(300.0, 3.0), {first}));
+  CHECK_FALSE(comparison.worth_adding(explaining(200.0, 3.0), {first}));
+  CHECK(comparison.worth_adding(explaining(100.0, 1.5), {first}));
+  CHECK(comparison.worth_adding(explaining(40.0, 1.0), {first}));
+  CHECK_FALSE(comparison.worth_adding(explaining(25.0, 1.0), {first}));
 }
 
 TEST_CASE("What is out of its name's character is no candidate for it") {
