@@ -8,6 +8,7 @@
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
 #include "tools/wheelwright/import/inference/command_forms.hpp"
 #include "tools/wheelwright/import/inference/counter_kind.hpp"
+#include "tools/wheelwright/import/inference/gain_units.hpp"
 #include "tools/wheelwright/import/inference/gyro_scale.hpp"
 #include "tools/wheelwright/import/inference/metadata_roles.hpp"
 #include "tools/wheelwright/import/inference/named_roles.hpp"
@@ -60,6 +61,17 @@ std::vector<MappingEntry> overlaid(const Mapping& mapping, const GivenMapping& g
   return entries;
 }
 
+// Who states the speed of the largest duty states that commands are one. What number stands for it does not
+// depend on that.
+void set_full_scale(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping) {
+  if (!mapping.command || mapping.command->is_of_body()) return;
+  CommandMapping& command = *mapping.command;
+  const bool implied = given.says("command.full_scale_m_s") && !given.says("command.kind");
+  if (implied && !command.is_duty()) command.kind = CommandKind::duty;
+  if (command.kind != CommandKind::duty || given.says("command.full_scale")) return;
+  command.full_scale = full_scale_of(std::max(largest(columns.command[0]), largest(columns.command[1])));
+}
+
 }  // namespace
 
 Inference infer_mapping(std::span<const Recording> recordings, const GivenMapping& given) {
@@ -82,6 +94,7 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
     if (const auto columns = gather_sample(recordings, mapping)) {
       infer_counters(*columns, given, mapping, inference.findings, inference.doubts);
       infer_steering(*columns, given, mapping, inference.findings, inference.doubts);
+      set_full_scale(*columns, given, mapping);
       set_units(*columns, given, mapping, inference.findings, inference.doubts);
       set_step_scale(*columns, given, mapping, inference.findings);
       set_gyro_unit(*columns, given, mapping, inference.findings, inference.doubts);

@@ -23,12 +23,21 @@ class ReferenceFinder {
   }
 
  private:
+  // What a model makes of the commands; so are the poses in each log of a run of this daemon.
+  static bool is_predicted(const Named& x) {
+    const std::string words = config::lower_case(x.stream->name + " " + x.channel->name);
+    return words.find("/pose/model") != std::string::npos || words.find("predicted") != std::string::npos ||
+           x.stream->find("model_version") != nullptr;
+  }
+
   // How much a stream looks like a measurement from outside of the robot.
   int trust(const Named& x) const {
     const std::string words =
         config::lower_case(x.stream->name + " " + x.channel->name + " " + x.stream->type);
     const auto says = [&](std::string_view word) { return words.find(word) != std::string::npos; };
-    if (says("odom")) return has_wheels_ ? -1 : 0;  // what the robot makes of its own counts
+    if (is_predicted(x)) return -1;
+    if (says("odom") || says("/pose/hybrid"))
+      return has_wheels_ ? -1 : 0;  // what is made of the robot's own counts
     if (says("mocap") || says("vicon") || says("opti") || says("truth") || says("gt") || says("ref"))
       return 3;
     return says("amcl") || says("map") || says("pose") ? 2 : 1;
@@ -71,8 +80,11 @@ class ReferenceFinder {
     const Named* best = nullptr;
     std::string others;
     for (const auto& named : named_.list()) {
-      if (named.meaning.quantity != Quantity::x || trust(named) < 0 || !named_.beside(named, Quantity::y))
-        continue;
+      if (named.meaning.quantity != Quantity::x || !named_.beside(named, Quantity::y)) continue;
+      if (is_predicted(named))
+        findings_.push_back(named.name().text() +
+                            " is what a model predicted, and no measurement: it is not the reference");
+      if (trust(named) < 0) continue;
       if (!moves(*named.channel) && !moves(*named_.beside(named, Quantity::y)->channel)) continue;
       if (best != nullptr && trust(named) <= trust(*best)) {
         if (named.stream != best->stream) others += ", " + named.name().text();

@@ -251,3 +251,21 @@ TEST_CASE("Units are found in a long table whose robot stands for most of it") {
   check_same(outcome, drive);
   CHECK(outcome.understood.mapping.command->unit == "mm/s");
 }
+
+TEST_CASE("What the model of a run predicted is no measurement of the pose") {
+  const auto drive = foreign_drive();
+  const auto with_pose = [&](const std::string& more_names, const std::string& more) {
+    return import_text(
+        foreign_text(drive, "t,cmd_left,cmd_right,ticks_left,ticks_right,x,y,theta" + more_names,
+                     [&](const ForeignRow& row) {
+                       return number(row.t_s) + "," + number(row.command_left) + "," +
+                              number(row.command_right) + "," + counts(row) + "," + number(row.x) + "," +
+                              number(row.y) + "," + number(row.theta) + more;
+                     }),
+        {"robot.wheel_base_m=0.3", "wheels.metres_per_count=0.0005"});
+  };
+  CHECK(with_pose("", "").understood.mapping.reference);
+  const auto of_a_run = with_pose(",model_version", ",3");
+  CHECK_FALSE(of_a_run.understood.mapping.reference);
+  CHECK(of_a_run.found("is what a model predicted"));
+}

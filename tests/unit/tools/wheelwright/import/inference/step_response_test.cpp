@@ -83,6 +83,17 @@ TEST_CASE("A step that does not settle gives its wheel, and asks for the full sc
   CHECK_THAT(outcome.conversion.error(), Catch::Matchers::EndsWith("give --set command.full_scale_m_s=0.5"));
 }
 
+TEST_CASE("What number stands for all of a duty does not depend on whether its speed is given") {
+  std::vector<std::string> given = known;
+  given.emplace_back("command.full_scale_m_s=0.5");
+  for (const double settling : {0.6, 0.1}) {
+    const auto outcome = import_text(step_text({.settling = settling}), given);
+    if (!outcome.conversion) FAIL(outcome.conversion.error());
+    CHECK(outcome.understood.mapping.command->full_scale == 100.0);
+    CHECK_THAT(outcome.conversion->runs.front().samples.back().command_m_s.left, WithinRel(0.5 * 0.4, 1e-6));
+  }
+}
+
 TEST_CASE("A step whose file holds no command, or units, says all that is missing in one line") {
   const auto without = import_text(step_text({.command = "0"}), known);
   REQUIRE_FALSE(without.conversion);
