@@ -186,8 +186,9 @@ void check_log_for_model(const DriveLog& log, const LinearModel& model, std::ost
   // One that was fitted to poses has a wheel base of its own.
   if (differ(log.wheel_base_m, model.wheel_base_m, max_apart_bases)) {
     err << "wheelwright: warning: " << log.name << ": its wheel base is " << plain_number(log.wheel_base_m)
-        << " m, but that of the model is " << plain_number(model.wheel_base_m)
-        << " m; is it the same robot?\n";
+        << " m, but that of the model is " << config::fixed_number(model.wheel_base_m, 4)
+        << " m; is it another robot, or was the model fitted to poses, by which turns have a wheel base of "
+           "their own?\n";
   }
   for (const auto& hole : describe_holes(log)) {
     err << "wheelwright: warning: " << hole << "; what was commanded there is not known\n";

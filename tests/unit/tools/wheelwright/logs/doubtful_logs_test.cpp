@@ -123,7 +123,7 @@ TEST_CASE("A score warns of another robot's wheel base, not of one that was fitt
     return wheelwright_command({"score", model_path(), saved("base.csv", log)}).err;
   };
   CHECK(warning_for(0.2351).empty());
-  CHECK_THAT(warning_for(0.258), ContainsSubstring("is it the same robot?"));
+  CHECK_THAT(warning_for(0.258), ContainsSubstring("is it another robot, or was the model fitted to poses"));
 }
 
 TEST_CASE("Runs of other robots are refused with what differs and by how much") {
