@@ -1,51 +1,15 @@
 #include "tools/wheelwright/gap/compare_simulation.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <sstream>
 
-#include "config/load/text_format.hpp"
 #include "model/gap/data_checks/informative_segments.hpp"
 #include "model/gap/simulation/simulated_motion.hpp"
 #include "tools/wheelwright/common/commands.hpp"
 #include "tools/wheelwright/common/parallel_for.hpp"
+#include "tools/wheelwright/gap/simulated_run.hpp"
 
 namespace wheelwright::tools {
 namespace {
-
-double duration_s(const DriveLog& log) {
-  return log.samples.back().t_s - log.samples.front().t_s;
-}
-
-bool tells_motion(const DriveSample& sample) {
-  return sample.ticks || sample.reference_x_m || sample.reference_theta_rad;
-}
-
-// A simulation that diverges leaves rows without numbers, or places where no robot comes.
-void check_simulated(const DriveLog& simulated, const DriveLog& real) {
-  constexpr double min_share = 0.9;
-  constexpr double farthest_m = 1e4;
-  const std::string beside =
-      ", but the commands of " + real.name + " last " + config::fixed_number(duration_s(real), 1) + " s";
-  const double min_s = min_share * duration_s(real);
-  if (duration_s(simulated) < min_s) {
-    throw UsageError(simulated.name + ": ends after " + config::fixed_number(duration_s(simulated), 1) +
-                     " s" + beside);
-  }
-  double told_s = 0.0;
-  for (const DriveSample& sample : simulated.samples) {
-    const double time_s = sample.t_s - simulated.samples.front().t_s;
-    if (tells_motion(sample)) told_s = time_s;
-    const double far_m = std::hypot(sample.reference_x_m.value_or(0.0), sample.reference_y_m.value_or(0.0));
-    if (far_m <= farthest_m) continue;
-    throw UsageError(simulated.name + ": after " + config::fixed_number(time_s, 1) + " s the robot is " +
-                     config::plain_number(far_m) + " m away; the simulation diverges");
-  }
-  if (told_s < min_s) {
-    throw UsageError(simulated.name + ": neither poses nor counts after " + config::fixed_number(told_s, 1) +
-                     " s" + beside);
-  }
-}
 
 std::vector<DriveLog> runs_of_simulator(const SimulationInput& input, const std::vector<DriveLog>& real,
                                         const std::filesystem::path& folder, std::ostream& err,
@@ -56,8 +20,7 @@ std::vector<DriveLog> runs_of_simulator(const SimulationInput& input, const std:
   });
   std::vector<DriveLog> simulated;
   for (std::size_t run = 0; run < files.size(); ++run) {
-    simulated.push_back(load_one_run({{files[run]}, input.import}, err));
-    check_simulated(simulated.back(), real[run]);
+    simulated.push_back(load_simulated_run(files[run], real[run], input.import, err));
   }
   return simulated;
 }

@@ -186,18 +186,18 @@ void check_simulator(const Simulator& simulator) {
   }
 }
 
-std::vector<std::string> run_simulator(const Simulator& simulator, std::span<const DriveLog> runs,
-                                       const fs::path& folder,
-                                       const std::function<void(std::size_t)>& before_each) {
+std::vector<SimulatorRun> run_simulator(const Simulator& simulator, std::span<const DriveLog> runs,
+                                        const fs::path& folder,
+                                        const std::function<void(std::size_t)>& before_each) {
   make_folder(folder);
   const fs::path absolute = fs::absolute(folder);
   for (std::size_t i = 0; i < runs.size(); ++i) check_may_be_replaced(files_of(absolute, i), runs);
-  std::vector<std::string> written;
+  std::vector<SimulatorRun> written;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     before_each(i);
     const RunFiles files = files_of(absolute, i);
     run_once(simulator, runs[i], files);
-    written.push_back(files.out.string());
+    written.push_back({files.commands, files.out});
   }
   return written;
 }

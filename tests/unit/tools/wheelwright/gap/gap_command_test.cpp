@@ -302,7 +302,9 @@ TEST_CASE("gap --simulator runs the command on the commands of all runs, and say
   CHECK(fs::exists(real.output() / "simulation" / "run2_commands.csv"));
 }
 
-TEST_CASE("A simulator that stops early, tells nothing any more or diverges is refused with the moment") {
+TEST_CASE(
+    "A simulator that stops early, shows nothing any more, diverges or has other units is refused with the "
+    "reason") {
   test::GapCaseSpec spec;
   spec.runs = 2;
   spec.seconds = 12.0;
@@ -320,4 +322,9 @@ TEST_CASE("A simulator that stops early, tells nothing any more or diverges is r
              ContainsSubstring("neither poses nor counts after 5."));
   CHECK_THAT(said_of("NR > 300 && !/^#/ { $6 = 1e9 } { print }"),
              ContainsSubstring("the simulation diverges"));
+  CHECK_THAT(said_of("!/^#|t,/ { $6 *= 1000; $7 *= 1000 } { print }"),
+             ContainsSubstring("if its positions are in mm give --simulation-set reference.unit=mm"));
+  CHECK_THAT(
+      said_of("!/^#|t,/ { $4 = $5 = \"\"; $8 *= 57.2958 } { print }"),
+      ContainsSubstring("if its headings are in degrees give --simulation-set reference.angle_unit=deg"));
 }

@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::vector<std::string> run(const Simulator& simulator, const std::vector<DriveLog>& runs,
-                             const fs::path& folder) {
+std::vector<SimulatorRun> run(const Simulator& simulator, const std::vector<DriveLog>& runs,
+                              const fs::path& folder) {
   return run_simulator(simulator, runs, folder, [](std::size_t) {});
 }
 
@@ -39,7 +39,7 @@ TEST_CASE("A simulator gets the commands of each run and nothing that was measur
   const auto written = run({"cp {commands} {out}"}, runs, folder);
   REQUIRE(written.size() == 2);
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    const DriveLog commands = config::load_drive_log(written[i]);
+    const DriveLog commands = config::load_drive_log(written[i].out);
     REQUIRE(commands.samples.size() == runs[i].samples.size());
     CHECK(commands.wheel_base_m == runs[i].wheel_base_m);
     CHECK_FALSE(commands.has_ticks());

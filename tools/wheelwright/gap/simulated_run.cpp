@@ -1,0 +1,148 @@
+#include "tools/wheelwright/gap/simulated_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <ostream>
+
+#include "config/load/text_format.hpp"
+#include "tools/wheelwright/common/commands.hpp"
+#include "tools/wheelwright/import/conversion/repair_checks.hpp"
+#include "tools/wheelwright/import/import_files.hpp"
+
+namespace wheelwright::tools {
+namespace {
+
+double duration_s(const DriveLog& log) {
+  return log.samples.back().t_s - log.samples.front().t_s;
+}
+
+bool tells_motion(const DriveSample& sample) {
+  return sample.ticks || sample.reference_x_m || sample.reference_theta_rad;
+}
+
+// How far a drive goes and turns, by its commands or by its reference poses.
+struct Motion {
+  double travel_m = 0.0;
+  double turn_rad = 0.0;
+};
+
+Motion commanded_motion(const DriveLog& log) {
+  Motion sum;
+  for (std::size_t row = 0; row + 1 < log.samples.size(); ++row) {
+    const double period_s = log.samples[row + 1].t_s - log.samples[row].t_s;
+    const Twist twist = twist_of_wheels(log.samples[row].command_m_s, log.wheel_base_m);
+    sum.travel_m += std::abs(twist.v_m_s) * period_s;
+    sum.turn_rad += std::abs(twist.w_rad_s) * period_s;
+  }
+  return sum;
+}
+
+// A step of a full turn or less can be a heading that wraps.
+double turned_rad(double change) {
+  return std::abs(std::abs(change) > 2.0 * std::numbers::pi ? change : wrap_angle(change));
+}
+
+// Between poses so far apart that noise adds up to little.
+Motion simulated_motion(const DriveLog& log) {
+  constexpr double apart_s = 0.3;
+  Motion sum;
+  const DriveSample* last = nullptr;
+  for (const DriveSample& sample : log.samples) {
+    if (!sample.reference_x_m && !sample.reference_theta_rad) continue;
+    if (last != nullptr && sample.t_s - last->t_s < apart_s) continue;
+    if (last != nullptr && sample.reference_x_m && last->reference_x_m)
+      sum.travel_m += std::hypot(*sample.reference_x_m - *last->reference_x_m,
+                                 sample.reference_y_m.value_or(0.0) - last->reference_y_m.value_or(0.0));
+    if (last != nullptr && sample.reference_theta_rad && last->reference_theta_rad)
+      sum.turn_rad += turned_rad(*sample.reference_theta_rad - *last->reference_theta_rad);
+    last = &sample;
+  }
+  return sum;
+}
+
+// Millimetres and degrees are plain numbers, too.
+void check_units(const DriveLog& simulated, const DriveLog& real) {
+  constexpr double times = 10.0;
+  const Motion asked = commanded_motion(real);
+  const Motion motion = simulated_motion(simulated);
+  if (motion.travel_m > times * std::max(asked.travel_m, 1.0)) {
+    throw UsageError(simulated.name + ": the robot goes " + config::fixed_number(motion.travel_m, 0) +
+                     " m, but its commands are for " + config::fixed_number(asked.travel_m, 1) +
+                     " m; if its positions are in mm give --simulation-set reference.unit=mm");
+  }
+  if (motion.turn_rad > times * std::max(asked.turn_rad, 1.0)) {
+    throw UsageError(simulated.name + ": the robot turns by " + config::fixed_number(motion.turn_rad, 0) +
+                     " rad, but its commands are for " + config::fixed_number(asked.turn_rad, 1) +
+                     " rad; if its headings are in degrees give --simulation-set reference.angle_unit=deg");
+  }
+}
+
+// A simulation that diverges leaves rows without numbers, or places where no robot comes.
+void check_simulated(const DriveLog& simulated, const DriveLog& real) {
+  constexpr double min_share = 0.9;
+  constexpr double farthest_m = 1e4;
+  const std::string beside =
+      ", but the commands of " + real.name + " last " + config::fixed_number(duration_s(real), 1) + " s";
+  const double min_s = min_share * duration_s(real);
+  if (duration_s(simulated) < min_s) {
+    throw UsageError(simulated.name + ": ends after " + config::fixed_number(duration_s(simulated), 1) +
+                     " s" + beside);
+  }
+  double told_s = 0.0;
+  for (const DriveSample& sample : simulated.samples) {
+    const double time_s = sample.t_s - simulated.samples.front().t_s;
+    if (tells_motion(sample)) told_s = time_s;
+    const double far_m = std::hypot(sample.reference_x_m.value_or(0.0), sample.reference_y_m.value_or(0.0));
+    if (far_m <= farthest_m) continue;
+    throw UsageError(simulated.name + ": after " + config::fixed_number(time_s, 1) + " s the robot is " +
+                     config::plain_number(far_m) + " m away; the simulation diverges");
+  }
+  if (told_s < min_s) {
+    throw UsageError(simulated.name + ": neither poses nor counts after " + config::fixed_number(told_s, 1) +
+                     " s" + beside);
+  }
+}
+
+// A simulator that writes poses alone was driven by the commands that it was given.
+DriveLog load_with_commands(const SimulatorRun& run, const import::GivenMapping& given, std::ostream& err) {
+  const std::string out = run.out.string();
+  const auto both = import::understand({{run.commands, run.out}, std::nullopt, given});
+  auto conversion = both ? import::to_runs(*both) : tl::unexpected(both.error());
+  if (!conversion) throw UsageError(conversion.error());
+  if (conversion->runs.size() != 1)
+    throw UsageError(out + ": holds " + std::to_string(conversion->runs.size()) +
+                     " runs, but one was asked for");
+  for (const auto& doubt : both->inference.doubts) err << "wheelwright: " << out << ": " << doubt << "\n";
+  for (const auto& remark : conversion->remarks) err << "wheelwright: " << out << ": " << remark << "\n";
+  err << "wheelwright: " << out << ": holds no commands; those of " << run.commands.string()
+      << " are taken\n";
+  DriveLog simulated = std::move(conversion->runs.front());
+  simulated.name = out;
+  return simulated;
+}
+
+// What it was given and does not write again are commands and wheel base.
+DriveLog load_unchecked(const SimulatorRun& run, double given_base_m, ImportOptions options,
+                        std::ostream& err) {
+  const std::string out = run.out.string();
+  if (import::is_drive_log(out)) return load_one_run({{out}, options}, err);
+  const import::GivenMapping given(options.mapping, options.settings);
+  const auto alone = import::understand({{run.out}, std::nullopt, given});
+  if (alone && !alone->mapping.command) return load_with_commands(run, given, err);
+  if (alone && !alone->mapping.wheel_base_m)
+    options.settings.push_back("robot.wheel_base_m=" + config::plain_number(given_base_m));
+  return load_one_run({{out}, options}, err);
+}
+
+}  // namespace
+
+DriveLog load_simulated_run(const SimulatorRun& run, const DriveLog& real, const ImportOptions& options,
+                            std::ostream& err) {
+  DriveLog simulated = load_unchecked(run, real.wheel_base_m, options, err);
+  check_simulated(simulated, real);
+  check_units(simulated, real);
+  return simulated;
+}
+
+}  // namespace wheelwright::tools
