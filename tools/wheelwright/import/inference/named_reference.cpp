@@ -23,11 +23,13 @@ class ReferenceFinder {
   }
 
  private:
-  // What a model makes of the commands; so are the poses in each log of a run of this daemon.
-  static bool is_predicted(const Named& x) {
-    const std::string words = config::lower_case(x.stream->name + " " + x.channel->name);
-    return words.find("/pose/model") != std::string::npos || words.find("predicted") != std::string::npos ||
-           x.stream->find("model_version") != nullptr;
+  // In a recording of this daemon all poses but these are of its own model, counts and filter.
+  bool is_of_a_run(const Named& x) const {
+    if (x.stream->find("model_version") != nullptr) return true;
+    if (x.stream->name == "/pose/reference" || x.stream->name == "/pose/truth") return false;
+    return std::ranges::any_of(recordings_, [&](const Recording& recording) {
+      return recording.find("/pose/model") != nullptr && recording.find(x.stream->name) == x.stream;
+    });
   }
 
   // How much a stream looks like a measurement from outside of the robot.
@@ -35,9 +37,8 @@ class ReferenceFinder {
     const std::string words =
         config::lower_case(x.stream->name + " " + x.channel->name + " " + x.stream->type);
     const auto says = [&](std::string_view word) { return words.find(word) != std::string::npos; };
-    if (is_predicted(x)) return -1;
-    if (says("odom") || says("/pose/hybrid"))
-      return has_wheels_ ? -1 : 0;  // what is made of the robot's own counts
+    if (is_of_a_run(x)) return -1;
+    if (says("odom")) return has_wheels_ ? -1 : 0;  // what the robot makes of its own counts
     if (says("mocap") || says("vicon") || says("opti") || says("truth") || says("gt") || says("ref"))
       return 3;
     return says("amcl") || says("map") || says("pose") ? 2 : 1;
@@ -81,9 +82,8 @@ class ReferenceFinder {
     std::string others;
     for (const auto& named : named_.list()) {
       if (named.meaning.quantity != Quantity::x || !named_.beside(named, Quantity::y)) continue;
-      if (is_predicted(named))
-        findings_.push_back(named.name().text() +
-                            " is what a model predicted, and no measurement: it is not the reference");
+      if (is_of_a_run(named))
+        findings_.push_back(named.name().text() + " is the run's own pose, and no measurement of it");
       if (trust(named) < 0) continue;
       if (!moves(*named.channel) && !moves(*named_.beside(named, Quantity::y)->channel)) continue;
       if (best != nullptr && trust(named) <= trust(*best)) {

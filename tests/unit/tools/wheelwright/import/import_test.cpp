@@ -252,7 +252,7 @@ TEST_CASE("Units are found in a long table whose robot stands for most of it") {
   CHECK(outcome.understood.mapping.command->unit == "mm/s");
 }
 
-TEST_CASE("What the model of a run predicted is no measurement of the pose") {
+TEST_CASE("The pose that a run of the daemon computed is no measurement of it") {
   const auto drive = foreign_drive();
   const auto with_pose = [&](const std::string& more_names, const std::string& more) {
     return import_text(
@@ -267,5 +267,5 @@ TEST_CASE("What the model of a run predicted is no measurement of the pose") {
   CHECK(with_pose("", "").understood.mapping.reference);
   const auto of_a_run = with_pose(",model_version", ",3");
   CHECK_FALSE(of_a_run.understood.mapping.reference);
-  CHECK(of_a_run.found("is what a model predicted"));
+  CHECK(of_a_run.found("is the run's own pose"));
 }
