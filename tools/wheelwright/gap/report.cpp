@@ -44,7 +44,7 @@ std::vector<DriveLog> heldout_runs(const gap::GapAnalysis& analysis, std::span<c
 }
 
 std::string figures_section(const gap::GapAnalysis& analysis, const std::vector<DriveLog>& runs) {
-  const bool changed = !analysis.found.empty();
+  const bool changed = !analysis.found.empty() || !analysis.linear_changes.empty();
   const Figures drawn =
       draw(run_plots(analysis.before, changed ? std::optional(analysis.after) : std::nullopt, runs));
   if (drawn.problem.empty() && drawn.figures.empty()) return "";
@@ -68,7 +68,8 @@ std::string head(const gap::GapAnalysis& analysis) {
   std::string text = html::element("h1", "What the simulation lacks");
   text +=
       "<p class=\"verdict\"><strong>" + verdict + "</strong>: " + html::escaped(analysis.summary) + "</p>\n";
-  std::string line = std::to_string(analysis.train_runs) + " training runs, " +
+  std::string line = std::to_string(analysis.train_runs) +
+                     (analysis.train_runs == 1 ? " training run, " : " training runs, ") +
                      std::to_string(analysis.test_runs) + " held out";
   if (analysis.untouched) line += ", " + std::to_string(analysis.tested.size()) + " untouched";
   if (analysis.tail_held_out) line = "1 run, its last third held out";

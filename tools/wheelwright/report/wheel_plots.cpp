@@ -42,9 +42,8 @@ PlotPoints measured_speed(const DriveLog& log, Side side, double end_s) {
 Plot sequence_plot(const DriveLog& log, const std::vector<PredictedMotion>& motion, double longest_s,
                    Side side) {
   const std::string name = side == Side::left ? "Left" : "Right";
-  Plot plot(name +
-            " wheel: commanded speed, measured speed (mean over 0.1 s), and what the model makes of the "
-            "commands alone.");
+  Plot plot(name + " wheel: commanded speed" + (log.has_ticks() ? ", measured speed (mean over 0.1 s)" : "") +
+            (motion.empty() ? "" : ", and the speed that the model predicts from the commands alone"));
   plot.axes("time [s]", "speed [m/s]").height(280);
   const double end_s = log.samples.front().t_s + longest_s;
   PlotPoints commands;
@@ -55,7 +54,7 @@ Plot sequence_plot(const DriveLog& log, const std::vector<PredictedMotion>& moti
   }
   plot.line("command", Ink::quiet, thinned(commands));
   if (log.has_ticks()) plot.line("measured", Ink::text, thinned(measured_speed(log, side, end_s)));
-  plot.line("model", Ink::accent, thinned(predicted));
+  if (!motion.empty()) plot.line("model", Ink::accent, thinned(predicted));
   return plot;
 }
 
@@ -92,7 +91,8 @@ Plot travel_error_plot(const DriveLog& log, std::span<const DrawnRun> runs) {
 }
 
 Plot path_plot(const DriveLog& log, std::span<const DrawnRun> runs) {
-  Plot plot(log.name + ": path on the floor by the model, beside the measured one");
+  Plot plot(log.name + (runs.empty() ? ": measured path on the floor"
+                                     : ": path on the floor by the model, beside the measured one"));
   plot.axes("x [m]", "y [m]").height(480).equal_scales();
   const std::size_t stride = std::max<std::size_t>(1, log.samples.size() / 1500);
   PlotPoints reference;
