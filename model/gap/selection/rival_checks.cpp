@@ -183,7 +183,7 @@ bool RivalChecks::drop_idle(GapSearch& result) {
     others.effects.erase(others.effects.begin() + static_cast<std::ptrdiff_t>(place));
     Fit without = evaluation_.with_refitted_linear_part(train_.fit(others, steps_of_a_fit));
     const bool closer = stands && (free_runs_.closer(without.model, result.final.model) ||
-                                   shown_by_left_out_runs(result.checks[place], effects[place].info));
+                                   shown_by_left_out_runs(result, without, place));
     if (closer && !of_a_linear_part) continue;
     if (closer || is_clear) {
       const double delay_s = effects[place].parameters.front();
@@ -197,14 +197,13 @@ bool RivalChecks::drop_idle(GapSearch& result) {
 
 // Held-out runs may hardly drive where an effect acts, and yet not speak against it: then training runs say
 // by each other whether it is there.
-bool RivalChecks::shown_by_left_out_runs(const SelectionStep& check, const EffectInfo* info) const {
-  const Candidate* itself = itself_in(check, info);
+bool RivalChecks::shown_by_left_out_runs(const GapSearch& result, const Fit& without,
+                                         std::size_t place) const {
+  const Candidate* itself = itself_in(result.checks[place], result.final.model.effects[place].info);
   if (itself == nullptr) return false;
   const double factor = itself->autocorrelation_factor;
   if (itself->heldout_nats < -limits_.min_heldout_nats * factor) return false;
-  const std::size_t place = itself->fit.model.effects.size() - 1 - itself->behind;
-  return left_out_runs_gain_nats(train_, check.without, itself->fit, place) >
-         limits_.clear_left_out_nats * factor;
+  return left_out_runs_gain_nats(train_, without, result.final, place) > limits_.clear_left_out_nats * factor;
 }
 
 // One that helps a little and in whose place another would help more does not, nor one that a decoy beats,

@@ -33,7 +33,7 @@ class RivalChecks {
   void leave_out_rivals_of_something_else(SelectionStep& check, const EffectInfo* than) const;
   bool stands_for_itself(const SelectionStep& check, const EffectInfo* info, double nats,
                          double largest) const;
-  bool shown_by_left_out_runs(const SelectionStep& check, const EffectInfo* info) const;
+  bool shown_by_left_out_runs(const GapSearch& result, const Fit& without, std::size_t place) const;
   Fit in_place(const Candidate& candidate, std::size_t place) const;
   void try_in_place(SelectionStep& check, std::size_t place) const;
 
