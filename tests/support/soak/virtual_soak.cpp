@@ -213,7 +213,7 @@ class VirtualSoak {
     return commands_.front();
   }
 
-  // What the session does with a port (drivers/roomba/sensor_loop.cpp).
+  // What the sensor loop does with a port (drivers/roomba/sensor_loop.cpp).
   void look_after_port() {
     using roomba::LinkState;
     const bool there = cable_.connected(robot_.now());

@@ -119,7 +119,7 @@ class Circle {
     return *model;
   }
 
-  // A robot that slips or drifts while it turns in place is calibrated to a wrong scale.
+  // On a slope, or with tyres that scrub, turning in place gives a wrong scale.
   void check_scale(const RobotModel& calibrated) {
     if (!calibrated.encoder_scale) return;
     const double mean_diameter_m = 0.5 * (robot_.left.diameter_m + robot_.right.diameter_m);

@@ -40,4 +40,9 @@ double full_scale_of(double largest_duty) {
   return largest_duty;
 }
 
+void set_full_scale(const DriveColumns& columns, const GivenMapping& given, CommandMapping& command) {
+  if (!command.is_duty() || given.says("command.full_scale")) return;
+  command.full_scale = full_scale_of(std::max(largest(columns.command[0]), largest(columns.command[1])));
+}
+
 }  // namespace wheelwright::import

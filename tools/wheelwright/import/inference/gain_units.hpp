@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
+#include "tools/wheelwright/import/mapping/given_mapping.hpp"
 
 namespace wheelwright::import {
 
@@ -16,5 +17,8 @@ double full_scale_of(double largest_duty);
 
 // Largest size of the values of a column; 0 where it has none.
 double largest(const Column& column);
+
+// Of commands that are a duty, by the largest of them, unless it is given.
+void set_full_scale(const DriveColumns& columns, const GivenMapping& given, CommandMapping& command);
 
 }  // namespace wheelwright::import

@@ -63,13 +63,12 @@ std::vector<MappingEntry> overlaid(const Mapping& mapping, const GivenMapping& g
 
 // Who states the speed of the largest duty states that commands are one. What number stands for it does not
 // depend on that.
-void set_full_scale(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping) {
-  if (!mapping.command || mapping.command->is_of_body()) return;
+void set_duty(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping) {
+  if (!mapping.command) return;
   CommandMapping& command = *mapping.command;
   const bool implied = given.says("command.full_scale_m_s") && !given.says("command.kind");
-  if (implied && !command.is_duty()) command.kind = CommandKind::duty;
-  if (command.kind != CommandKind::duty || given.says("command.full_scale")) return;
-  command.full_scale = full_scale_of(std::max(largest(columns.command[0]), largest(columns.command[1])));
+  if (implied && !command.is_of_body()) command.kind = CommandKind::duty;
+  set_full_scale(columns, given, command);
 }
 
 }  // namespace
@@ -94,7 +93,7 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
     if (const auto columns = gather_sample(recordings, mapping)) {
       infer_counters(*columns, given, mapping, inference.findings, inference.doubts);
       infer_steering(*columns, given, mapping, inference.findings, inference.doubts);
-      set_full_scale(*columns, given, mapping);
+      set_duty(*columns, given, mapping);
       set_units(*columns, given, mapping, inference.findings, inference.doubts);
       set_step_scale(*columns, given, mapping, inference.findings);
       set_gyro_unit(*columns, given, mapping, inference.findings, inference.doubts);

@@ -173,8 +173,7 @@ void set_step_scale(const DriveColumns& columns, const GivenMapping& given, Mapp
   const double constant = constant_of(columns.command[0]);
   if (!(std::abs(constant) > 0.0) || given.says("command.full_scale_m_s")) return;
   if (!given.says("command.kind") && std::abs(constant) > max_m_s) command.kind = CommandKind::duty;
-  if (command.kind == CommandKind::duty && !given.says("command.full_scale"))
-    command.full_scale = full_scale_of(std::abs(constant));
+  set_full_scale(columns, given, command);
   const auto scale = wheel_scale(*mapping.wheels);
   if (command.kind != CommandKind::duty || !scale) return;
   const auto rows = response_rows(columns, mapping)[0];

@@ -110,10 +110,7 @@ class UnitFinder {
 
   void find_full_scale(double gain_m_s) {
     CommandMapping& command = *mapping_.command;
-    if (!given_.says("command.full_scale")) {
-      command.full_scale =
-          full_scale_of(std::max(largest(columns_.command[0]), largest(columns_.command[1])));
-    }
+    set_full_scale(columns_, given_, command);
     if (given_.says("command.full_scale_m_s")) return;
     const double full_m_s = rounded_gain(gain_m_s * command.full_scale);
     if (full_m_s < 0.001 || full_m_s > 100.0) return;

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "tests/unit/tools/wheelwright/import/import_text.hpp"
+#include "tools/wheelwright/import/inference/named_reference.hpp"
 
 using namespace wheelwright;
 using namespace wheelwright::import;
@@ -268,4 +269,24 @@ TEST_CASE("The pose that a run of the daemon computed is no measurement of it") 
   const auto of_a_run = with_pose(",model_version", ",3");
   CHECK_FALSE(of_a_run.understood.mapping.reference);
   CHECK(of_a_run.found("is the run's own pose"));
+}
+
+TEST_CASE("Of the poses in a recording of the daemon the measured one is the reference, and no other") {
+  const auto stream = [](const std::string& name, const std::string& place) {
+    const std::vector<double> moving{0.0, 0.5, 1.0};
+    return Stream{name, "", 3, {}, {{place + ".x", "", moving}, {place + ".y", "", moving}}, {}, {}, ""};
+  };
+  Recording recording{"run.mcap", "MCAP", {}, {}, {}};
+  for (const char* name : {"/pose/model", "/pose/odometry", "/pose/hybrid"})
+    recording.streams.push_back(stream(name, "pose.position"));
+  recording.streams.push_back(stream("/tf", "translation"));
+  const auto reference = [&] {
+    std::vector<std::string> findings;
+    const std::span all(&recording, 1);
+    return find_named_reference(all, NamedChannels(all), false, findings);
+  };
+  CHECK_FALSE(reference());
+  recording.streams.push_back(stream("/pose/reference", "pose.position"));
+  REQUIRE(reference());
+  CHECK(reference()->x->stream == "/pose/reference");
 }
