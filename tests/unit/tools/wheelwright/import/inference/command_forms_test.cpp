@@ -153,3 +153,13 @@ TEST_CASE("A target speed without a sign takes the direction beside it") {
       });
   check_same(import_text(text, known), drive, 0.006);
 }
+
+TEST_CASE("The full scale of throttle and steering is found though the speed that it leads to is given") {
+  const auto drive = foreign_drive();
+  const auto text = foreign_text(drive, "t,throttle,steering", [&](const ForeignRow& row) {
+    return number(row.t_s) + "," + number(100.0 * row.linear()) + "," +
+           number(50.0 * (row.command_right - row.command_left));
+  });
+  const auto outcome = import_text(text, {"robot.wheel_base_m=0.3", "command.full_scale_m_s=1"});
+  CHECK(outcome.understood.mapping.command->full_scale == 100.0);
+}
