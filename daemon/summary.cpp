@@ -41,6 +41,9 @@ void add_calibration(Table& table, const CalibrationReport& calibration) {
               1e3 * scale->metres_per_tick.left, 100.0 * scale->relative_standard_error);
     table.row("one full turn", "{:.1f} ticks of each wheel, on average", scale->ticks_per_turn);
     table.row("repetition of the signal", "{:.3f} of 1, over {:.1f} turns", scale->correlation, scale->turns);
+    if (scale->drift)
+      table.row("turning one way and back", "{:.2f} % apart: what a robot slides on a slope cancels",
+                200.0 * std::abs(*scale->drift));
   }
   if (const auto& model = calibration.model) {
     const std::size_t length = model->linear_part.left.from_left.size();

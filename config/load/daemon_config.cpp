@@ -84,7 +84,7 @@ void read_encoder_turn(YamlReader& calibration, EncoderTurnPlan& plan) {
   auto turn = calibration.section("encoder");
   if (!turn) return;
   plan.speed_m_s = turn->number("speed_m_s", {0.02, fastest_m_s, "m/s"}, plan.speed_m_s);
-  plan.turns = turn->number("turns", {1.6, 20.0, "turns"}, plan.turns);
+  plan.turns_each_way = turn->number("turns", {1.6, 20.0, "turns"}, plan.turns_each_way);
   plan.options.method = turn->choice<PeriodMethod>(
       "method", {{"autocorrelation", PeriodMethod::autocorrelation}, {"peak", PeriodMethod::peak}},
       plan.options.method);

@@ -73,7 +73,7 @@ void add_calibration(Yaml& yaml, const DaemonConfig& config) {
   const EncoderTurnPlan& turn = config.encoder_turn;
   yaml.subsection("encoder");
   yaml.number("  speed_m_s", turn.speed_m_s);
-  yaml.number("  turns", turn.turns);
+  yaml.number("  turns", turn.turns_each_way);
   yaml.word("  method", turn.options.method == PeriodMethod::autocorrelation ? "autocorrelation" : "peak");
   yaml.number("  largest_relative_error", turn.options.largest_standard_error);
   const ResponsePlan& response = config.response;

@@ -71,39 +71,67 @@ class EncoderCheck final : public Manoeuvre {
   int tick_ = 0;
 };
 
+// Counter-clockwise, a stop, and back: motors that are reversed at speed draw too much.
 class EncoderTurn final : public Manoeuvre {
  public:
-  EncoderTurn(const EncoderTurnPlan& plan, double period_s) : plan_(plan) {
+  EncoderTurn(const EncoderTurnPlan& plan, double period_s) : plan_(plan), stillness_(period_s) {
     // Without any idea of a turn's counts, those of a Roomba decide how long to go on.
     constexpr double roomba_ticks_per_turn = 1660.0;
     const double expected = plan.options.expected_ticks_per_turn;
-    wanted_ticks_ = plan.turns * (expected > 0.0 ? expected : roomba_ticks_per_turn);
+    wanted_ticks_ = plan.turns_each_way * (expected > 0.0 ? expected : roomba_ticks_per_turn);
     // Twice the time that it takes at half the speed ordered: a robot that does not count does not turn for
     // ever.
     constexpr double default_metres_per_tick = 0.000444565;
     longest_ticks_ = ticks_of(4.0 * wanted_ticks_ * default_metres_per_tick / plan.speed_m_s, period_s);
   }
 
-  void restart() override {
+  void restart() override { begin(Leg::forth); }
+
+  std::optional<WheelOrder> next(const SensorFrame& latest) override {
+    if (++elapsed_ > longest_ticks_) return std::nullopt;
+    switch (leg_) {
+      case Leg::forth:
+        if (!has_turned(latest)) return turn(-plan_.speed_m_s, 0);
+        begin(Leg::stop);
+        stillness_.restart();
+        return turn(0.0, 0);
+      case Leg::stop:
+        if (!stillness_.still(latest)) return turn(0.0, 0);
+        begin(Leg::back);
+        return turn(plan_.speed_m_s, 1);
+      case Leg::back:
+        break;
+    }
+    if (has_turned(latest)) return std::nullopt;
+    return turn(plan_.speed_m_s, 1);
+  }
+
+ private:
+  enum class Leg : std::uint8_t { forth, stop, back };
+
+  static WheelOrder turn(double left_m_s, std::uint16_t way) {
+    return {{left_m_s, -left_m_s}, Activity::encoder_turn, way};
+  }
+
+  void begin(Leg leg) {
+    leg_ = leg;
     elapsed_ = 0;
     start_.reset();
   }
 
-  std::optional<WheelOrder> next(const SensorFrame& latest) override {
-    if (latest.valid && !start_) start_ = latest.ticks;
-    if (start_ && latest.valid) {
-      const auto turned = (latest.ticks.right - start_->right) - (latest.ticks.left - start_->left);
-      if (0.5 * std::abs(static_cast<double>(turned)) >= wanted_ticks_) return std::nullopt;
-    }
-    if (++elapsed_ > longest_ticks_) return std::nullopt;
-    return WheelOrder{{-plan_.speed_m_s, plan_.speed_m_s}, Activity::encoder_turn, 0};
+  bool has_turned(const SensorFrame& latest) {
+    if (!latest.valid) return false;
+    if (!start_) start_ = latest.ticks;
+    const auto turned = (latest.ticks.right - start_->right) - (latest.ticks.left - start_->left);
+    return 0.5 * static_cast<double>(leg_ == Leg::back ? -turned : turned) >= wanted_ticks_;
   }
 
- private:
   EncoderTurnPlan plan_;
+  StillnessDetector stillness_;
   double wanted_ticks_ = 0.0;
   int longest_ticks_ = 0;
-  int elapsed_ = 0;
+  Leg leg_ = Leg::forth;
+  int elapsed_ = 0;  // in this leg
   std::optional<WheelTicks> start_;
 };
 

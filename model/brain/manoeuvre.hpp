@@ -30,7 +30,8 @@ class Manoeuvre {
 std::unique_ptr<Manoeuvre> make_wait_until_still(double period_s);
 // Left wheel forward and back, to see which counter is the left one.
 std::unique_ptr<Manoeuvre> make_encoder_check(double period_s);
-// Turns in place, counter-clockwise, until the counts of the planned number of turns have passed.
+// Turns in place until the counts of the planned number of turns have passed, counter-clockwise and then
+// back.
 std::unique_ptr<Manoeuvre> make_encoder_turn(const EncoderTurnPlan& plan, double period_s);
 // Left on, left off, right on, right off, as often as planned; each off lasts until the robot stands.
 std::unique_ptr<Manoeuvre> make_response_actions(const ResponsePlan& plan, double period_s);

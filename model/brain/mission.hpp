@@ -17,7 +17,8 @@ namespace wheelwright {
 // Turning in place for the encoder scale (calibration A of the source paper).
 struct EncoderTurnPlan {
   double speed_m_s = 0.1;  // of each wheel
-  double turns = 3.0;      // at the ticks per turn that are expected
+  // Counter-clockwise, and then as many clockwise; at the ticks per turn that are expected.
+  double turns_each_way = 2.0;
   EncoderScaleOptions options;
 };
 

@@ -6,9 +6,15 @@
 //
 //   autocorrelation  any surroundings: the lag at which all six signals match themselves best
 //   peak             one obstacle: the distance between its passes
+//
+// The robot turns one way and back. Where it drifts while it turns (on a slope it gets a little downhill in
+// each turn), the bearing of what it sees shifts from turn to turn; turning one way this makes a turn look
+// longer, the other way shorter by as much, and the mean of both is right. Tyres that scrub make a turn
+// longer both ways: that cannot be told from the scale.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -45,11 +51,15 @@ struct CorrelationPoint {
 };
 
 struct EncoderScaleFit {
-  WheelPair metres_per_tick;             // alike: a turn in place does not tell the wheels apart
-  double ticks_per_turn = 0.0;           // mean of both wheels
-  double relative_standard_error = 0.0;  // of metres per tick, from the spread between parts of the turn
-  double correlation = 0.0;              // at the period found; 1 is a perfect repetition
-  double turns = 0.0;                    // how many were recorded
+  WheelPair metres_per_tick;    // alike: a turn in place does not tell the wheels apart
+  double ticks_per_turn = 0.0;  // mean of both wheels
+  double relative_standard_error =
+      0.0;                   // of metres per tick, from the spread between parts of the turn and the drift
+  double correlation = 0.0;  // at the period found; 1 is a perfect repetition
+  double turns = 0.0;        // how many were recorded, both ways
+  // Half the difference between counter-clockwise and clockwise, relative to the mean; nothing where the
+  // robot turned one way only.
+  std::optional<double> drift;
   std::vector<CorrelationPoint> curve;
 };
 

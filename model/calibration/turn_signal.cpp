@@ -57,6 +57,17 @@ void smooth(TurnSignal& signal) {
 
 }  // namespace
 
+TurnWays split_at_reversal(std::span<const TurnSample> samples) {
+  // What a robot swings back when it stops is less.
+  constexpr double shortest_way_ticks = 100.0;
+  if (samples.empty()) return {};
+  const auto turned = [&](const TurnSample& sample) { return turning_ticks(sample, samples.front()); };
+  const auto furthest = std::ranges::max_element(samples, {}, turned);
+  const auto first = static_cast<std::size_t>(furthest - samples.begin());
+  if (turned(*furthest) - turned(samples.back()) < shortest_way_ticks) return {samples, {}};
+  return {samples.first(first + 1), samples.subspan(first)};
+}
+
 TurnSignal resample_turn(std::span<const TurnSample> samples, double step_ticks) {
   TurnSignal signal;
   signal.step_ticks = step_ticks;
@@ -86,19 +97,22 @@ double match_at_lag(const TurnSignal& signal, double lag, std::size_t first, std
   const double share = lag - static_cast<double>(whole);
   if (whole + 1 >= signal.values.size()) return -1.0;
   last = std::min(last, signal.values.size() - whole - 1);
-  double difference = 0.0;
-  double power = 0.0;
+  double product = 0.0;
+  double here_power = 0.0;
+  double there_power = 0.0;
   for (std::size_t i = first; i < last; ++i) {
     const auto& here = signal.values[i];
     const auto& there = signal.values[i + whole];
     const auto& after = signal.values[i + whole + 1];
     for (std::size_t s = 0; s < TurnSignal::sensors; ++s) {
       const double shifted = (1.0 - share) * there.at(s) + share * after.at(s);
-      difference += signal.weight.at(s) * (shifted - here.at(s)) * (shifted - here.at(s));
-      power += signal.weight.at(s) * (shifted * shifted + here.at(s) * here.at(s));
+      product += signal.weight.at(s) * shifted * here.at(s);
+      here_power += signal.weight.at(s) * here.at(s) * here.at(s);
+      there_power += signal.weight.at(s) * shifted * shifted;
     }
   }
-  return power > 0.0 ? 1.0 - difference / power : -1.0;
+  const double power = std::sqrt(here_power * there_power);
+  return power > 0.0 ? product / power : -1.0;
 }
 
 }  // namespace wheelwright

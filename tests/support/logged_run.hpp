@@ -15,7 +15,7 @@ namespace wheelwright::test {
 // The shipped configuration, made short: little turning, few response actions, a route of three points.
 inline config::DaemonConfig short_configuration() {
   auto config = config::load_daemon_config(std::string(WHEELWRIGHT_SOURCE_DIR) + "/config/wheelwright.yaml");
-  config.encoder_turn.turns = 1.8;
+  config.encoder_turn.turns_each_way = 1.8;
   config.response.repetitions = 3;
   config.route = Route{"triangle", 0.15, 0.02, {{0.4, 0.0}, {0.4, 0.3}, {0.0, 0.0}}};
   return config;

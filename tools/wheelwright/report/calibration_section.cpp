@@ -35,11 +35,12 @@ std::vector<std::size_t> strongest_sensors(const TurnSignal& signal, std::size_t
 Plot bumper_plot(const CalibrationMaterial& material) {
   Plot plot(
       "Light bumper over encoder ticks while the robot turns in place: the three strongest of six sensors. "
-      "The signal repeats after one full turn, whatever the speed.");
+      "The signal repeats after one full turn, whatever the speed. Turning one way; the way back looks "
+      "alike.");
   plot.axes("ticks of turning (half the difference of the wheels)", "reading, mean removed").height(320);
   constexpr std::array names{"left", "front left", "center left", "center right", "front right", "right"};
   constexpr std::array inks{Ink::accent, Ink::other, Ink::third};
-  const TurnSignal signal = resample_turn(material.turn, grid_ticks);
+  const TurnSignal signal = resample_turn(split_at_reversal(material.turn).first, grid_ticks);
   if (signal.values.size() < 2) return plot;
   const auto strongest = strongest_sensors(signal, inks.size());
   for (std::size_t i = 0; i < inks.size(); ++i) {
@@ -67,6 +68,15 @@ Plot match_plot(const EncoderScaleFit& scale) {
   plot.line("", Ink::accent, thinned(points));
   plot.mark(scale.ticks_per_turn, fixed_number(scale.ticks_per_turn, 1) + " ticks");
   return plot;
+}
+
+// What the two ways differ by beyond what they are known to.
+std::string drift_sentence(const EncoderScaleFit& scale) {
+  constexpr double worth_saying = 0.002;
+  if (!scale.drift || std::abs(*scale.drift) < worth_saying) return "";
+  return html::element("p", "One way a turn is " + fixed_number(200.0 * std::abs(*scale.drift), 2) +
+                                " % longer than the other: the robot slides while it turns, as on a slope. "
+                                "The mean of both is taken, in which this cancels.");
 }
 
 std::string fit_table(const FirFit& fit) {
@@ -104,7 +114,8 @@ std::string encoder_scale_section(const CalibrationMaterial& material) {
          {"one full turn, each wheel", fixed_number(scale.ticks_per_turn, 1),
           "± " + fixed_number(error * scale.ticks_per_turn, 1), "ticks"},
          {"match of the signal with itself after one turn", fixed_number(scale.correlation, 3), "", "of 1"},
-         {"recorded", fixed_number(scale.turns, 2), "", "turns"}});
+         {"recorded, both ways", fixed_number(scale.turns, 2), "", "turns"}});
+    text += drift_sentence(scale);
     plots.push_back(match_plot(scale));
   }
   return text + figures_html(draw(plots));

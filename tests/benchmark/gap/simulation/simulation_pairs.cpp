@@ -1,8 +1,10 @@
 // How often `gap --simulation` says rightly how a simulator and a robot differ: both are robots of the gap
 // benchmark, with one effect hidden in either, in both by the same size or by another, or in none, and with
-// commands that take effect later in the robot, or not.
+// commands that take effect later in the robot, or not. Where the size that is hidden is a parameter of the
+// library, also how often its interval holds it.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
@@ -34,9 +36,26 @@ struct Count {
   }
 };
 
+// An effect whose size in the robot is a parameter of the library, but for its sign.
+struct SizedEffect {
+  std::string_view effect;
+  std::string_view parameter;
+  double parameter_per_size = 1.0;
+};
+
+constexpr double wheel_base_m = 0.235;
+constexpr std::array sized_effects{
+    SizedEffect{"backlash", "gap"},          SizedEffect{"command_quantization", "step"},
+    SizedEffect{"dead_zone", "threshold"},   SizedEffect{"direction_gain", "reverse_change"},
+    SizedEffect{"distance_scale", "change"}, SizedEffect{"effective_track", "excess", wheel_base_m},
+    SizedEffect{"saturation", "limit"},      SizedEffect{"wheel_scale_mismatch", "mismatch"},
+    SizedEffect{"yaw_bias", "rate"},
+};
+
 struct Tally {
   std::map<DifferenceKind, Count> right;
   Count extra;     // pairs in which some other effect is said to differ
+  Count size;      // of what is said rightly, in the simulator and in the robot: its interval holds the truth
   Count delay;     // that is there and said, to half a period
   Count no_delay;  // that is not there and not said
 };
@@ -93,6 +112,37 @@ bool says_another(const gap::SimulationGap& gap, const Pair& pair) {
   });
 }
 
+// The size alone: some effects are hidden with either sign.
+bool holds_size(const gap::Known& known, double size) {
+  const auto [lower, upper] = known.interval;
+  return (lower <= size && size <= upper) || (lower <= -size && -size <= upper);
+}
+
+struct Sizes {
+  double simulation = 0.0;
+  double robot = 0.0;
+};
+
+void check_sizes(const gap::SimulationGap& gap, const Pair& pair, const Sizes& truth, Count& count) {
+  const auto sized = std::ranges::find(sized_effects, pair.effect->name, &SizedEffect::effect);
+  const auto said = std::ranges::find(gap.differences, pair.effect->name, &gap::EffectDifference::effect);
+  if (sized == sized_effects.end() || said == gap.differences.end()) return;
+  const auto parameter =
+      std::ranges::find(said->parameters, sized->parameter, &gap::ParameterDifference::name);
+  if (parameter == said->parameters.end()) return;
+  const auto check = [&](const std::optional<gap::Known>& known, double size, const char* where) {
+    if (!known || size == 0.0) return;
+    const double value = sized->parameter_per_size * size;
+    const bool holds = holds_size(*known, value);
+    count.add(holds);
+    if (!holds)
+      std::cerr << "  outside, in the " << where << ": " << value << " is not in [" << known->interval.lower
+                << ", " << known->interval.upper << "]\n";
+  };
+  check(parameter->simulation, truth.simulation, "simulator");
+  check(parameter->robot, truth.robot, "robot");
+}
+
 void try_pair(const Pair& pair, Tally& tally) {
   const bool in_both = pair.kind == DifferenceKind::wrong_size || pair.kind == DifferenceKind::same;
   const bool in_simulation = in_both || pair.kind == DifferenceKind::surplus;
@@ -105,6 +155,11 @@ void try_pair(const Pair& pair, Tally& tally) {
   std::cerr << pair.effect->name << " " << gap::kind_name(pair.kind) << " later by " << pair.later_periods
             << " seed " << pair.seed << ": " << (gap ? gap->robot.summary : gap.error().reason) << "\n";
   tally.right[pair.kind].add(gap && says(*gap, pair));
+  const double robot_size = pair.effect->size(test::Severity::large);
+  if (gap && says(*gap, pair)) {
+    check_sizes(*gap, pair, {in_simulation ? pair.effect->size(size) : 0.0, in_robot ? robot_size : 0.0},
+                tally.size);
+  }
   tally.extra.add(gap && says_another(*gap, pair));
   const auto delay = !gap ? 0.0 : [&] {
     for (const auto& change : gap->robot.linear_changes)
@@ -136,6 +191,7 @@ int main(int argc, char** argv) {
   for (int i = 0; i < pairs; ++i) try_pair(random_pair(random), tally);
   std::cout << "said rightly\n";
   for (const auto& [kind, count] : tally.right) print(std::string(gap::kind_name(kind)), count);
+  print("95 % interval of a size, holds the truth", tally.size);
   print("a longer delay, to half a period", tally.delay);
   print("no other delay where there is none", tally.no_delay);
   std::cout << "said wrongly\n";

@@ -40,7 +40,7 @@ TEST_CASE("The shipped configuration holds every key at its default") {
   CHECK(shipped.limits.acceleration_m_s2 == empty.limits.acceleration_m_s2);
   CHECK(shipped.response.on_s == empty.response.on_s);
   CHECK(shipped.response.repetitions == empty.response.repetitions);
-  CHECK(shipped.encoder_turn.turns == empty.encoder_turn.turns);
+  CHECK(shipped.encoder_turn.turns_each_way == empty.encoder_turn.turns_each_way);
   CHECK(shipped.encoder_turn.options.largest_standard_error ==
         empty.encoder_turn.options.largest_standard_error);
   CHECK(shipped.real_time.priority == empty.real_time.priority);

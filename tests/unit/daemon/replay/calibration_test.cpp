@@ -1,6 +1,7 @@
 // The whole calibration on the virtual clock, judged by what only the simulator knows.
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -39,6 +40,27 @@ TEST_CASE("Metres per tick come out within half a per cent of the truth in three
       CHECK_THAT(found / true_scale, WithinAbs(1.0, 0.005));
     }
   }
+}
+
+TEST_CASE("On a slope, down which the robot gets in each turn, metres per tick are right as well") {
+  double largest_drift = 0.0;
+  for (const double angle_rad : {0.4, 2.0, 3.5, 5.1}) {
+    INFO("uphill at " << angle_rad);
+    auto description = test::robot_in_room("perfect", "box", 1);
+    for (auto* wheel : {&description.left, &description.right}) wheel->friction.coulomb_nm = 0.08;
+    description.room.floor.slope_x = 0.03 * std::cos(angle_rad);
+    description.room.floor.slope_y = 0.03 * std::sin(angle_rad);
+    simulation::SimulatedRobot robot(description);
+    daemon::VirtualRunConfig config;
+    config.mission.encoder_turn = EncoderTurnPlan{};
+    const auto result = daemon::run_virtually(config, robot);
+    REQUIRE(result.finished);
+    const auto truth = robot.truth();
+    const double true_scale = 0.5 * (truth.metres_per_tick_left + truth.metres_per_tick_right);
+    CHECK_THAT(result.encoder_scale->metres_per_tick.left / true_scale, WithinAbs(1.0, 0.002));
+    largest_drift = std::max(largest_drift, std::abs(result.encoder_scale->drift.value()));
+  }
+  CHECK(largest_drift > 0.004);
 }
 
 TEST_CASE("Where the light bumper sees nothing the encoder calibration is refused with the reason") {

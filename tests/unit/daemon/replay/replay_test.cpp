@@ -19,7 +19,7 @@ namespace {
 config::DaemonConfig configuration(PoseSource source, bool calibrate) {
   auto config = config::load_daemon_config(std::string(WHEELWRIGHT_SOURCE_DIR) + "/config/wheelwright.yaml");
   config.calibrate = calibrate ? config::CalibrateWhen::always : config::CalibrateWhen::never;
-  config.encoder_turn.turns = 1.8;
+  config.encoder_turn.turns_each_way = 1.8;
   config.response.repetitions = 3;
   config.pose_source = source;
   config.route = Route{"triangle", 0.15, 0.02, {{0.4, 0.0}, {0.4, 0.3}, {0.0, 0.0}}};

@@ -17,6 +17,8 @@ struct Scene {
   std::vector<double> obstacle_bearings_rad = {0.4, 2.1, 3.9};
   double obstacle_width_rad = 0.25;
   unsigned seed = 1;
+  double drift_rad_per_turn = 0.0;  // by which all bearings shift
+  bool and_back = false;
 };
 
 // What six sensors across the front see of round bumps in the surroundings while the robot turns.
@@ -24,8 +26,11 @@ std::vector<TurnSample> turn_past(const Scene& scene) {
   std::mt19937 random(scene.seed);
   std::normal_distribution<double> normal(0.0, scene.noise);
   std::vector<TurnSample> samples;
-  for (double ticks = 0.0; ticks < scene.turns * scene.ticks_per_turn; ticks += 4.1) {
-    const double heading = 2.0 * std::numbers::pi * ticks / scene.ticks_per_turn;
+  const double way_ticks = scene.turns * scene.ticks_per_turn;
+  for (double gone = 0.0; gone < (scene.and_back ? 2.0 : 1.0) * way_ticks; gone += 4.1) {
+    const double ticks = gone < way_ticks ? gone : 2.0 * way_ticks - gone;
+    const double drifted_rad = scene.drift_rad_per_turn * gone / scene.ticks_per_turn;
+    const double heading = 2.0 * std::numbers::pi * ticks / scene.ticks_per_turn - drifted_rad;
     TurnSample sample;
     sample.ticks = {-std::llround(ticks), std::llround(ticks)};
     for (std::size_t s = 0; s < sample.light_bumper.size(); ++s) {
@@ -85,6 +90,41 @@ TEST_CASE("The stated error covers the true one") {
     if (error <= 2.5 * fit->relative_standard_error) ++covered;
   }
   CHECK(covered >= 0.85 * trials);
+}
+
+TEST_CASE("A drift that shifts what the robot sees cancels when it turns back") {
+  const Scene one_way{.drift_rad_per_turn = 0.06};
+  const auto wrong = fit_encoder_scale(turn_past(one_way), {});
+  REQUIRE(wrong);
+  CHECK_THAT(wrong->ticks_per_turn / 1660.0, WithinAbs(1.0 + 0.06 / (2.0 * std::numbers::pi), 0.001));
+  CHECK_FALSE(wrong->drift);
+
+  const auto right =
+      fit_encoder_scale(turn_past({.turns = 2.0, .drift_rad_per_turn = 0.06, .and_back = true}), {});
+  REQUIRE(right);
+  CHECK_THAT(right->ticks_per_turn, WithinRel(1660.0, 0.0005));
+  CHECK_THAT(right->drift.value(), WithinAbs(0.06 / (2.0 * std::numbers::pi), 0.001));
+  CHECK_THAT(right->turns, WithinAbs(4.0, 0.05));
+}
+
+TEST_CASE("A drift makes the stated error larger, for not all of it cancels") {
+  const auto still = fit_encoder_scale(turn_past({.turns = 2.0, .and_back = true}), {});
+  const auto drifting =
+      fit_encoder_scale(turn_past({.turns = 2.0, .drift_rad_per_turn = 0.06, .and_back = true}), {});
+  REQUIRE(still);
+  REQUIRE(drifting);
+  CHECK(drifting->relative_standard_error > 0.0005);
+  CHECK(still->relative_standard_error < 0.0005);
+}
+
+TEST_CASE("An object that is out of sight on the way back is a reason to put more of them there") {
+  auto samples = turn_past({.turns = 2.0, .and_back = true});
+  const auto nothing = turn_past({.turns = 2.0, .obstacle_bearings_rad = {}, .and_back = true});
+  std::copy(nothing.begin() + static_cast<std::ptrdiff_t>(nothing.size() / 2), nothing.end(),
+            samples.begin() + static_cast<std::ptrdiff_t>(samples.size() / 2));
+  const auto fit = fit_encoder_scale(samples, {});
+  REQUIRE_FALSE(fit);
+  CHECK_THAT(fit.error().reason, ContainsSubstring("on the way back") && ContainsSubstring("several sides"));
 }
 
 TEST_CASE("Where there is no clear period the reason is given") {
