@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -173,12 +174,37 @@ ReferenceGains reference_gains(const GateState& gate) {
 
 }  // namespace
 
+namespace {
+
+// The unit in which a reference goes about `gain` times as far as its wheels in metres; empty where none
+// does.
+std::string unit_of(double gain) {
+  struct Unit {
+    const char* name;
+    double per_metre;
+    double tolerance;
+  };
+  constexpr std::array units{Unit{"mm", 1000.0, 1.35}, Unit{"cm", 100.0, 1.35}, Unit{"inches", 39.37, 1.06},
+                             Unit{"feet", 3.281, 1.06}};
+  for (const Unit& unit : units)
+    if (std::abs(std::log(std::abs(gain) / unit.per_metre)) < std::log(unit.tolerance)) return unit.name;
+  return "";
+}
+
+bool is_in_another_unit(const GainOf& along) {
+  if (along.surely_above(wrong_unit) || along.surely_below(-wrong_unit)) return true;
+  return along.surely_above(1.5) && !unit_of(along.gain()).empty();
+}
+
+}  // namespace
+
 void check_reference(GateState& gate) {
   const ReferenceGains gains = reference_gains(gate);
-  if (gains.along.surely_above(wrong_unit) || gains.along.surely_below(-wrong_unit)) {
+  if (is_in_another_unit(gains.along)) {
+    const std::string unit = unit_of(gains.along.gain());
     gate.fault(0,
-               "the reference moves " + in_digits(gains.along.gain(), 3) +
-                   " times as far as the wheels: is it in mm or cm? the format wants m",
+               "the reference moves " + in_digits(gains.along.gain(), 3) + " times as far as the wheels: " +
+                   (unit.empty() ? "what is its unit?" : "is it in " + unit + "?") + " the format wants m",
                true);
   } else if (gains.along.surely_below(against)) {
     gate.fault(0,
@@ -237,7 +263,7 @@ void check_gyro(GateState& gate) {
   } else {
     return;
   }
-  gate.fault(0, what + "; it was left out");
+  gate.treated_fault(0, what, "it was left out");
   for (DriveSample& sample : log.samples) sample.gyro_z_rad_s.reset();
 }
 

@@ -54,8 +54,10 @@ void remove_garbage_commands(GateState& gate) {
   std::vector<std::size_t> lines;  // not yet gate.lines: faults are still told by the rows as they were
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (size_of(samples[i].command_m_s) > limit) {
-      gate.fault(i, "a command of " + in_digits(size_of(samples[i].command_m_s), 4) +
-                        " m/s where no other is above " + in_digits(usual, 3) + " m/s; the row was left out");
+      gate.treated_fault(i,
+                         "a command of " + in_digits(size_of(samples[i].command_m_s), 4) +
+                             " m/s where no other is above " + in_digits(usual, 3) + " m/s",
+                         "the row was left out");
       gate.result.faults.back().distorts = true;
     } else {
       kept.push_back(samples[i]);
@@ -86,9 +88,10 @@ void leave_out_holes(GateState& gate) {
   const auto& samples = gate.result.log.samples;
   for (const auto& hole : find_holes(gate.result.log)) {
     const bool anew = counter_was_reset(gate, hole);
-    gate.fault(hole.row, "no rows for " + in_digits(hole.duration_s, 4) + " s" +
-                             (anew ? ", and the counters were reset in it" : "") +
-                             "; the first second behind them was left out");
+    gate.treated_fault(hole.row,
+                       "no rows for " + in_digits(hole.duration_s, 4) + " s" +
+                           (anew ? ", and the counters were reset in it" : ""),
+                       "the first second behind them was left out");
     gate.result.faults.back().distorts = anew;
     const double known_s = samples[hole.row].t_s + forgetting_s;
     for (std::size_t i = hole.row; i < samples.size() && samples[i].t_s < known_s; ++i) {
@@ -146,9 +149,11 @@ void remove_reference_jumps(GateState& gate) {
     const Leap leap = last.leap_to(sample);
     if (leap.impossible && in_a_row < longest_leap) {
       if (in_a_row == 0) {
-        gate.fault(i, "the reference jumps by " + in_digits(leap.moved_m, 3) + " m and " +
-                          in_digits(leap.turned_rad, 3) + " rad in " + in_digits(leap.duration_s, 3) +
-                          " s; the row was left out");
+        gate.treated_fault(i,
+                           "the reference jumps by " + in_digits(leap.moved_m, 3) + " m and " +
+                               in_digits(leap.turned_rad, 3) + " rad in " + in_digits(leap.duration_s, 3) +
+                               " s",
+                           "the row was left out");
       }
       ++in_a_row;
       sample.reference_x_m.reset();
@@ -209,7 +214,7 @@ void find_other_scale(std::span<const DriveLog> logs, std::vector<GatedLog>& gat
                                             logs[outlier->other].name + " (line " +
                                             std::to_string(logs[outlier->other].first_line) +
                                             "): other firmware, other wheels, or another scale",
-                                        false, true, false});
+                                        false, true, false, ""});
 }
 
 }  // namespace

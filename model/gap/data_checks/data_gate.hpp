@@ -17,11 +17,14 @@ namespace wheelwright::gap {
 
 struct DataFault {
   std::string log;
-  std::size_t row = 0;    // line of the file
-  std::string what;       // what is wrong, and what was done about it
+  std::size_t row = 0;  // line of the file
+  std::string what;
   bool distorts = false;  // with that row in, any model would be wrong
   bool explains = false;  // the log says something else than it seems to: nothing behind it can be judged
   bool happened = false;  // no fault of the data: so it was
+  std::string treatment;  // what the gate did about it; empty where nothing
+
+  std::string text() const { return treatment.empty() ? what : what + "; " + treatment; }
 };
 
 struct Dropout {

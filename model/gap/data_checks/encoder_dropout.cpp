@@ -151,9 +151,10 @@ void leave_out_frozen(GateState& gate, const Freeze& freeze) {
   const double duration = duration_s(gate, freeze);
   for (std::size_t k = freeze.first + 1; k <= freeze.end; ++k) gate.result.flags.counts[k] = 1;
   gate.result.dropouts.push_back({gate.result.log.samples[freeze.first].t_s, duration});
-  gate.fault(freeze.first + 1, std::string(freeze.left ? "ticks_left" : "ticks_right") + " stand still for " +
-                                   in_digits(duration, 3) +
-                                   " s while the wheel turns; the rows were left out");
+  gate.treated_fault(freeze.first + 1,
+                     std::string(freeze.left ? "ticks_left" : "ticks_right") + " stand still for " +
+                         in_digits(duration, 3) + " s while the wheel turns",
+                     "the rows were left out");
 }
 
 // Counts of either wheel that stand still between two moments at which the wheel surely turned.
@@ -217,10 +218,11 @@ void find_frozen_counts(GateState& gate) {
 void leave_out_thinned(GateState& gate, const ThinnedCounts& segment, bool left, double duration_s) {
   for (std::size_t k = segment.first_row; k <= segment.last_row; ++k) gate.result.flags.counts[k] = 1;
   gate.result.dropouts.push_back({gate.result.log.samples[segment.first_row - 1].t_s, duration_s});
-  gate.fault(segment.first_row, std::string(left ? "ticks_left" : "ticks_right") + " miss " +
-                                    in_digits(std::round(100.0 * segment.lost), 3) +
-                                    " % of their edges for " + in_digits(duration_s, 3) +
-                                    " s; the rows were left out");
+  gate.treated_fault(segment.first_row,
+                     std::string(left ? "ticks_left" : "ticks_right") + " miss " +
+                         in_digits(std::round(100.0 * segment.lost), 3) + " % of their edges for " +
+                         in_digits(duration_s, 3) + " s",
+                     "the rows were left out");
 }
 
 // A part of the edges, for a while.
@@ -268,12 +270,13 @@ void find_jumps(GateState& gate) {
       gate.result.flags.restart[i] = 1;
       const auto ticks = left ? samples[i].ticks->left - samples[i - 1].ticks->left
                               : samples[i].ticks->right - samples[i - 1].ticks->right;
-      gate.fault(i, std::string(left ? "ticks_left" : "ticks_right") + " jumps by " + std::to_string(ticks) +
-                        " in " + in_digits(duration, 3) + " s" +
-                        (std::abs(std::abs(static_cast<double>(ticks)) - 65536.0) < 2000.0
-                             ? " (a 16-bit counter that was not unwrapped?)"
-                             : "") +
-                        "; the counts were taken up again behind it");
+      gate.treated_fault(i,
+                         std::string(left ? "ticks_left" : "ticks_right") + " jumps by " +
+                             std::to_string(ticks) + " in " + in_digits(duration, 3) + " s" +
+                             (std::abs(std::abs(static_cast<double>(ticks)) - 65536.0) < 2000.0
+                                  ? " (a 16-bit counter that was not unwrapped?)"
+                                  : ""),
+                         "the counts were taken up again behind it");
       gate.result.faults.back().distorts = true;
     }
   }
@@ -296,7 +299,7 @@ void find_dropouts(GateState& gate) {
     while (end < samples.size() && !samples[end].ticks) ++end;
     const double duration = samples[std::min(end, samples.size() - 1)].t_s - samples[i].t_s;
     gate.result.dropouts.push_back({samples[i].t_s, duration});
-    gate.fault(i, "no counts for " + in_digits(duration, 3) + " s; the rows were left out");
+    gate.treated_fault(i, "no counts for " + in_digits(duration, 3) + " s", "the rows were left out");
     i = end;
   }
   find_frozen_counts(gate);

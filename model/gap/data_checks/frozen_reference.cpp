@@ -129,11 +129,12 @@ class FrozenReference {
     const bool is_way = from.reference_x_m && until_last_.way_m > rolled_m;
     const bool is_turn = from.reference_theta_rad && until_last_.turn_rad > rolled_rad;
     if (!is_way && !is_turn) return;
-    gate_.fault(*first_ + 1, "the reference stands still while the wheels roll " +
-                                 in_digits(until_last_.way_m, 3) + " m and turn " +
-                                 in_digits(until_last_.turn_rad, 3) +
-                                 " rad by their counts: frozen, or the robot was held; " +
-                                 std::to_string(poses_ - 1) + " poses were left out");
+    gate_.treated_fault(*first_ + 1,
+                        "the reference stands still while the wheels roll " +
+                            in_digits(until_last_.way_m, 3) + " m and turn " +
+                            in_digits(until_last_.turn_rad, 3) +
+                            " rad by their counts: frozen, or the robot was held",
+                        std::to_string(poses_ - 1) + " poses were left out");
     frozen_m_ += until_last_.way_m;
     for (std::size_t i = *first_ + 1; i <= last_; ++i) {
       samples_[i].reference_x_m.reset();

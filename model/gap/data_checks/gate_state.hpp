@@ -17,10 +17,13 @@ struct GateState {
 
   std::size_t line(std::size_t row) const { return lines.empty() ? result.log.first_line + row : lines[row]; }
   void fault(std::size_t row, const std::string& what, bool explains = false) {
-    result.faults.push_back({result.log.name, line(row), what, false, explains, false});
+    result.faults.push_back({result.log.name, line(row), what, false, explains, false, ""});
+  }
+  void treated_fault(std::size_t row, const std::string& what, const std::string& treatment) {
+    result.faults.push_back({result.log.name, line(row), what, false, false, false, treatment});
   }
   void event(std::size_t row, const std::string& what) {
-    result.faults.push_back({result.log.name, line(row), what, false, false, true});
+    result.faults.push_back({result.log.name, line(row), what, false, false, true, ""});
   }
   // Of a wheel, by its counter.
   double travel(std::size_t row, bool left) const {

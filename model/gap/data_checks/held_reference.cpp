@@ -57,9 +57,10 @@ void leave_out_repeated_poses(GateState& gate) {
   if (moving < enough_rows || apart_s.empty() ||
       static_cast<double>(held) < share_of_held * static_cast<double>(moving))
     return;
-  gate.fault(repeated.front(), "the reference repeats its last pose until the next one, " +
-                                   in_digits(median(apart_s), 2) + " s later; " +
-                                   std::to_string(repeated.size()) + " repeated poses were left out");
+  gate.treated_fault(
+      repeated.front(),
+      "the reference repeats its last pose until the next one, " + in_digits(median(apart_s), 2) + " s later",
+      std::to_string(repeated.size()) + " repeated poses were left out");
   for (const std::size_t row : repeated) {
     samples[row].reference_x_m.reset();
     samples[row].reference_y_m.reset();

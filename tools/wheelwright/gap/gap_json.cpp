@@ -175,7 +175,7 @@ std::string gap_to_json(const gap::GapAnalysis& analysis, const std::optional<ga
   }
   json["data_faults"] = ordered_json::array();
   for (const auto& fault : analysis.data_faults) {
-    json["data_faults"].push_back({{"log", fault.log}, {"row", fault.row}, {"what", fault.what}});
+    json["data_faults"].push_back({{"log", fault.log}, {"row", fault.row}, {"what", fault.text()}});
   }
   json["linear_changes"] = linear_changes_to_json(analysis.linear_changes);
   if (simulation != nullptr) json["simulation"] = simulation_to_json(*simulation);

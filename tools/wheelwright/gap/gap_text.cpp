@@ -72,7 +72,7 @@ void print_faults(std::ostream& out, const std::string& title, const std::vector
   for (const auto& fault : all) {
     if (fault.happened != happened) continue;
     if (count == 0) out << "\n" << title << ":\n";
-    if (++count <= most) out << "  " << fault.log << ":" << fault.row << ": " << fault.what << "\n";
+    if (++count <= most) out << "  " << fault.log << ":" << fault.row << ": " << fault.text() << "\n";
   }
   if (count > most) out << "  and " << count - most << " more, all in gap.json\n";
 }

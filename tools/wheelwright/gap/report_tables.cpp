@@ -233,7 +233,7 @@ std::string faults_section(const gap::GapAnalysis& analysis) {
   Rows faults;
   Rows events;
   for (const auto& fault : analysis.data_faults) {
-    (fault.happened ? events : faults).push_back({fault.log + ":" + std::to_string(fault.row), fault.what});
+    (fault.happened ? events : faults).push_back({fault.log + ":" + std::to_string(fault.row), fault.text()});
   }
   return section("Faults of the data", html::table({"where", "what"}, faults)) +
          section("What held a wheel", html::table({"where", "what"}, events));

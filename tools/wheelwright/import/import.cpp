@@ -124,6 +124,7 @@ void print(std::ostream& out, const ImportCommand& options, const import::Unders
   for (const auto& doubt : understood.inference.doubts) out << "doubt: " << doubt << "\n";
   for (const auto& remark : conversion.remarks) out << "note: " << remark << "\n";
   for (const auto& run : conversion.runs) {
+    for (const auto& line : describe_contradictions(run)) out << "doubt: " << line << "\n";
     out << run.samples.size() << " rows, " << config::fixed_number(run.samples.back().t_s, 1) << " s, "
         << config::plain_number(run.period_s) << " s apart\n";
   }
@@ -139,6 +140,7 @@ nlohmann::ordered_json to_json(const ImportCommand& options, const import::Under
   json["notes"] = conversion.remarks;
   for (const auto& entry : understood.inference.entries) json["mapping"][entry.key] = entry.value;
   for (const auto& run : conversion.runs) {
+    for (const auto& line : describe_contradictions(run)) json["doubts"].push_back(line);
     json["runs"].push_back(
         {{"rows", run.samples.size()}, {"duration_s", run.samples.back().t_s}, {"period_s", run.period_s}});
   }

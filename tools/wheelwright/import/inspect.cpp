@@ -16,6 +16,7 @@
 #include "tools/wheelwright/common/json_text.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/import_files.hpp"
+#include "tools/wheelwright/logs/log_checks.hpp"
 #include "tools/wheelwright/logs/log_input.hpp"
 
 namespace wheelwright::tools {
@@ -157,6 +158,8 @@ void print(std::ostream& out, const InspectOptions& options, const import::Under
     return;
   }
   for (const auto& remark : conversion->remarks) out << "note: " << printable(remark) << "\n";
+  for (const auto& run : conversion->runs)
+    for (const auto& line : describe_contradictions(run)) out << "doubt: " << printable(line) << "\n";
   out << "import: " << import_line(options) << "\n";
 }
 
@@ -203,6 +206,7 @@ ordered_json to_json(const InspectOptions& options, const import::Understood& un
                               {"rows", run.samples.size()},
                               {"duration_s", run.samples.back().t_s},
                               {"period_s", run.period_s}});
+      for (const auto& line : describe_contradictions(run)) json["doubts"].push_back(line);
     }
     json["import"] = import_line(options);
   } else {

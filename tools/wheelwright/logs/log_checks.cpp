@@ -9,6 +9,7 @@
 #include "config/load/ascii_text.hpp"
 #include "config/load/drive_log_file.hpp"
 #include "config/load/text_format.hpp"
+#include "model/gap/data_checks/data_gate.hpp"
 #include "model/log/near_periods.hpp"
 #include "model/log/run_periods.hpp"
 #include "model/prediction/segments.hpp"
@@ -207,6 +208,14 @@ std::vector<std::string> describe_holes(const DriveLog& log) {
       break;
     }
     lines.push_back(where + ": no rows for " + config::fixed_number(hole.duration_s, 3) + " s");
+  }
+  return lines;
+}
+
+std::vector<std::string> describe_contradictions(const DriveLog& log) {
+  std::vector<std::string> lines;
+  for (const gap::DataFault& fault : gap::gate(log).faults) {
+    if (!fault.happened) lines.push_back(fault.log + ":" + std::to_string(fault.row) + ": " + fault.what);
   }
   return lines;
 }

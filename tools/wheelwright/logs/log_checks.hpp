@@ -39,4 +39,8 @@ void check_log_for_model(const DriveLog& log, const LinearModel& model, std::ost
 // many more. Nothing where there is none.
 std::vector<std::string> describe_holes(const DriveLog& log);
 
+// What in a run contradicts itself, as `gap` will say it: a reference in another unit, mirrored or frozen,
+// counters of the wrong side or sign, counts that stand still. One line each: "run.csv:8: ...".
+std::vector<std::string> describe_contradictions(const DriveLog& log);
+
 }  // namespace wheelwright::tools

@@ -131,6 +131,7 @@ NameMeaning meaning_of(const Stream& stream, const Channel& channel) {
   // Transforms and the covariances beside a pose say nothing by their topic.
   const std::string topic = stream.name.substr(0, stream.name.find(':'));
   name.unit = channel.unit.empty() ? name.words.take_unit() : channel.unit;
+  if (name.unit == "in") name.unit = "inch";  // a word of many names, but a unit where the file states one
   if (const auto standard = unit_by_spelling(name.unit); !standard.empty()) name.unit = standard;
   name.side = side_of(name.words);
   name.is_command = is_command_name(name.words) || is_command_name(NameWords(topic));

@@ -6,11 +6,7 @@
 #include <cmath>
 
 namespace wheelwright::import {
-namespace {
-
-constexpr double near_gain = 1.35;  // a unit is taken where the gain is within this factor of it
-
-}  // namespace
+namespace {}  // namespace
 
 bool is_near(double gain, double unit) {
   return gain > 0.0 && std::abs(std::log(gain / unit)) < std::log(near_gain);

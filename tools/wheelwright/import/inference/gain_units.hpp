@@ -7,6 +7,7 @@
 namespace wheelwright::import {
 
 // Within a third of the unit, with its sign.
+inline constexpr double near_gain = 1.35;  // a unit is taken where the gain is within this factor of it
 bool is_near(double gain, double unit);
 
 // Five figures: the gain of a noisy response has no more.

@@ -79,10 +79,19 @@ class ReferenceUnits {
   void place_unit(double ratio) {
     ReferenceMapping& reference = *mapping_.reference;
     if (given_.says("reference.unit") || reference.unit != "m") return;
-    for (const auto& [unit, per_metre] : {std::pair{"mm", 1000.0}, {"cm", 100.0}}) {
-      if (!is_near(ratio, per_metre)) continue;
+    struct PlaceUnit {
+      const char* name;
+      double per_metre;
+      double tolerance;  // feet and inches are near other scales
+    };
+    for (const auto& [unit, per_metre, tolerance] : {PlaceUnit{"mm", 1000.0, near_gain},
+                                                     {"cm", 100.0, near_gain},
+                                                     {"ft", 1.0 / 0.3048, 1.06},
+                                                     {"inch", 1.0 / 0.0254, 1.06}}) {
+      if (std::abs(std::log(ratio / per_metre)) > std::log(tolerance)) continue;
       reference.unit = unit;
-      findings_.push_back("places are in " + reference.unit + ": they go " + fixed_number(ratio, 0) +
+      findings_.push_back("places are in " + reference.unit + ": they go " +
+                          fixed_number(ratio, ratio < 10.0 ? 2 : 0) +
                           " times as far as the counts in metres");
     }
   }

@@ -28,7 +28,7 @@ constexpr double sure_explained = 0.5;  // share of the variance from which a ga
 std::optional<Unit> unit_of_gain(double gain, const std::optional<WheelMapping>& wheels) {
   for (const Unit& unit : speed_units()) {
     const auto m_s = speed_in_m_s(unit, wheels);
-    if (m_s && unit.name != "km/h" && is_near(gain, *m_s)) return unit;
+    if (m_s && unit.name != "km/h" && !unit.is_imperial && is_near(gain, *m_s)) return unit;
   }
   return std::nullopt;
 }
@@ -163,7 +163,7 @@ class UnitFinder {
     if (gain > 1.0 / 3.0 && gain < 3.0) return;
     for (const Unit& unit : speed_units()) {
       const auto m_s = speed_in_m_s(unit, mapping_.wheels);
-      if (!m_s || !is_near(gain, 1.0 / *m_s)) continue;
+      if (!m_s || unit.is_imperial || !is_near(gain, 1.0 / *m_s)) continue;
       wheels.unit = unit.name;
       findings_.push_back("wheel speeds are in " + wheels.unit + evidence());
       return;
@@ -181,7 +181,8 @@ class UnitFinder {
       return take_travel_unit(WheelKind::angle, unit);
     }
     for (const Unit& unit : distance_units()) {
-      if (is_near(metres, unit.in_si)) return take_travel_unit(WheelKind::distance, unit);
+      if (!unit.is_imperial && is_near(metres, unit.in_si))
+        return take_travel_unit(WheelKind::distance, unit);
     }
   }
 

@@ -14,10 +14,19 @@ namespace {
 using std::numbers::pi;
 using Spelling = std::pair<std::string_view, std::string_view>;
 
+constexpr double inch_m = 0.0254;
+constexpr double foot_m = 0.3048;
+
+constexpr Unit imperial(std::string_view name, double in_si) {
+  return {name, in_si, false, false, true};
+}
+
 constexpr std::array speed_table{Unit{"m/s", 1.0},
                                  Unit{"mm/s", 1e-3},
                                  Unit{"cm/s", 1e-2},
                                  Unit{"km/h", 1.0 / 3.6},
+                                 imperial("ft/s", foot_m),
+                                 imperial("inch/s", inch_m),
                                  Unit{"rad/s", 1.0, true},
                                  Unit{"deg/s", pi / 180.0, true},
                                  Unit{"rpm", pi / 30.0, true},
@@ -25,13 +34,14 @@ constexpr std::array speed_table{Unit{"m/s", 1.0},
                                  Unit{"counts/s", 1.0, false, true}};
 constexpr std::array angular_table{Unit{"rad/s", 1.0}, Unit{"deg/s", pi / 180.0}, Unit{"rpm", pi / 30.0},
                                    Unit{"mrad/s", 1e-3}};
-constexpr std::array distance_table{Unit{"m", 1.0}, Unit{"mm", 1e-3}, Unit{"cm", 1e-2}, Unit{"km", 1e3}};
+constexpr std::array distance_table{Unit{"m", 1.0},  Unit{"mm", 1e-3},       Unit{"cm", 1e-2},
+                                    Unit{"km", 1e3}, imperial("ft", foot_m), imperial("inch", inch_m)};
 constexpr std::array angle_table{Unit{"rad", 1.0}, Unit{"deg", pi / 180.0}, Unit{"turn", 2.0 * pi},
                                  Unit{"mrad", 1e-3}};
 constexpr std::array voltage_table{Unit{"V", 1.0}, Unit{"mV", 1e-3}};
 
 // Lower case, without blanks; how a unit is written beside its standard form.
-constexpr std::array<Spelling, 75> spellings{{{"m/s", "m/s"},
+constexpr std::array<Spelling, 92> spellings{{{"m/s", "m/s"},
                                               {"counts/s", "counts/s"},
                                               {"count/s", "counts/s"},
                                               {"counts_per_s", "counts/s"},
@@ -88,6 +98,23 @@ constexpr std::array<Spelling, 75> spellings{{{"m/s", "m/s"},
                                               {"millimeters", "mm"},
                                               {"cm", "cm"},
                                               {"km", "km"},
+                                              {"ft", "ft"},
+                                              {"foot", "ft"},
+                                              {"feet", "ft"},
+                                              {"inch", "inch"},
+                                              {"inches", "inch"},
+                                              {"ft/s", "ft/s"},
+                                              {"ft/sec", "ft/s"},
+                                              {"ft_s", "ft/s"},
+                                              {"ft_per_s", "ft/s"},
+                                              {"ft_per_sec", "ft/s"},
+                                              {"feet/s", "ft/s"},
+                                              {"feet_per_second", "ft/s"},
+                                              {"inch/s", "inch/s"},
+                                              {"in/s", "inch/s"},
+                                              {"inches/s", "inch/s"},
+                                              {"in_per_s", "inch/s"},
+                                              {"inches_per_second", "inch/s"},
                                               {"rad", "rad"},
                                               {"radian", "rad"},
                                               {"radians", "rad"},

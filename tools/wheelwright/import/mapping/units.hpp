@@ -12,14 +12,16 @@ inline constexpr std::string_view raw_unit = "LSB";
 
 struct Unit {
   std::string_view name;
-  double in_si;           // how many m, m/s, rad, rad/s, s or V one of it is
-  bool of_wheel = false;  // an angle of the wheel: times the wheel radius it is a distance
-  bool of_count = false;  // counts of the encoder: times the distance of one it is a distance
+  double in_si;              // how many m, m/s, rad, rad/s, s or V one of it is
+  bool of_wheel = false;     // an angle of the wheel: times the wheel radius it is a distance
+  bool of_count = false;     // counts of the encoder: times the distance of one it is a distance
+  bool is_imperial = false;  // near metres as scales go: not inferred from how far the robot moves
 };
 
-std::span<const Unit> speed_units();     // m/s mm/s cm/s km/h, of a wheel rad/s deg/s rpm turn/s, counts/s
+std::span<const Unit>
+speed_units();  // m/s mm/s cm/s km/h ft/s inch/s, of a wheel rad/s deg/s rpm turn/s, counts/s
 std::span<const Unit> angular_units();   // rad/s deg/s
-std::span<const Unit> distance_units();  // m mm cm km
+std::span<const Unit> distance_units();  // m mm cm km ft inch
 std::span<const Unit> angle_units();     // rad deg turn
 std::span<const Unit> voltage_units();   // V mV
 

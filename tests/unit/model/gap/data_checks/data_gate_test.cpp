@@ -138,6 +138,23 @@ TEST_CASE("Sides that are swapped and signs that are wrong explain a gap on thei
   }
 }
 
+TEST_CASE("A reference in another unit explains a gap on its own, and the unit is said") {
+  for (const auto& [per_metre, unit] :
+       {std::pair{1000.0, "mm"}, {100.0, "cm"}, {1.0 / 0.0254, "inches"}, {1.0 / 0.3048, "feet"}}) {
+    INFO(unit);
+    auto log = clean_log();
+    for (auto& sample : log.samples) {
+      if (!sample.reference_x_m) continue;
+      *sample.reference_x_m *= per_metre;
+      *sample.reference_y_m *= per_metre;
+    }
+    const auto gated = gate(log);
+    const auto said = std::ranges::find_if(gated.faults, &DataFault::explains);
+    REQUIRE(said != gated.faults.end());
+    CHECK_THAT(said->what, ContainsSubstring(std::string("is it in ") + unit + "?"));
+  }
+}
+
 TEST_CASE("Counts that stand still while their wheel turns are a dropout of the encoder") {
   auto log = clean_log();
   const std::size_t from = moving_row(log) - 25;

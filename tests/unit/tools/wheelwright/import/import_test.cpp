@@ -290,3 +290,32 @@ TEST_CASE("Of the poses in a recording of the daemon the measured one is the ref
   REQUIRE(reference());
   CHECK(reference()->x->stream == "/pose/reference");
 }
+
+TEST_CASE("Commands and places in feet and inches are read by their names") {
+  const auto drive = foreign_drive();
+  const auto text = foreign_text(
+      drive, "t,cmd_left [ft/s],cmd_right [ft/s],encL,encR,x [in],y [in],theta", [&](const ForeignRow& row) {
+        return number(row.t_s) + "," + number(row.command_left / 0.3048) + "," +
+               number(row.command_right / 0.3048) + "," + counts(row) + "," + number(row.x / 0.0254) + "," +
+               number(row.y / 0.0254) + "," + number(row.theta);
+      });
+  const auto outcome = import_text(text, {base, "wheels.metres_per_count=0.0005"});
+  check_same(outcome, drive);
+  const auto& run = outcome.conversion->runs.front();
+  CHECK_THAT(*run.samples.back().reference_x_m, WithinAbs(drive.rows.back().x, 1e-3));
+}
+
+TEST_CASE("Places without a unit that go 3.28 times as far as the wheels are feet") {
+  const auto drive = foreign_drive();
+  const auto text = foreign_text(
+      drive, "t,cmd_left,cmd_right,ticks_left,ticks_right,x,y,theta", [&](const ForeignRow& row) {
+        return number(row.t_s) + "," + number(row.command_left) + "," + number(row.command_right) + "," +
+               counts(row) + "," + number(row.x / 0.3048) + "," + number(row.y / 0.3048) + "," +
+               number(row.theta);
+      });
+  const auto outcome = import_text(text, {base, "wheels.metres_per_count=0.0005"});
+  REQUIRE(outcome.conversion);
+  CHECK(outcome.found("places are in ft"));
+  CHECK_THAT(*outcome.conversion->runs.front().samples.back().reference_x_m,
+             WithinAbs(drive.rows.back().x, 1e-3));
+}

@@ -179,3 +179,42 @@ TEST_CASE("A jump that no wheel makes is refused with its line, and a score warn
   CHECK_THAT(fit({path}).err, ContainsSubstring("unwrap the 16-bit counter"));
   CHECK_THAT(wheelwright_command({"score", model_path(), path}).err, ContainsSubstring(what));
 }
+
+namespace {
+
+// Poses by the counts, with y to the other side.
+DriveLog with_mirrored_reference(DriveLog log) {
+  Pose pose;
+  for (std::size_t k = 0; k < log.samples.size(); ++k) {
+    DriveSample& sample = log.samples[k];
+    if (k > 0) {
+      const auto& before = *log.samples[k - 1].ticks;
+      const WheelPair travel_m{
+          static_cast<double>(sample.ticks->left - before.left) * log.metres_per_tick->left,
+          static_cast<double>(sample.ticks->right - before.right) * log.metres_per_tick->right};
+      pose = move_along_arc(pose, twist_of_wheels(travel_m, log.wheel_base_m), 1.0);
+    }
+    sample.reference_x_m = pose.x_m;
+    sample.reference_y_m = -pose.y_m;
+    sample.reference_theta_rad = pose.theta_rad;
+  }
+  return log;
+}
+
+}  // namespace
+
+TEST_CASE("inspect and import say that a reference is mirrored, before anything is fitted to it") {
+  const std::string path = saved("doubtful_mirrored.csv", with_mirrored_reference(plant_run(1, 4000)));
+  const auto copy = (test::temporary_folder() / "doubtful_mirrored_copy.csv").string();
+  const Outcome inspected = wheelwright_command({"inspect", path});
+  CHECK_THAT(inspected.out, ContainsSubstring("doubt: ") && ContainsSubstring("mirrored heading"));
+  const Outcome imported = wheelwright_command({"import", path, "-o", copy, "--json"});
+  CHECK_THAT(imported.out, ContainsSubstring("mirrored heading"));
+  CHECK(imported.status == ExitStatus::done);
+}
+
+TEST_CASE("inspect says nothing of what gap would leave out, but of what is wrong") {
+  const std::string path = saved("doubtful_hole.csv", without_rows(plant_run(1), 400, 600));
+  const Outcome inspected = wheelwright_command({"inspect", path});
+  CHECK_THAT(inspected.out, ContainsSubstring("no rows for") && !ContainsSubstring("left out"));
+}
