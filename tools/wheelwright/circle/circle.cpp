@@ -18,6 +18,7 @@
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/circle/circle_report.hpp"
 #include "tools/wheelwright/circle/hidden_robot.hpp"
+#include "tools/wheelwright/circle/own_imperfections.hpp"
 #include "tools/wheelwright/common/command_line.hpp"
 #include "tools/wheelwright/common/commands.hpp"
 #include "tools/wheelwright/common/json_text.hpp"
@@ -98,6 +99,7 @@ class Circle {
     write(sealed / "robot.yaml", hidden.robot_yaml);
     robot_ = config::load_simulation_config(sealed / "robot.yaml");
     report_.hidden = hidden.imperfections;
+    report_.not_hidden = own_imperfections(config::load_simulation_config(options_.robot));
     report_.sealed_file = (sealed / "robot.yaml").string();
   }
 
@@ -126,7 +128,7 @@ class Circle {
     const double true_m = std::numbers::pi * mean_diameter_m / robot_.encoder.counts_per_revolution;
     const WheelPair& found_m = calibrated.encoder_scale->metres_per_tick;
     const auto error = scale_error(0.5 * (found_m.left + found_m.right), true_m);
-    if (error) report_.calibration_errors.push_back(*error);
+    if (error) report_.not_hidden.push_back(*error);
   }
 
   // By both models with the same luck.

@@ -111,8 +111,7 @@ NamingScore naming_score(const CircleReport& report) {
         report.named, [&](const std::string& effect) { return is_name_of(effect, imperfection); });
   }
   for (const auto& effect : report.named) {
-    score.wrong +=
-        !belongs_to_any(effect, report.hidden) && !belongs_to_any(effect, report.calibration_errors);
+    score.wrong += !belongs_to_any(effect, report.hidden) && !belongs_to_any(effect, report.not_hidden);
   }
   return score;
 }
@@ -136,8 +135,8 @@ void print_circle(std::ostream& out, const CircleReport& report) {
     out << "  hidden: " << imperfection.what << " (rightly named " << joined(imperfection.effects, " or ")
         << ")\n";
   }
-  for (const auto& error : report.calibration_errors) {
-    out << "  not hidden, but so: " << error.what << " (" << joined(error.effects, " or ") << ")\n";
+  for (const auto& own : report.not_hidden) {
+    out << "  not hidden, but so: " << own.what << " (" << joined(own.effects, " or ") << ")\n";
   }
   const NamingScore score = naming_score(report);
   out << "  named rightly: " << score.right << " of " << report.hidden.size()
@@ -157,7 +156,7 @@ ordered_json circle_json(const CircleReport& report) {
   return {{"before", to_json(report.before)},  {"experiments", experiments},
           {"verdict", report.verdict},         {"named", report.named},
           {"proof", to_json(report.proof)},    {"after", to_json(report.after)},
-          {"hidden", to_json(report.hidden)},  {"calibration_errors", to_json(report.calibration_errors)},
+          {"hidden", to_json(report.hidden)},  {"not_hidden", to_json(report.not_hidden)},
           {"sealed_file", report.sealed_file}, {"named_rightly", score.right},
           {"named_falsely", score.wrong}};
 }

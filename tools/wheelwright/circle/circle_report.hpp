@@ -47,9 +47,9 @@ struct Proof {
 struct CircleReport {
   std::string sealed_file;
   std::vector<Imperfection> hidden;
-  // What the calibration got wrong on this robot, though nobody hid it: a right name, which nobody has to
-  // find.
-  std::vector<Imperfection> calibration_errors;
+  // What the robot has of its own, and what the calibration got wrong on it: right names, which nobody has
+  // to find.
+  std::vector<Imperfection> not_hidden;
   std::vector<Experiment> experiments;
   std::string verdict;             // of the gap workflow, at last
   std::vector<std::string> named;  // effects, the strongest first
@@ -73,7 +73,7 @@ void print_circle(std::ostream& out, const CircleReport& report);
 
 // Keys: before, after {offsets_m, mean_offset_m, stopped, failure}, proof {calibrated_m, found_m,
 // calibrated_stopped, found_stopped, drives}, experiments [{manoeuvre, seconds, separates, failure}],
-// verdict, named, hidden [{what, effects}], calibration_errors [{what, effects}], sealed_file, named_rightly,
+// verdict, named, hidden [{what, effects}], not_hidden [{what, effects}], sealed_file, named_rightly,
 // named_falsely. Where no lap came to its end the mean is null, where all did the failure is.
 nlohmann::ordered_json circle_json(const CircleReport& report);
 

@@ -10,6 +10,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tools/wheelwright/circle/circle_report.hpp"
+#include "tools/wheelwright/circle/own_imperfections.hpp"
 #include "tools/wheelwright/evaluation/learning_drives.hpp"
 #include "tools/wheelwright/evaluation/prediction_error.hpp"
 
@@ -79,11 +80,24 @@ TEST_CASE("A scale that the calibration got wrong is rightly named, and nobody h
   const auto error = tools::scale_error(0.000443, 0.000445);
   REQUIRE(error);
   CHECK(error->what == "metres per tick, calibrated 0.45 % too small");
-  report.calibration_errors = {*error};
+  report.not_hidden = {*error};
   CHECK(tools::naming_score(report).wrong == 0);
   report.named = {"turn_scrub"};
   CHECK(tools::naming_score(report).right == 1);
   CHECK_FALSE(tools::scale_error(0.0004451, 0.000445));
+}
+
+TEST_CASE("What a robot has of its own is rightly named, and nobody has to find it") {
+  const auto own = [](const std::string& robot) {
+    return tools::own_imperfections(
+        config::load_simulation_config(WHEELWRIGHT_SOURCE_DIR "/config/robots/" + robot + ".yaml"));
+  };
+  CHECK(own("perfect").empty());
+  tools::CircleReport report;
+  report.named = {"command_quantization", "wheel_scale_mismatch"};
+  CHECK(tools::naming_score(report).wrong == 2);
+  report.not_hidden = own("create2");
+  CHECK(tools::naming_score(report).wrong == 0);
 }
 
 TEST_CASE("Where no lap came to its end the report says why instead of an offset") {
