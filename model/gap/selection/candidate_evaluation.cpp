@@ -44,7 +44,9 @@ void CandidateEvaluation::set_noise_left_by(const TrialModel& model) {
 
 // What no slope leads to.
 TrialModel CandidateEvaluation::tuned(const TrialModel& model) const {
-  const TrialModel stepping = with_thresholds_tuned(train_, with_steps_tuned(train_, model, parallel_for_));
+  const TrialModel centred =
+      with_steps_centred(train_, with_steps_tuned(train_, model, parallel_for_), parallel_for_);
+  const TrialModel stepping = with_thresholds_tuned(train_, centred);
   return with_region_tuned(train_, stepping, parallel_for_);
 }
 

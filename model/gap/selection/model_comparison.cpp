@@ -281,7 +281,9 @@ bool ModelComparison::clearly_better(const Fit& with, const Fit& without) const 
 }
 
 bool ModelComparison::stands_beside(const Fit& both, const Candidate& decoy) const {
-  return clearly_better(both, decoy.fit);
+  Candidate beside;
+  beside.fit = both;
+  return clear(judged(decoy.fit, decoy.heldout_residuals, std::move(beside)));
 }
 
 bool ModelComparison::explains_something_else(const Fit& both, const Candidate& one,

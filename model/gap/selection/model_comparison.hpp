@@ -50,9 +50,9 @@ struct SearchLimits {
   double min_linear_part_nats = 3.0;  // held out, deflated, for a larger linear part
   double min_further_nats = 20.0;     // held out, deflated, for a further effect
   double min_share = 0.06;            // of what the strongest effect explains, for a further one
-  double min_share_before_noise = 0.003;  // the same for one that leaves nothing but noise
-  double min_idle_nats = 40.0;            // held out, deflated, for one that free runs do not show
-  double clear_delay_nats = 100.0;        // the same for a delay that no linear part could hold
+  double min_share_before_noise = 0.0003;  // the same for one that leaves nothing but noise
+  double min_idle_nats = 40.0;             // held out, deflated, for one that free runs do not show
+  double clear_delay_nats = 100.0;         // the same for a delay that no linear part could hold
   double clear_left_out_nats =
       100.0;                    // of training runs by each other, for one that held-out runs do not show
   std::size_t max_paths = 3;    // first effects from each of which a search goes on

@@ -146,14 +146,14 @@ bool Search::accepted(const Candidate* best, const SelectionStep& selection_step
   return comparison_.stands_beside(train_.fit(with_both, steps_of_a_fit), selection_step.candidates.front());
 }
 
-// Mostly the best one; where correlation leaves that in doubt, the next may be clear.
+// Mostly the best one; where correlation leaves that in doubt, one that explains something else may be clear.
 const Candidate* Search::first_accepted(const SelectionStep& selection_step,
                                         const std::vector<SelectionStep>& so_far) const {
   constexpr int few = 3;
   int looked_at = 0;
   for (const Candidate& candidate : selection_step.candidates) {
-    if (is_decoy(*candidate.effect.info)) continue;
-    if (candidate.score <= 0.0 || ++looked_at > few) return nullptr;
+    if (is_decoy(*candidate.effect.info) || !comparison_.good_enough(candidate)) continue;
+    if (++looked_at > few) return nullptr;
     if (accepted(&candidate, selection_step, so_far)) return &candidate;
   }
   return nullptr;
