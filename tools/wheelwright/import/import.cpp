@@ -123,8 +123,8 @@ void print(std::ostream& out, const ImportCommand& options, const import::Unders
   for (const auto& finding : understood.inference.findings) out << "found: " << finding << "\n";
   for (const auto& doubt : understood.inference.doubts) out << "doubt: " << doubt << "\n";
   for (const auto& remark : conversion.remarks) out << "note: " << remark << "\n";
+  for (const auto& line : describe_contradictions(conversion.runs)) out << "doubt: " << line << "\n";
   for (const auto& run : conversion.runs) {
-    for (const auto& line : describe_contradictions(run)) out << "doubt: " << line << "\n";
     out << run.samples.size() << " rows, " << config::fixed_number(run.samples.back().t_s, 1) << " s, "
         << config::plain_number(run.period_s) << " s apart\n";
   }
@@ -139,8 +139,8 @@ nlohmann::ordered_json to_json(const ImportCommand& options, const import::Under
   json["doubts"] = understood.inference.doubts;
   json["notes"] = conversion.remarks;
   for (const auto& entry : understood.inference.entries) json["mapping"][entry.key] = entry.value;
+  for (const auto& line : describe_contradictions(conversion.runs)) json["doubts"].push_back(line);
   for (const auto& run : conversion.runs) {
-    for (const auto& line : describe_contradictions(run)) json["doubts"].push_back(line);
     json["runs"].push_back(
         {{"rows", run.samples.size()}, {"duration_s", run.samples.back().t_s}, {"period_s", run.period_s}});
   }

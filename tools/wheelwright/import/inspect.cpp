@@ -158,8 +158,8 @@ void print(std::ostream& out, const InspectOptions& options, const import::Under
     return;
   }
   for (const auto& remark : conversion->remarks) out << "note: " << printable(remark) << "\n";
-  for (const auto& run : conversion->runs)
-    for (const auto& line : describe_contradictions(run)) out << "doubt: " << printable(line) << "\n";
+  for (const auto& line : describe_contradictions(conversion->runs))
+    out << "doubt: " << printable(line) << "\n";
   out << "import: " << import_line(options) << "\n";
 }
 
@@ -206,8 +206,8 @@ ordered_json to_json(const InspectOptions& options, const import::Understood& un
                               {"rows", run.samples.size()},
                               {"duration_s", run.samples.back().t_s},
                               {"period_s", run.period_s}});
-      for (const auto& line : describe_contradictions(run)) json["doubts"].push_back(line);
     }
+    for (const auto& line : describe_contradictions(conversion->runs)) json["doubts"].push_back(line);
     json["import"] = import_line(options);
   } else {
     json["missing"] = conversion.error();

@@ -212,11 +212,21 @@ std::vector<std::string> describe_holes(const DriveLog& log) {
   return lines;
 }
 
-std::vector<std::string> describe_contradictions(const DriveLog& log) {
+std::vector<std::string> describe_contradictions(const std::vector<DriveLog>& runs) {
+  constexpr std::size_t max_lines = 10;
   std::vector<std::string> lines;
-  for (const gap::DataFault& fault : gap::gate(log).faults) {
-    if (!fault.happened) lines.push_back(fault.log + ":" + std::to_string(fault.row) + ": " + fault.what);
+  std::size_t more = 0;
+  for (const DriveLog& run : runs) {
+    for (const gap::DataFault& fault : gap::gate(run).faults) {
+      if (fault.happened) continue;
+      if (lines.size() == max_lines) {
+        ++more;
+      } else {
+        lines.push_back(fault.log + ":" + std::to_string(fault.row) + ": " + fault.what);
+      }
+    }
   }
+  if (more > 0) lines.push_back("and " + std::to_string(more) + " more like these");
   return lines;
 }
 

@@ -40,7 +40,8 @@ void check_log_for_model(const DriveLog& log, const LinearModel& model, std::ost
 std::vector<std::string> describe_holes(const DriveLog& log);
 
 // What in a run contradicts itself, as `gap` will say it: a reference in another unit, mirrored or frozen,
-// counters of the wrong side or sign, counts that stand still. One line each: "run.csv:8: ...".
-std::vector<std::string> describe_contradictions(const DriveLog& log);
+// counters of the wrong side or sign, counts that stand still. One line each, "run.csv:8: ..."; the first
+// ten, then how many more.
+std::vector<std::string> describe_contradictions(const std::vector<DriveLog>& runs);
 
 }  // namespace wheelwright::tools

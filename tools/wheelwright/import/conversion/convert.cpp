@@ -26,6 +26,26 @@ std::string period_contradiction(const DriveLog& log) {
          " s; correct it, or say the unit of the time: --set time.unit=ms";
 }
 
+// Rows closer together than the period are no contradiction (a command may hold for many), but seldom meant.
+void doubt_period(const DriveLog& log, std::vector<std::string>& remarks) {
+  constexpr double much_closer = 1.5;
+  std::vector<double> t_s;
+  for (const auto& sample : log.samples) t_s.push_back(sample.t_s);
+  const double step_s = median_step_s(t_s);
+  if (log.period_s < much_closer * step_s) return;
+  const std::string remark =
+      "rows are " + config::fixed_number(step_s, 4) + " s apart (median), though the period is said to be " +
+      config::plain_number(log.period_s) + " s; --set time.period_s=" + config::fixed_number(step_s, 4) +
+      " if that is wrong";
+  if (std::ranges::find(remarks, remark) == remarks.end()) remarks.push_back(remark);
+}
+
+// A few clocks that were set, or a new run every few seconds, are possible; in every twentieth row they are
+// not.
+bool is_out_of_order(const TimeRepair& time) {
+  return time.set_back > 10 && 20 * time.set_back > time.t_s.size();
+}
+
 // A log that writes counts only where they changed writes every column so.
 bool is_written_on_change(const DriveColumns& columns) {
   const std::array<const Column*, 3> references{&columns.x, &columns.y, &columns.theta_rad};
@@ -48,6 +68,11 @@ tl::expected<Conversion, std::string> convert(const DriveColumns& columns, const
   if (is_written_on_change(columns)) return convert(filled(columns), mapping, name);
   Conversion conversion;
   TimeRepair time = repair_runs(columns, mapping);
+  if (is_out_of_order(time)) {
+    return tl::unexpected(name + ": the clock goes back " + std::to_string(time.set_back) + " times in " +
+                          std::to_string(time.t_s.size()) +
+                          " rows: they are not in the order of time; sort the rows by their time");
+  }
   conversion.remarks = columns.remarks;
   conversion.remarks.insert(conversion.remarks.end(), time.remarks.begin(), time.remarks.end());
   for (const auto& rows : time.runs) {
@@ -56,6 +81,7 @@ tl::expected<Conversion, std::string> convert(const DriveColumns& columns, const
     if (const auto contradiction = period_contradiction(log); !contradiction.empty()) {
       return tl::unexpected(name + ": " + contradiction);
     }
+    doubt_period(log, conversion.remarks);
     if (is_one_wheel(mapping)) log.other_metadata.emplace_back("one_wheel", "left");
     if (!mapping.robot.empty()) log.other_metadata.emplace_back("robot", mapping.robot);
     for (const auto& entry : mapping_entries(mapping)) {

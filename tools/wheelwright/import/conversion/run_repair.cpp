@@ -95,6 +95,7 @@ TimeRepair repair_runs(const DriveColumns& columns, const Mapping& mapping) {
       for (auto& row : rows) row += begin;
       all.runs.push_back(std::move(rows));
     }
+    all.set_back += part.set_back;
     all.remarks.insert(all.remarks.end(), part.remarks.begin(), part.remarks.end());
   }
   all.t_s = std::move(t_s);

@@ -115,6 +115,7 @@ class Repair {
   void add_behind_break(std::size_t row, double step_s) {
     const std::string by = step_s < 0.0 ? "the clock goes back by " + text(-step_s)
                                         : "no rows for " + text(step_s) + " by the clock";
+    if (step_s < 0.0) ++result_.set_back;
     const bool starts_again = step_s < 0.0 && stamps_s_[row] < restart_below_s;
     if (starts_again || (ask_.is_at_rest(rows_.back()) && ask_.is_at_rest(row))) {
       finish_run();

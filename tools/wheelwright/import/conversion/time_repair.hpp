@@ -18,6 +18,7 @@ struct TimeRepair {
   std::vector<RunRows> runs;
   std::vector<std::string> remarks;  // one line each, with the place
   std::vector<double> t_s;           // of all rows
+  std::size_t set_back = 0;          // how often the clock went back, rows that were sorted left out
 };
 
 // Rows of a clock that is coarser than they are (a third of them and more have the stamp of the row before)

@@ -78,10 +78,10 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
   const std::string name = recordings.empty() ? std::string("the log") : recordings.front().name;
   Mapping mapping = to_mapping(given.entries(), name);
   map_by_names(recordings, mapping, inference.findings);
-  map_metadata(recordings, mapping);
+  map_metadata(recordings, mapping, inference.doubts);
   set_time_unit(recordings, given, mapping, inference.findings);
   map_by_numbers(recordings, given, mapping, inference.findings);
-  map_metadata(recordings, mapping);
+  map_metadata(recordings, mapping, inference.doubts);
   const bool unit_assumed = mapping.wheels && mapping.wheels->unit_assumed && !given.says("wheels.unit");
   const bool gyro_is_stated = !mapping.gyro || mapping.gyro->unit_is_stated;
   mapping = to_mapping(overlaid(mapping, given), name);

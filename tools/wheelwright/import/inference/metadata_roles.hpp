@@ -2,6 +2,8 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <vector>
 
 #include "tools/wheelwright/import/mapping/mapping.hpp"
 #include "tools/wheelwright/import/recording.hpp"
@@ -9,6 +11,6 @@
 namespace wheelwright::import {
 
 // The wheel base, period, scales and name that metadata state ("# wheel_base_m: 0.235").
-void map_metadata(std::span<const Recording> recordings, Mapping& mapping);
+void map_metadata(std::span<const Recording> recordings, Mapping& mapping, std::vector<std::string>& doubts);
 
 }  // namespace wheelwright::import

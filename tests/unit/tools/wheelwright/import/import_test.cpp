@@ -1,5 +1,7 @@
 // From the text of a foreign log to runs.
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "tests/unit/tools/wheelwright/import/import_text.hpp"
 #include "tools/wheelwright/import/inference/named_reference.hpp"
@@ -318,4 +320,34 @@ TEST_CASE("Places without a unit that go 3.28 times as far as the wheels are fee
   CHECK(outcome.found("places are in ft"));
   CHECK_THAT(*outcome.conversion->runs.front().samples.back().reference_x_m,
              WithinAbs(drive.rows.back().x, 1e-3));
+}
+
+TEST_CASE("Rows that are not in the order of time are refused, and what to do is said") {
+  auto drive = foreign_drive();
+  std::mt19937 random(1);
+  std::shuffle(drive.rows.begin(), drive.rows.end(), random);
+  const auto text =
+      foreign_text(drive, "t,cmd_left,cmd_right,ticks_left,ticks_right", [&](const ForeignRow& row) {
+        return number(row.t_s) + "," + number(row.command_left) + "," + number(row.command_right) + "," +
+               counts(row);
+      });
+  const auto outcome = import_text(text, {base, "wheels.metres_per_count=0.0005"});
+  REQUIRE_FALSE(outcome.conversion);
+  CHECK_THAT(outcome.conversion.error(), ContainsSubstring("not in the order of time; sort the rows"));
+}
+
+TEST_CASE("A period that is not that of the rows, and a wheel base in millimetres, are doubted") {
+  const auto drive = foreign_drive();
+  const auto with_metadata = [&](const std::string& metadata, const std::vector<std::string>& settings) {
+    return import_text(metadata + foreign_text(drive, "t,cmd_left,cmd_right,ticks_left,ticks_right",
+                                               [&](const ForeignRow& row) {
+                                                 return number(row.t_s) + "," + number(row.command_left) +
+                                                        "," + number(row.command_right) + "," + counts(row);
+                                               }),
+                       settings);
+  };
+  const std::vector<std::string> known{base, "wheels.metres_per_count=0.0005"};
+  CHECK(with_metadata("# period_s: 0.4\n", known).remarks("--set time.period_s=0.0"));
+  CHECK(with_metadata("# wheel_base_m: 300\n", {}).doubts("is it in mm?"));
+  CHECK_FALSE(with_metadata("# period_s: 0.02\n", known).remarks("though the period"));
 }
