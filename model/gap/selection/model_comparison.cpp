@@ -110,18 +110,21 @@ Candidate ModelComparison::judged(const Fit& without, const std::vector<double>&
   // As long as nothing is found, other runs can be held out, in which it acts: that proves more.
   const bool something_found = !without.model.effects.empty();
   candidate.left_out_nats = 0.0;
-  if (undecided_by_held_out_runs(candidate) && (something_found || acts_in_held_out_runs(candidate)))
+  if (undecided_by_held_out_runs(candidate, something_found) &&
+      (something_found || acts_in_held_out_runs(candidate)))
     candidate.left_out_nats =
         left_out_runs_gain_nats(train_, without, fit, fit.model.effects.size() - 1 - candidate.behind);
   return candidate;
 }
 
-// Whether training leaves no doubt, and held-out runs neither confirm it nor refute it: they may not reach
-// the speed or the turn in which it shows.
-bool ModelComparison::undecided_by_held_out_runs(const Candidate& candidate) const {
+// Whether training leaves no doubt, and held-out runs neither confirm it, as a first effect or a further one
+// has to be, nor refute it: they may not reach the speed or the turn in which it shows.
+bool ModelComparison::undecided_by_held_out_runs(const Candidate& candidate, bool is_further) const {
   const double train_nats = candidate.train_nats / candidate.autocorrelation_factor;
   const double heldout_nats = candidate.heldout_nats / candidate.autocorrelation_factor;
-  return train_nats > limits_.clear_train_nats && std::abs(heldout_nats) < limits_.min_heldout_nats;
+  const double confirming_nats = is_further ? limits_.min_further_nats : limits_.min_heldout_nats;
+  return train_nats > limits_.clear_train_nats && heldout_nats > -limits_.min_heldout_nats &&
+         heldout_nats < confirming_nats;
 }
 
 bool ModelComparison::acts_in_held_out_runs(const Candidate& candidate) const {
@@ -280,10 +283,10 @@ bool ModelComparison::clearly_better(const Fit& with, const Fit& without) const 
          heldout_nats / autocorrelation_factor > limits_.min_further_nats;
 }
 
-bool ModelComparison::stands_beside(const Fit& both, const Candidate& decoy) const {
+bool ModelComparison::stands_beside(const Fit& both, const Candidate& other) const {
   Candidate beside;
   beside.fit = both;
-  return clear(judged(decoy.fit, decoy.heldout_residuals, std::move(beside)));
+  return clear(judged(other.fit, other.heldout_residuals, std::move(beside)));
 }
 
 bool ModelComparison::explains_something_else(const Fit& both, const Candidate& one,

@@ -50,9 +50,9 @@ struct SearchLimits {
   double min_linear_part_nats = 3.0;  // held out, deflated, for a larger linear part
   double min_further_nats = 20.0;     // held out, deflated, for a further effect
   double min_share = 0.06;            // of what the strongest effect explains, for a further one
-  double min_share_before_noise = 0.0003;  // the same for one that leaves nothing but noise
-  double min_idle_nats = 40.0;             // held out, deflated, for one that free runs do not show
-  double clear_delay_nats = 100.0;         // the same for a delay that no linear part could hold
+  double min_share_before_noise = 0.003;  // the same for one that leaves nothing but noise
+  double min_idle_nats = 40.0;            // held out, deflated, for one that free runs do not show
+  double clear_delay_nats = 100.0;        // the same for a delay that no linear part could hold
   double clear_left_out_nats =
       100.0;                    // of training runs by each other, for one that held-out runs do not show
   std::size_t max_paths = 3;    // first effects from each of which a search goes on
@@ -84,9 +84,9 @@ class ModelComparison {
   // A second effect that explains next to nothing beside the first is more often the first one's shape than
   // an effect.
   bool worth_adding(const Candidate& candidate, const std::vector<SelectionStep>& so_far) const;
-  // A decoy that explains more does not speak against a name that explains something else: with the decoy in
-  // the model (`both`), the name must still gain what it takes to be named.
-  bool stands_beside(const Fit& both, const Candidate& decoy) const;
+  // Whether the last effect of `both`, beside the other one that is in both, still gains what it takes to be
+  // named. A decoy that explains more does not speak against a name that does: it explains something else.
+  bool stands_beside(const Fit& both, const Candidate& other) const;
   // Whether one candidate gains about as much beside another as alone: then they are no rivals. `both` has
   // the two of them.
   bool explains_something_else(const Fit& both, const Candidate& one, const Candidate& other) const;
@@ -96,7 +96,7 @@ class ModelComparison {
 
  private:
   Candidate judged(const Fit& without, const std::vector<double>& heldout_without, Candidate candidate) const;
-  bool undecided_by_held_out_runs(const Candidate& candidate) const;
+  bool undecided_by_held_out_runs(const Candidate& candidate, bool is_further) const;
   bool acts_in_held_out_runs(const Candidate& candidate) const;
   bool acts_linearly(const Candidate& candidate) const;
   double autocorrelation_factor_between(const Candidate& worse, const Candidate& better) const;

@@ -52,6 +52,7 @@ class Search {
   bool helps_what_is_off(const Candidate& best, const SelectionStep& selection_step) const;
   const Candidate* first_accepted(const SelectionStep& selection_step,
                                   const std::vector<SelectionStep>& so_far) const;
+  bool explains_what_decoys_do(const Candidate& best, const SelectionStep& selection_step) const;
   bool accepted(const Candidate* best, const SelectionStep& selection_step,
                 const std::vector<SelectionStep>& so_far) const;
   bool pair_accepted(const SelectionStep& selection_step, std::size_t rounds_so_far) const;
@@ -136,11 +137,26 @@ bool Search::helps_what_is_off(const Candidate& best, const SelectionStep& selec
   return comparison_.clear(best) || free_runs_.closer(selection_step.without.model, best.fit.model);
 }
 
+// What a wrong shape of a strong effect leaves, a name and a decoy explain in part, each another one. Where a
+// decoy that explains much alone explains nothing beside a name, the name is no such shape.
+bool Search::explains_what_decoys_do(const Candidate& best, const SelectionStep& selection_step) const {
+  if (!comparison_.clear(best)) return false;
+  const auto decoy = std::ranges::find_if(selection_step.candidates, [&](const Candidate& candidate) {
+    return is_decoy(*candidate.effect.info) && comparison_.clear(candidate);
+  });
+  if (decoy == selection_step.candidates.end()) return false;
+  TrialModel with_both = best.fit.model;
+  with_both.effects.push_back(decoy->effect);
+  return !comparison_.stands_beside(train_.fit(with_both, steps_of_a_fit), best);
+}
+
 bool Search::accepted(const Candidate* best, const SelectionStep& selection_step,
                       const std::vector<SelectionStep>& so_far) const {
   if (best == nullptr || so_far.size() >= limits_.max_effects) return false;
-  if (!comparison_.worth_adding(*best, so_far) && !helps_what_is_off(*best, selection_step)) return false;
-  if (best == selection_step.candidates.data()) return true;
+  if (!comparison_.worth_adding(*best, so_far) && !helps_what_is_off(*best, selection_step) &&
+      !explains_what_decoys_do(*best, selection_step))
+    return false;
+  if (best->effect.info == selection_step.candidates.front().effect.info) return true;
   TrialModel with_both = selection_step.candidates.front().fit.model;
   with_both.effects.push_back(best->effect);
   return comparison_.stands_beside(train_.fit(with_both, steps_of_a_fit), selection_step.candidates.front());
