@@ -28,11 +28,14 @@ const Candidate* itself_in(const SelectionStep& check, const EffectInfo* info) {
   return itself == check.candidates.end() ? nullptr : &*itself;
 }
 
-// What is said for it on runs that it was not fitted to; nothing where training speaks against it.
-double own_nats(const SelectionStep& check, const EffectInfo* info) {
+// What is said for it on runs that it was not fitted to; nothing where training speaks against it. Where
+// held-out runs say something of it, training runs that were left out do not add to that.
+double own_nats(const SelectionStep& check, const EffectInfo* info, double min_heldout_nats) {
   const Candidate* itself = itself_in(check, info);
   if (itself == nullptr || itself->train_nats <= 0.0) return 0.0;
-  return itself->unseen_nats() / itself->autocorrelation_factor;
+  const double heldout_nats = itself->heldout_nats / itself->autocorrelation_factor;
+  return heldout_nats < min_heldout_nats ? itself->unseen_nats() / itself->autocorrelation_factor
+                                         : heldout_nats;
 }
 
 // Whether the first of a check is not what is present: another effect, or another variant that explains
@@ -167,7 +170,7 @@ bool RivalChecks::drop_idle(GapSearch& result) {
   if (effects.size() < 2) return false;
   std::vector<double> nats;
   for (std::size_t i = 0; i < effects.size(); ++i)
-    nats.push_back(own_nats(result.checks[i], effects[i].info));
+    nats.push_back(own_nats(result.checks[i], effects[i].info, limits_.min_heldout_nats));
   const double largest = *std::ranges::max_element(nats);
   std::vector<std::size_t> order(effects.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
