@@ -42,7 +42,8 @@ void add_calibration(Table& table, const CalibrationReport& calibration) {
     table.row("one full turn", "{:.1f} ticks of each wheel, on average", scale->ticks_per_turn);
     table.row("repetition of the signal", "{:.3f} of 1, over {:.1f} turns", scale->correlation, scale->turns);
     if (scale->drift)
-      table.row("turning one way and back", "{:.2f} % apart: what a robot slides on a slope cancels",
+      table.row("turning one way and back",
+                "differ by {:.2f} %; the mean is taken, so that sliding on a slope cancels",
                 200.0 * std::abs(*scale->drift));
   }
   if (const auto& model = calibration.model) {

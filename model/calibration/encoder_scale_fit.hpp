@@ -9,8 +9,8 @@
 //
 // The robot turns one way and back. Where it drifts while it turns (on a slope it gets a little downhill in
 // each turn), the bearing of what it sees shifts from turn to turn; turning one way this makes a turn look
-// longer, the other way shorter by as much, and the mean of both is right. Tyres that scrub make a turn
-// longer both ways: that cannot be told from the scale.
+// longer, the other way shorter by about as much, and the mean of both is nearly right. Tyres that scrub make
+// a turn longer both ways; turning alone cannot show that.
 #pragma once
 
 #include <cstdint>
@@ -53,8 +53,8 @@ struct CorrelationPoint {
 struct EncoderScaleFit {
   WheelPair metres_per_tick;    // alike: a turn in place does not tell the wheels apart
   double ticks_per_turn = 0.0;  // mean of both wheels
-  double relative_standard_error =
-      0.0;                   // of metres per tick, from the spread between parts of the turn and the drift
+  // Of metres per tick: from the spread between parts of the turn, and a share of the drift.
+  double relative_standard_error = 0.0;
   double correlation = 0.0;  // at the period found; 1 is a perfect repetition
   double turns = 0.0;        // how many were recorded, both ways
   // Half the difference between counter-clockwise and clockwise, relative to the mean; nothing where the

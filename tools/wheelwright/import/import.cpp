@@ -6,6 +6,7 @@
 
 #include "config/load/drive_log_file.hpp"
 #include "config/load/mrclam_files.hpp"
+#include "config/load/printable_text.hpp"
 #include "config/load/text_format.hpp"
 #include "tools/option_checks.hpp"
 #include "tools/wheelwright/common/commands.hpp"
@@ -119,16 +120,18 @@ void save_runs(const std::vector<DriveLog>& runs, const ImportCommand& options) 
 void print(std::ostream& out, const ImportCommand& options, const import::Understood& understood,
            const import::Conversion& conversion) {
   for (const auto& recording : understood.recordings)
-    out << recording.name << ": " << recording.format << "\n";
-  for (const auto& finding : understood.inference.findings) out << "found: " << finding << "\n";
-  for (const auto& doubt : understood.inference.doubts) out << "doubt: " << doubt << "\n";
-  for (const auto& remark : conversion.remarks) out << "note: " << remark << "\n";
-  for (const auto& line : describe_contradictions(conversion.runs)) out << "doubt: " << line << "\n";
+    out << config::printable(recording.name) << ": " << config::printable(recording.format) << "\n";
+  for (const auto& finding : understood.inference.findings)
+    out << "found: " << config::printable(finding) << "\n";
+  for (const auto& doubt : understood.inference.doubts) out << "doubt: " << config::printable(doubt) << "\n";
+  for (const auto& remark : conversion.remarks) out << "note: " << config::printable(remark) << "\n";
+  for (const auto& line : describe_contradictions(conversion.runs))
+    out << "doubt: " << config::printable(line) << "\n";
   for (const auto& run : conversion.runs) {
     out << run.samples.size() << " rows, " << config::fixed_number(run.samples.back().t_s, 1) << " s, "
         << config::plain_number(run.period_s) << " s apart\n";
   }
-  out << "wrote " << options.output << "\n";
+  out << "wrote " << config::printable(options.output) << "\n";
 }
 
 nlohmann::ordered_json to_json(const ImportCommand& options, const import::Understood& understood,

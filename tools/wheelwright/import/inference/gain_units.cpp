@@ -6,8 +6,6 @@
 #include <cmath>
 
 namespace wheelwright::import {
-namespace {}  // namespace
-
 bool is_near(double gain, double unit) {
   return gain > 0.0 && std::abs(std::log(gain / unit)) < std::log(near_gain);
 }

@@ -15,11 +15,11 @@ struct Unit {
   double in_si;              // how many m, m/s, rad, rad/s, s or V one of it is
   bool of_wheel = false;     // an angle of the wheel: times the wheel radius it is a distance
   bool of_count = false;     // counts of the encoder: times the distance of one it is a distance
-  bool is_imperial = false;  // near metres as scales go: not inferred from how far the robot moves
+  bool is_imperial = false;  // not inferred from motion alone: a wrong scale looks the same
 };
 
-std::span<const Unit>
-speed_units();  // m/s mm/s cm/s km/h ft/s inch/s, of a wheel rad/s deg/s rpm turn/s, counts/s
+// m/s mm/s cm/s km/h ft/s inch/s, of a wheel rad/s deg/s rpm turn/s, counts/s
+std::span<const Unit> speed_units();
 std::span<const Unit> angular_units();   // rad/s deg/s
 std::span<const Unit> distance_units();  // m mm cm km ft inch
 std::span<const Unit> angle_units();     // rad deg turn

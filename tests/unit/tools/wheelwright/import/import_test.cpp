@@ -336,7 +336,7 @@ TEST_CASE("Rows that are not in the order of time are refused, and what to do is
   CHECK_THAT(outcome.conversion.error(), ContainsSubstring("not in the order of time; sort the rows"));
 }
 
-TEST_CASE("A period that is not that of the rows, and a wheel base in millimetres, are doubted") {
+TEST_CASE("A period that is not that of the rows, and numbers in smaller units than stated, are doubted") {
   const auto drive = foreign_drive();
   const auto with_metadata = [&](const std::string& metadata, const std::vector<std::string>& settings) {
     return import_text(metadata + foreign_text(drive, "t,cmd_left,cmd_right,ticks_left,ticks_right",
@@ -349,5 +349,7 @@ TEST_CASE("A period that is not that of the rows, and a wheel base in millimetre
   const std::vector<std::string> known{base, "wheels.metres_per_count=0.0005"};
   CHECK(with_metadata("# period_s: 0.4\n", known).remarks("--set time.period_s=0.0"));
   CHECK(with_metadata("# wheel_base_m: 300\n", {}).doubts("is it in mm?"));
+  CHECK(with_metadata("# period_s: 50\n", known).doubts("is it in ms?"));
+  CHECK(with_metadata("# metres_per_tick_left: wide\n", {base}).doubts("wide is not from"));
   CHECK_FALSE(with_metadata("# period_s: 0.02\n", known).remarks("though the period"));
 }
