@@ -106,6 +106,22 @@ WheelPair SteadyStateMap::command_for(const WheelPair& speed_m_s) const {
   return {command_on(left_, speed_m_s.left), command_on(right_, speed_m_s.right)};
 }
 
+// Where commands act in steps, or up to some size not at all, a model knows least of the edges of these
+// levels.
+double SteadyStateMap::middle_of_level(const std::vector<Point>& curve,
+                                       std::vector<Point>::const_iterator point) {
+  constexpr double flat = 0.1;  // speed per command
+  const auto level = [](const Point& low, const Point& high) {
+    return high.speed - low.speed < flat * (high.command - low.command);
+  };
+  auto first = point;
+  while (first != curve.begin() && level(*(first - 1), *first)) --first;
+  auto last = point;
+  while (last + 1 != curve.end() && level(*last, *(last + 1))) ++last;
+  if (first->command <= 0.0 && last->command >= 0.0) return 0.0;
+  return 0.5 * (first->command + last->command);
+}
+
 double SteadyStateMap::command_on(const std::vector<Point>& curve, double speed) {
   if (speed == 0.0) return 0.0;
   const auto above = std::ranges::lower_bound(curve, speed, {}, &Point::speed);
@@ -117,9 +133,9 @@ double SteadyStateMap::command_on(const std::vector<Point>& curve, double speed)
   const Point& low = *(above - 1);
   const Point& high = *above;
   const double jump = high.speed - low.speed;
-  // Across the edge of a dead zone there is nothing between rest and the slowest motion.
+  // Across the edge of a level, as of rest in a dead zone, there is nothing between its speed and the next.
   const double usual = high.command - low.command;
-  if (jump > 2.0 * usual) return speed - low.speed < 0.5 * jump ? low.command : high.command;
+  if (jump > 2.0 * usual) return middle_of_level(curve, speed - low.speed < 0.5 * jump ? above - 1 : above);
   return low.command + (high.command - low.command) * (speed - low.speed) / jump;
 }
 

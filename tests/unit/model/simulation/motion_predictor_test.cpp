@@ -117,3 +117,25 @@ TEST_CASE("A robot with a stiff caster and motors that cannot brake does not swi
   }
   CHECK(off_leg_rad < 0.01);
 }
+
+TEST_CASE("A robot whose commands act in steps drives as planned though the model knows their edges badly") {
+  constexpr double step_m_s = 0.0285;
+  constexpr double rises_at = 0.5;
+  constexpr double resolution_m_s = 0.001;  // of the commands that can be sent
+  const auto rounded = [](double command_m_s) {
+    return resolution_m_s * std::round(command_m_s / resolution_m_s);
+  };
+  for (const double believed : {0.4, 0.48, 0.52, 0.6}) {
+    MotionPredictor robot(robot_with({{"command_quantization", "", {step_m_s, rises_at}}}));
+    MotionPredictor model(robot_with({{"command_quantization", "", {step_m_s, believed}}}));
+    RouteFollower follower({"square", 0.2, 0.02, {{1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}, {0.0, 0.0}}}, {});
+    while (!follower.finished()) {
+      const WheelPair command_m_s = model.command_for(follower.steer(model.rest_pose(), model.limits()));
+      const WheelPair sent_m_s{rounded(command_m_s.left), rounded(command_m_s.right)};
+      model.step(sent_m_s);
+      robot.step(sent_m_s);
+    }
+    INFO("the model has them at " << believed);
+    CHECK(std::hypot(robot.pose().x_m, robot.pose().y_m) < 0.005);
+  }
+}
