@@ -253,8 +253,7 @@ bool ModelComparison::clear(const Candidate& candidate) const {
          candidate.train_nats / candidate.autocorrelation_factor > limits_.min_further_nats;
 }
 
-bool ModelComparison::worth_adding(const Candidate& candidate,
-                                   const std::vector<SelectionStep>& so_far) const {
+bool ModelComparison::worth_adding(const Candidate& candidate, std::span<const SelectionStep> so_far) const {
   const auto all_nats = [](const Candidate& one) {
     return (one.train_nats + one.heldout_nats) / one.autocorrelation_factor;
   };

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "model/gap/fit/problem.hpp"
@@ -83,7 +84,7 @@ class ModelComparison {
   bool clear(const Candidate& candidate) const;
   // A second effect that explains next to nothing beside the first is more often the first one's shape than
   // an effect.
-  bool worth_adding(const Candidate& candidate, const std::vector<SelectionStep>& so_far) const;
+  bool worth_adding(const Candidate& candidate, std::span<const SelectionStep> so_far) const;
   // Whether the last effect of `both`, beside the other one that is in both, still gains what it takes to be
   // named. A decoy that explains more does not speak against a name that does: it explains something else.
   bool stands_beside(const Fit& both, const Candidate& other) const;

@@ -8,6 +8,7 @@
 #include "model/gap/candidates/decoys.hpp"
 #include "model/gap/candidates/flat_places.hpp"
 #include "model/gap/candidates/quantization_search.hpp"
+#include "model/gap/selection/candidate_acceptance.hpp"
 #include "model/gap/selection/candidate_evaluation.hpp"
 #include "model/gap/selection/rival_checks.hpp"
 
@@ -41,6 +42,7 @@ class Search {
         progress_(progress),
         comparison_(train, heldout, limits_),
         evaluation_(train, heldout, comparison_, candidate_effects, limits_, parallel_for),
+        acceptance_(train, comparison_, limits_, free_runs),
         checks_(train, comparison_, evaluation_, limits_, free_runs) {}
 
   GapSearch run(const TrialModel& start);
@@ -49,14 +51,6 @@ class Search {
   SelectionStep first_round(const TrialModel& start);
   std::vector<TrialModel> higher_order_parts(const TrialModel& present) const;
   std::optional<Fit> better_linear_part(const SelectionStep& selection_step) const;
-  bool helps_what_is_off(const Candidate& best, const SelectionStep& selection_step) const;
-  const Candidate* first_accepted(const SelectionStep& selection_step,
-                                  const std::vector<SelectionStep>& so_far) const;
-  bool explains_what_decoys_do(const Candidate& best, const SelectionStep& selection_step) const;
-  bool accepted(const Candidate* best, const SelectionStep& selection_step,
-                const std::vector<SelectionStep>& so_far) const;
-  bool pair_accepted(const SelectionStep& selection_step, std::size_t rounds_so_far) const;
-  std::vector<const Candidate*> first_effects(const SelectionStep& first) const;
   bool was_here_before(const Fit& present) const;
   Path grown(Path path);
   Path best_path(const SelectionStep& first);
@@ -74,6 +68,7 @@ class Search {
   const Progress& progress_;
   ModelComparison comparison_;
   CandidateEvaluation evaluation_;
+  CandidateAcceptance acceptance_;
   RivalChecks checks_;
   std::vector<TrialModel> been_at_;  // by all paths
 };
@@ -130,51 +125,6 @@ SelectionStep Search::first_round(const TrialModel& start) {
   return selection_step;
 }
 
-// Where free runs are off by more than noise, something is missing: a further effect may be small beside the
-// first one, and need not be clear where free runs come closer by it.
-bool Search::helps_what_is_off(const Candidate& best, const SelectionStep& selection_step) const {
-  if (!comparison_.good_enough(best) || !free_runs_.still_off(selection_step.without.model)) return false;
-  return comparison_.clear(best) || free_runs_.closer(selection_step.without.model, best.fit.model);
-}
-
-// What a wrong shape of a strong effect leaves, a name and a decoy explain in part, each another one. Where a
-// decoy that explains much alone explains nothing beside a name, the name is no such shape.
-bool Search::explains_what_decoys_do(const Candidate& best, const SelectionStep& selection_step) const {
-  if (!comparison_.clear(best)) return false;
-  const auto decoy = std::ranges::find_if(selection_step.candidates, [&](const Candidate& candidate) {
-    return is_decoy(*candidate.effect.info) && comparison_.clear(candidate);
-  });
-  if (decoy == selection_step.candidates.end()) return false;
-  TrialModel with_both = best.fit.model;
-  with_both.effects.push_back(decoy->effect);
-  return !comparison_.stands_beside(train_.fit(with_both, steps_of_a_fit), best);
-}
-
-bool Search::accepted(const Candidate* best, const SelectionStep& selection_step,
-                      const std::vector<SelectionStep>& so_far) const {
-  if (best == nullptr || so_far.size() >= limits_.max_effects) return false;
-  if (!comparison_.worth_adding(*best, so_far) && !helps_what_is_off(*best, selection_step) &&
-      !explains_what_decoys_do(*best, selection_step))
-    return false;
-  if (best->effect.info == selection_step.candidates.front().effect.info) return true;
-  TrialModel with_both = selection_step.candidates.front().fit.model;
-  with_both.effects.push_back(best->effect);
-  return comparison_.stands_beside(train_.fit(with_both, steps_of_a_fit), selection_step.candidates.front());
-}
-
-// Mostly the best one; where correlation leaves that in doubt, one that explains something else may be clear.
-const Candidate* Search::first_accepted(const SelectionStep& selection_step,
-                                        const std::vector<SelectionStep>& so_far) const {
-  constexpr int few = 3;
-  int looked_at = 0;
-  for (const Candidate& candidate : selection_step.candidates) {
-    if (is_decoy(*candidate.effect.info) || !comparison_.good_enough(candidate)) continue;
-    if (++looked_at > few) return nullptr;
-    if (accepted(&candidate, selection_step, so_far)) return &candidate;
-  }
-  return nullptr;
-}
-
 // Paths that took up the same effects one after the other in another order meet, and go on alike.
 bool Search::was_here_before(const Fit& present) const {
   constexpr double same = 5e-4;  // of the squares
@@ -201,8 +151,9 @@ Path Search::grown(Path path) {
     SelectionStep selection_step = evaluation_.evaluate(path.model);
     while (const auto larger = better_linear_part(selection_step))
       selection_step = evaluation_.evaluate(evaluation_.settle(larger->model, 1));
-    const Candidate* next = first_accepted(selection_step, path.selection_steps);
-    const bool pair = next == nullptr && pair_accepted(selection_step, path.selection_steps.size());
+    const Candidate* next = acceptance_.next_effect(selection_step, path.selection_steps);
+    const bool pair =
+        next == nullptr && acceptance_.pair_accepted(selection_step, path.selection_steps.size());
     path.model = next != nullptr ? evaluation_.with_refitted_linear_part(next->fit)
                  : pair          ? evaluation_.with_refitted_linear_part(*selection_step.pair)
                                  : selection_step.without;
@@ -212,31 +163,10 @@ Path Search::grown(Path path) {
   }
 }
 
-bool Search::pair_accepted(const SelectionStep& selection_step, std::size_t rounds_so_far) const {
-  return selection_step.pair && rounds_so_far < limits_.max_effects &&
-         comparison_.pair_worth_adding(*selection_step.pair, selection_step);
-}
-
-// The best one of each name that could be the first.
-std::vector<const Candidate*> Search::first_effects(const SelectionStep& first) const {
-  std::vector<const Candidate*> all;
-  const Candidate* best = best_named(first);
-  if (!accepted(best, first, {})) return all;
-  for (const auto& candidate : first.candidates) {
-    const bool known = std::ranges::any_of(
-        all, [&](const Candidate* other) { return other->effect.info == candidate.effect.info; });
-    if (known || is_decoy(*candidate.effect.info) || !comparison_.good_enough(candidate)) continue;
-    if (candidate.score < limits_.min_path_score * best->score) break;
-    all.push_back(&candidate);
-    if (all.size() == limits_.max_paths) break;
-  }
-  return all;
-}
-
 // What comes first decides what comes next: each path is gone to its end, and whole models are compared.
 Path Search::best_path(const SelectionStep& first) {
   std::vector<Path> paths;
-  for (const Candidate* candidate : first_effects(first)) {
+  for (const Candidate* candidate : acceptance_.first_effects(first)) {
     Path path =
         grown({{first}, evaluation_.with_refitted_linear_part(evaluation_.settle(candidate->fit.model, 1))});
     if (path.met_another) continue;
@@ -245,7 +175,7 @@ Path Search::best_path(const SelectionStep& first) {
     const TrialModel& found = paths.front().model.model;
     if (found.effects.size() == 1 && !free_runs_.still_off(found)) return std::move(paths.front());
   }
-  if (pair_accepted(first, 0)) {
+  if (acceptance_.pair_accepted(first, 0)) {
     Path path =
         grown({{first}, evaluation_.with_refitted_linear_part(evaluation_.settle(first.pair->model, 1))});
     if (!path.met_another) paths.push_back(std::move(path));

@@ -171,13 +171,14 @@ TEST_CASE("The less of what an effect leaves is correlated, the smaller it may b
   };
   SelectionStep first;
   first.candidates = {explaining(10000.0, 1.0)};
-  CHECK(comparison.worth_adding(explaining(700.0, 30.0), {first}));
-  CHECK_FALSE(comparison.worth_adding(explaining(300.0, 30.0), {first}));
-  CHECK(comparison.worth_adding(explaining(300.0, 3.0), {first}));
-  CHECK_FALSE(comparison.worth_adding(explaining(200.0, 3.0), {first}));
-  CHECK(comparison.worth_adding(explaining(100.0, 1.5), {first}));
-  CHECK(comparison.worth_adding(explaining(40.0, 1.0), {first}));
-  CHECK_FALSE(comparison.worth_adding(explaining(25.0, 1.0), {first}));
+  const std::vector<SelectionStep> so_far{first};
+  CHECK(comparison.worth_adding(explaining(700.0, 30.0), so_far));
+  CHECK_FALSE(comparison.worth_adding(explaining(300.0, 30.0), so_far));
+  CHECK(comparison.worth_adding(explaining(300.0, 3.0), so_far));
+  CHECK_FALSE(comparison.worth_adding(explaining(200.0, 3.0), so_far));
+  CHECK(comparison.worth_adding(explaining(100.0, 1.5), so_far));
+  CHECK(comparison.worth_adding(explaining(40.0, 1.0), so_far));
+  CHECK_FALSE(comparison.worth_adding(explaining(25.0, 1.0), so_far));
 }
 
 TEST_CASE("What is out of its name's character is no candidate for it") {
