@@ -69,7 +69,8 @@ TEST_CASE("Counters that roll over in mid-run, up and down, do not show in the l
     if (log.empty(row, "ticks_left")) continue;
     lowest = std::min(lowest, log.number(row, "ticks_left"));
     if (last) {
-      const double most = 40.0 * static_cast<double>(row - *last);
+      // A robot that a busy machine held up goes further in one row, but not by a part of a roll-over.
+      constexpr double most = 2000.0;
       CHECK(std::abs(log.number(row, "ticks_left") - log.number(*last, "ticks_left")) < most);
       CHECK(std::abs(log.number(row, "ticks_right") - log.number(*last, "ticks_right")) < most);
     }
