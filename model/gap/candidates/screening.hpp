@@ -36,7 +36,8 @@ struct Screening {
   std::vector<Visibility> visibility;  // every size of every effect that was tried
 };
 
-// `fit` is the model without the candidates, at its best. Tries each of `candidates` in all its variants.
+// `fit` is the model without the candidates, at its best. Tries each of `candidate_effects` in all its
+// variants.
 Screening screen(const Problem& problem, const Fit& fit, std::span<const EffectInfo* const> candidate_effects,
                  const ParallelFor& parallel_for);
 

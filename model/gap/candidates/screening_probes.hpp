@@ -16,8 +16,8 @@ struct Probe {
   std::vector<std::vector<double>> points;  // parameter vectors; more than one for effects of several sizes
 };
 
-// Of each of `candidates`, in all its variants that these runs could tell apart. Regions of the floor are
-// tried where the robot has been.
+// Of each of `candidate_effects`, in all its variants that these runs could tell apart. Regions of the floor
+// are tried where the robot has been.
 std::vector<Probe> probes_of(std::span<const EffectInfo* const> candidate_effects, const Problem& problem,
                              const TrialModel& model);
 

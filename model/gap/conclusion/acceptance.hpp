@@ -28,10 +28,10 @@ constexpr double largest_drift_rad_per_sqrt_s = 0.025;
 // The same noise, drifting by no more than that.
 NoiseModel no_more_than_noise(const NoiseModel& noise);
 
-// Whether names were accepted by which distance, position and heading of the untouched free runs do not fall
-// together by 3 % (min_fall): what is named has to be seen there, unless it does nothing there, as a rug that
-// these runs do not drive over, or is beyond doubt. The noise of a robot is never quite as modelled, so some
-// tens of nats are no proof that a free run does not show.
+// Whether the names have to be withdrawn for what untouched free runs show: no figure of them falls by 3 %
+// (min_fall); or distance, position and heading together do not, and no name is beyond doubt. False where no
+// named effect acts in these runs, as a rug that they do not drive over. The noise of a robot is never quite
+// as modelled, so some tens of nats are no proof that a free run does not show.
 bool closes_nothing_untouched(const GapAnalysis& analysis);
 
 // Whether the names are not what is missing: the predictive check fails, and of the mean square of distance,

@@ -17,7 +17,7 @@ constexpr int steps_of_a_refit = 5;
 
 class CandidateEvaluation {
  public:
-  // `candidates` are the effects that the data can show at all, decoys among them.
+  // `candidate_effects` are those that the data can show at all, decoys among them.
   CandidateEvaluation(Problem& train, Problem& heldout, ModelComparison& comparison,
                       std::span<const EffectInfo* const> candidate_effects, const SearchLimits& limits,
                       ParallelFor parallel_for)

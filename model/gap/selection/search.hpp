@@ -40,7 +40,7 @@ struct FreeRuns {
   std::function<bool(const TrialModel& without, const TrialModel& with)> closer;
 };
 
-// `candidates` are the effects that the data can show at all, decoys among them.
+// `candidate_effects` are those that the data can show at all, decoys among them.
 GapSearch search_gap(Problem& train, Problem& heldout, const TrialModel& start,
                      std::span<const EffectInfo* const> candidate_effects, const SearchLimits& limits,
                      const FreeRuns& free_runs, const ParallelFor& parallel_for, const Progress& progress);
