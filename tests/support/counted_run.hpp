@@ -27,6 +27,13 @@ inline WheelPair forward_at_two_speeds(int period) {
   return {speed_m_s, speed_m_s};
 }
 
+// Steps to and fro in several sizes, the wheels alike and against each other.
+inline WheelPair steps_to_and_fro(int period) {
+  const int step = period / 40;
+  const double size_m_s = 0.05 * (1 + step % 4);
+  return {step % 2 == 0 ? size_m_s : -size_m_s, step % 3 == 0 ? size_m_s : -0.5 * size_m_s};
+}
+
 inline gap::GapRun counted_run(
     const gap::TrialModel& robot, int periods, const CommandOfPeriod& command_m_s,
     const TravelBeyond& beyond_m = [](double, const WheelPair&) { return WheelPair{}; },

@@ -32,12 +32,8 @@ TrialModel robot_with(const std::vector<TrialEffect>& effects) {
 }
 
 Problem drive_of(const TrialModel& robot) {
-  const auto command_m_s = [](int period) {
-    const int step = period / 40;
-    const double size_m_s = 0.05 * (1 + step % 4);
-    return WheelPair{step % 2 == 0 ? size_m_s : -size_m_s, step % 3 == 0 ? size_m_s : -0.5 * size_m_s};
-  };
-  return {{test::counted_run(robot, 2000, command_m_s)}, {test::counted_metres_per_tick}, serial_for};
+  return {
+      {test::counted_run(robot, 2000, test::steps_to_and_fro)}, {test::counted_metres_per_tick}, serial_for};
 }
 
 struct Said {

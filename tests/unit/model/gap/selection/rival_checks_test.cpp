@@ -45,14 +45,10 @@ Problem some_drive() {
   return {{run}, {WheelPair{}}, serial_for};
 }
 
-// Steps to and fro in several sizes, with the counts that `robot` would give.
+// With the counts that `robot` would give.
 Problem counted_drive(const TrialModel& robot) {
-  const auto command_m_s = [](int period) {
-    const int step = period / 40;
-    const double size_m_s = 0.05 * (1 + step % 4);
-    return WheelPair{step % 2 == 0 ? size_m_s : -size_m_s, step % 3 == 0 ? size_m_s : -0.5 * size_m_s};
-  };
-  return {{test::counted_run(robot, 2000, command_m_s)}, {test::counted_metres_per_tick}, serial_for};
+  return {
+      {test::counted_run(robot, 2000, test::steps_to_and_fro)}, {test::counted_metres_per_tick}, serial_for};
 }
 
 struct Said {
