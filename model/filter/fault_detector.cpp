@@ -32,23 +32,23 @@ void FaultDetector::look_for_misfit(std::size_t wheel, const TickEvidence& evide
     events.add({stage, side.kind, side_of(wheel), evidence.tick, size});
   };
   if (side.kind == FaultKind::none) {
-    if (!seen.suspended) return side.record.watch(seen);
+    if (!seen.suspended) return side.classifier.watch(seen);
     side.kind = FaultKind::misfit;
     side.recent_misfits += 1.0;
-    side.record.open();
-    side.record.take(seen);
+    side.classifier.open();
+    side.classifier.take(seen);
     return tell(FaultEvent::Stage::began, seen.innovation_m);
   }
-  side.record.take(seen);
+  side.classifier.take(seen);
   if (side.kind == FaultKind::misfit) {
     if (seen.resynchronised) {
-      side.kind = side.record.name_at_end(seen.kept_out_m);
+      side.kind = side.classifier.name_at_end(seen.kept_out_m);
     } else {
-      side.kind = side.record.is_stall() ? FaultKind::stalled : side.record.name_by_now();
+      side.kind = side.classifier.is_stall() ? FaultKind::stalled : side.classifier.name_by_now();
     }
     const double size = side.kind == FaultKind::stalled ? seen.excess_a : seen.innovation_m;
     if (side.kind != FaultKind::misfit) tell(FaultEvent::Stage::named, size);
-  } else if (side.kind == FaultKind::frozen && side.record.is_stall()) {
+  } else if (side.kind == FaultKind::frozen && side.classifier.is_stall()) {
     side.kind = FaultKind::stalled;
     tell(FaultEvent::Stage::named, seen.excess_a);
   }
@@ -60,8 +60,8 @@ void FaultDetector::look_for_misfit(std::size_t wheel, const TickEvidence& evide
 
 // Each encoder shows what the other wheel was to do, and the wheels were to do different things.
 bool FaultDetector::are_swapped(const TickEvidence& evidence) const {
-  const MisfitRecord& left = sides_[0].record;
-  const MisfitRecord& right = sides_[1].record;
+  const FaultClassifier& left = sides_[0].classifier;
+  const FaultClassifier& right = sides_[1].classifier;
   const auto open = [](FaultKind kind) { return kind == FaultKind::misfit || kind == FaultKind::dropped; };
   if (!open(sides_[0].kind) || !open(sides_[1].kind)) return false;
   const double difference_m = std::abs(left.predicted_m() - right.predicted_m());

@@ -12,7 +12,7 @@
 // What a linear model cannot know (motors that cannot brake) is not normal: both gates widen after changes of
 // speed, but where a reading jumps. Jumps of less than about 1 cm may stay unseen then, of 4 mm at steady
 // speed. So do they where a model with effects is in doubt (model_doubt.hpp), and by the roughness that was
-// learnt of a wheel. A name follows once it can be told: see MisfitRecord for what tells them apart.
+// learnt of a wheel. A name follows once it can be told: FaultClassifier decides it.
 //
 // Limits. Frozen and stuck differ by the jump; a counter that sticks within a few counts of where it was is
 // called frozen. Swapped encoders show, and matter, only while the wheels are told to turn differently. A
@@ -26,7 +26,7 @@
 #include <cstdint>
 
 #include "model/filter/fault.hpp"
-#include "model/filter/misfit_record.hpp"
+#include "model/filter/fault_classifier.hpp"
 #include "model/filter/wheel_evidence.hpp"
 #include "model/geometry/wheel_side.hpp"
 
@@ -65,9 +65,9 @@ class FaultDetector {
 
  private:
   struct Side {
-    explicit Side(double period_s) : record(period_s) {}
+    explicit Side(double period_s) : classifier(period_s) {}
     FaultKind kind = FaultKind::none;
-    MisfitRecord record;
+    FaultClassifier classifier;
     double recent_misfits = 0.0;  // fading
     bool overcurrent = false;
     double turned_m = 0.0;  // while stalled: what it turned, and what the model predicts, fading

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/gap/check_on_test_runs.hpp"
 #include "model/gap/conclusion/linear_verdict.hpp"
 #include "model/gap/conclusion/verdict.hpp"
 #include "model/gap/figures/free_run_figures.hpp"
 #include "model/gap/split_analysis.hpp"
-#include "model/gap/test_runs.hpp"
 #include "model/prediction/wheel_misfit.hpp"
 
 namespace wheelwright::gap {

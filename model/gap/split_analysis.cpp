@@ -43,8 +43,8 @@ SplitAnalysis::SplitAnalysis(GatheredRuns runs, const AnalysisContext& context)
   conclude();
 }
 
-void SplitAnalysis::withdraw_effects() {
-  take_back_names();
+void SplitAnalysis::withdraw_names() {
+  remove_names();
   judge();
 }
 
@@ -187,11 +187,11 @@ void SplitAnalysis::conclude() {
   const bool any = !result_.search.final.model.effects.empty();
   const bool nothing_closes = any && !closes_the_gap();
   if ((nothing_closes || is_of_a_linear_part()) && leave_out_linear_effects()) return conclude();
-  if (nothing_closes) take_back_names();
+  if (nothing_closes) remove_names();
   judge();
 }
 
-void SplitAnalysis::take_back_names() {
+void SplitAnalysis::remove_names() {
   std::erase_if(result_.found, [](const Finding& found) { return found.setting.name != dropout_name; });
   result_.search.final = result_.search.baseline;
   size_up();

@@ -36,8 +36,8 @@ class SplitAnalysis {
   const Problem& held_out() const { return *held_out_; }
   const ModelOrigin& origin() const { return origin_; }
 
-  // Takes back every effect that the search found, and gives the verdict on the linear model alone.
-  void withdraw_effects();
+  // Withdraws every effect that the search found, and gives the verdict on the linear model alone.
+  void withdraw_names();
 
   // Free runs of two models, and the noise floor of the second.
   GapFigures figures(const RobotModel& before, const RobotModel& after,
@@ -55,7 +55,7 @@ class SplitAnalysis {
   bool is_of_a_linear_part() const;
   void conclude();
   bool leave_out_linear_effects();
-  void take_back_names();
+  void remove_names();
   void judge();
   void describe_where();
   void size_up();

@@ -2,19 +2,8 @@
 
 #include <algorithm>
 
-#include "model/effects/library/effect_library.hpp"
-
 namespace wheelwright::gap {
 namespace {
-
-// Counts that stood still are found by the data gate, not by free runs.
-bool of_free_runs(const Finding& found) {
-  return found.setting.name != dropout_name;
-}
-
-bool is_sure_by(const Finding& found, double nats) {
-  return found.heldout_gain_nats > nats && found.posterior > sure;
-}
 
 bool some_is_sure_by(const GapAnalysis& analysis, double nats) {
   return std::ranges::any_of(analysis.found,
@@ -22,6 +11,10 @@ bool some_is_sure_by(const GapAnalysis& analysis, double nats) {
 }
 
 }  // namespace
+
+bool is_sure_by(const Finding& found, double nats) {
+  return found.heldout_gain_nats > nats && found.posterior > sure;
+}
 
 Excess what_is_left(const GapAnalysis& analysis) {
   return largest_excess(analysis.train, analysis.tail_held_out ? analysis.train : analysis.test);
@@ -57,27 +50,6 @@ NoiseModel no_more_than_noise(const NoiseModel& noise) {
         std::min(walk, channel == Channel::turn ? largest_drift_rad_per_sqrt_s : largest_drift_m_per_sqrt_s);
   }
   return limited;
-}
-
-bool closes_nothing_untouched(const GapAnalysis& analysis) {
-  const auto acts_there = [](const Finding& found) { return of_free_runs(found) && found.acts_untouched; };
-  if (!analysis.untouched || std::ranges::none_of(analysis.found, acts_there)) return false;
-  if (!some_figure_falls(analysis.test, min_fall, 0.0)) return true;
-  const auto fall = common_fall(analysis.test);
-  const bool is_beyond_doubt = std::ranges::any_of(analysis.found, [&](const Finding& found) {
-    return acts_there(found) && is_sure_by(found, beyond_doubt_nats);
-  });
-  return fall && *fall < min_fall && !is_beyond_doubt;
-}
-
-bool explains_the_smaller_part(const GapAnalysis& analysis) {
-  constexpr double half = 0.5;
-  const auto is_sudden = [](const Finding& found) { return find_effect(found.setting.name)->sudden; };
-  const bool any_name = std::ranges::any_of(analysis.found, of_free_runs);
-  const bool any_sudden = std::ranges::any_of(
-      analysis.found, [&](const Finding& found) { return of_free_runs(found) && is_sudden(found); });
-  const GapFigures& test = analysis.tail_held_out ? analysis.train : analysis.test;
-  return any_name && !analysis.check.passed && largest_share_gone(test) < (any_sudden ? 0.0 : half);
 }
 
 }  // namespace wheelwright::gap

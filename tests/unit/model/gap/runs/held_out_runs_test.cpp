@@ -52,7 +52,7 @@ TEST_CASE("What no held-out run could show is confirmed on one of the others in 
   CHECK(analysis.untouched);
 }
 
-TEST_CASE("A name that takes untouched runs further away is taken back, and the summary says so") {
+TEST_CASE("A name that takes untouched runs further away is withdrawn, and the summary says so") {
   const auto train = runs_with("surface_patch", 3, 40.0);
   const auto analysis = analysed(train, {runs_with("clean", 2, 40.0).back()});
   INFO(analysis.summary);

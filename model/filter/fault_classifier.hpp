@@ -1,4 +1,5 @@
-// What has been seen of a wheel since its readings stopped fitting, and the name that fits it.
+// Tells a fault of a wheel or its encoder from the others: frozen, dropped, spike, stuck, stalled. It looks
+// at the readings since they stopped fitting the model, and at a few before that.
 #pragma once
 
 #include <array>
@@ -10,9 +11,9 @@
 
 namespace wheelwright {
 
-class MisfitRecord {
+class FaultClassifier {
  public:
-  explicit MisfitRecord(double period_s) : period_s_(period_s) {}
+  explicit FaultClassifier(double period_s) : period_s_(period_s) {}
 
   // While all is well: the first readings of a fault look sound.
   void watch(const WheelEvidence& evidence);

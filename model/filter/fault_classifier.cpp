@@ -1,4 +1,4 @@
-#include "model/filter/misfit_record.hpp"
+#include "model/filter/fault_classifier.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,13 +20,13 @@ constexpr int new_origin_matters_ticks = 40;
 
 }  // namespace
 
-void MisfitRecord::watch(const WheelEvidence& evidence) {
+void FaultClassifier::watch(const WheelEvidence& evidence) {
   std::shift_right(before_.begin(), before_.end(), 1);
   before_[0] = {evidence.predicted_m, evidence.counted_m, evidence.metres_per_tick};
   ticks_since_new_origin_ = evidence.new_origin ? 0 : std::min(ticks_since_new_origin_ + 1, 1 << 20);
 }
 
-void MisfitRecord::open() {
+void FaultClassifier::open() {
   ticks_ = 0;
   predicted_m_ = counted_m_ = distance_m_ = 0.0;
   jump_m_ = jump_counted_m_ = jump_predicted_m_ = 0.0;
@@ -36,7 +36,7 @@ void MisfitRecord::open() {
   for (std::size_t i = hindsight; i > 0; --i) add(before_[i - 1]);
 }
 
-void MisfitRecord::take(const WheelEvidence& evidence) {
+void FaultClassifier::take(const WheelEvidence& evidence) {
   ++ticks_;
   if (evidence.new_origin) after_new_origin_ = true;
   reading_sd_m_ = evidence.reading_sd_m;
@@ -44,7 +44,7 @@ void MisfitRecord::take(const WheelEvidence& evidence) {
   if (evidence.received) add({evidence.predicted_m, evidence.counted_m, evidence.metres_per_tick});
 }
 
-void MisfitRecord::add(const Step& step) {
+void FaultClassifier::add(const Step& step) {
   predicted_m_ += step.predicted_m;
   counted_m_ += step.counted_m;
   distance_m_ += std::abs(step.predicted_m);
@@ -65,18 +65,18 @@ void MisfitRecord::add(const Step& step) {
 }
 
 // A counter that merely misses what the wheel did never goes back, and never ahead of it.
-bool MisfitRecord::jumped() const {
+bool FaultClassifier::jumped() const {
   const bool large = std::abs(jump_m_) > std::max(min_jump_m, jump_sd * reading_sd_m_);
   const bool only_missing =
       jump_counted_m_ * jump_predicted_m_ >= 0.0 && std::abs(jump_counted_m_) <= std::abs(jump_predicted_m_);
   return large && !only_missing;
 }
 
-bool MisfitRecord::is_stall() const {
+bool FaultClassifier::is_stall() const {
   return still_ticks_ >= 3 && still_m_ >= enough_to_call_still_m && excess_a_ > stall_excess_a;
 }
 
-FaultKind MisfitRecord::name_by_now() const {
+FaultKind FaultClassifier::name_by_now() const {
   const bool still = still_ticks_ * period_s_ >= frozen_s && still_m_ >= 2.0 * enough_to_call_still_m;
   if (still) return jumped() || after_new_origin_ ? FaultKind::stuck_at : FaultKind::frozen;
   const bool long_enough =
@@ -88,7 +88,7 @@ FaultKind MisfitRecord::name_by_now() const {
   return FaultKind::misfit;
 }
 
-FaultKind MisfitRecord::name_at_end(double kept_out_m) const {
+FaultKind FaultClassifier::name_at_end(double kept_out_m) const {
   const FaultKind known = name_by_now();
   if (known != FaultKind::misfit) return known;
   if (longest_still_ticks_ * period_s_ >= frozen_s) return jumped() ? FaultKind::stuck_at : FaultKind::frozen;

@@ -1,10 +1,10 @@
-#include "model/gap/test_runs.hpp"
+#include "model/gap/check_on_test_runs.hpp"
 
 #include <algorithm>
 
-#include "model/gap/conclusion/acceptance.hpp"
 #include "model/gap/conclusion/check_verdict.hpp"
 #include "model/gap/conclusion/confirmation.hpp"
+#include "model/gap/conclusion/withdrawal.hpp"
 #include "model/gap/fit/reference_alignment.hpp"
 
 namespace wheelwright::gap {
@@ -67,7 +67,7 @@ void check_on_test_runs(SplitAnalysis& analysis, const ParallelFor& parallel_for
     return;
   }
   const std::string part = something_is_left ? part_in_words(result) : not_seen_in_words(result);
-  analysis.withdraw_effects();
+  analysis.withdraw_names();
   meet_test_runs(analysis, parallel_for);
   apply_check(result);
   if (result.verdict == Verdict::nothing_missing && something_is_left) {
