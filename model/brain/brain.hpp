@@ -1,13 +1,12 @@
 // The brain of the robot: a pure step function from sensor frames to commands.
 //
 // take() receives the frame of a tick; next_command() then gives commands, in tick order, as many as may be
-// given: one where the manoeuvre needs the sensors, several ticks ahead where the route is steered by the
-// model alone. No clock, no I/O; the same frames give the same commands. After start() nothing here
-// allocates.
+// given: one at a time if the manoeuvre needs the sensors, several ticks ahead if the model alone steers the
+// route. No clock, no I/O; the same frames give the same commands. take() and next_command() do not allocate.
 //
-// Where the model knows the encoder scale, the hybrid filter runs whatever the pose source is, so that faults
-// are found and logged in each run; it steers where the source is `hybrid`. The models of the sources `fir`
-// and `arma` are the caller's to match: the brain drives by the model that it is given.
+// If the model knows the encoder scale, the hybrid filter runs with every pose source, so that faults are
+// found and logged in each run. The filter steers only with the source `hybrid`. With the sources `fir` and
+// `arma` the caller has to give a model of that type: the brain drives by the model that it is given.
 #pragma once
 
 #include <array>
@@ -36,8 +35,8 @@ struct PoseRecord {
   bool has_prediction = false;
   Pose predicted;  // by the model, from commands alone
   WheelPair predicted_speed_m_s;
-  // Of x, y, theta of `predicted`, in its frame (model/uncertainty); zero where the model states no
-  // uncertainty.
+  // Covariance of x, y, theta of `predicted`, in the frame of that pose (model/uncertainty); zero if the
+  // model states no uncertainty.
   Eigen::Matrix3d predicted_covariance = Eigen::Matrix3d::Zero();
   Pose odometry;
   WheelPair measured_speed_m_s;
@@ -60,16 +59,17 @@ class Brain {
   // The next command, or nothing where the next frame has to come first.
   std::optional<Command> next_command();
 
-  // What the calibrator found. It takes effect when the brain stops waiting for it, so that the tick at which
-  // it came, which is a matter of the machine, does not show.
+  // What the calibrator found. It takes effect when the brain stops waiting for it. How long the machine took
+  // to find it does not show in the run.
   void accept_encoder_order() { outcome_arrived_ = true; }
   void accept_encoder_scale(const WheelPair& metres_per_tick);
   void accept_model(std::unique_ptr<DrivingModel> model);
-  // A better model of the same robot, made while it drives. It takes the place of the present one between two
-  // ticks, at the frame of `from_tick` or the next one after it: set in motion by the commands of the last
-  // 9 s, at the pose where the old one was. `version` is from then on that of the records.
+  // A better model of the same robot, made while the robot drives. It replaces the present model between two
+  // ticks, at the frame of `from_tick` or the next frame after that. It starts with the motion that the
+  // commands of the last 9 s give it, at the pose of the replaced model. From then on the records have
+  // `version`.
   void exchange_model(std::unique_ptr<DrivingModel> model, std::int64_t from_tick, std::uint16_t version);
-  // The model that the last one replaced, so that it is freed elsewhere; nothing most of the time.
+  // The replaced model, for the caller to free outside the real-time thread; null most of the time.
   std::unique_ptr<DrivingModel> take_retired_model() { return std::move(retired_model_); }
   // A calibration was refused: the run ends.
   void refuse();

@@ -1,21 +1,20 @@
 // The random drive of the ARMA calibration (calibration C of the source paper): normally distributed speeds,
 // each held for a random time, that stay inside a circle; and then a tour of that circle (tour.hpp).
 //
-// The random speeds show the dynamics. Their gains are those of the speeds that happened to be drawn, where
-// friction makes it matter: most of what two calibrations of a minute differ by. The tour shows the gains at
-// which a route is driven.
+// The random speeds show the dynamics. With friction, a gain depends on the speed, and the random speeds give
+// the gains at the speeds that happened to be drawn. This is the main difference between two calibrations of
+// a minute. The tour shows the gains at the speeds of a route.
 //
 // A draw that would leave the circle is replaced by its negative, which goes back the way it came. A normal
-// deviate and its negative are equally likely, so the circle takes nothing from the distribution of speeds;
-// only where both would leave it is another pair drawn.
+// deviate and its negative are equally likely, so the distribution of speeds stays as it is. If both would
+// leave the circle, another pair is drawn.
 //
-// By what pose? By the one that a model predicts from the commands, where there is a model. The commands are
-// then a function of seed, model and first pose: the same drive can be driven again, an encoder that fails on
-// the way cannot lead the robot out of its circle, and no noise of the sensors gets into the commands, where
-// it would be taken for their cause (identification in closed loop is biased by just that). Without a model
-// nobody knows what a command does, and staying in the circle comes first: then by odometry. What feeds back
-// is little, as only the choice between a draw and its negative depends on it; a tour is steered all the
-// time, so it is left out.
+// With a model, the pose is the one that the model predicts from the commands. The commands are then a
+// function of seed, model and first pose. The same drive can be repeated, and an encoder that fails on the
+// way cannot lead the robot out of its circle. No noise of the sensors gets into the commands, which would
+// bias the identification (closed loop). Without a model nobody knows what a command does, and staying in the
+// circle comes first: the pose is then that of odometry. Its noise has little influence, because only the
+// choice between a draw and its negative depends on it. A tour is steered all the time, so there is none.
 #pragma once
 
 #include <cstdint>

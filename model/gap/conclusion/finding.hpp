@@ -22,19 +22,19 @@ struct Rival {
 struct Finding {
   EffectSetting setting;
   std::vector<ParameterInterval> intervals;
-  double heldout_gain_nats = 0.0;        // deflated for correlation
+  double heldout_gain_nats = 0.0;        // divided by autocorrelation_factor
   std::optional<double> test_gain_nats;  // the same on untouched runs
   bool acts_untouched = false;           // whether it moves anything there
-  double autocorrelation_factor = 1.0;   // by which
+  double autocorrelation_factor = 1.0;
   double p_value = 1.0;
   double posterior = 0.0;
   double rival_share = 0.0;   // of what it explains, what the best rival would explain in its place
   std::vector<Rival> rivals;  // the most probable first
 };
 
-// All that a search accepted: first what it found first, unless another would be missed far more, then by
-// what is missed most where it is taken out of the model. The posterior of a name is that in its place, the
-// others being there.
+// All that a search accepted. The effect that was found first comes first, unless the model loses far more
+// without another one. The rest follows by how much the model loses without each. The posterior of a name
+// compares it with its rivals, beside all other names.
 std::vector<Finding> findings_of(const GapSearch& search);
 
 // An effect that these runs cannot show may do the same in them as one that was found: then it is a rival as

@@ -19,9 +19,9 @@ struct DataFault {
   std::string log;
   std::size_t row = 0;  // line of the file
   std::string what;
-  bool distorts = false;  // with that row in, any model would be wrong
-  bool explains = false;  // the log says something else than it seems to: nothing behind it can be judged
-  bool happened = false;  // no fault of the data: so it was
+  bool distorts = false;  // any model fitted to this row would be wrong
+  bool explains = false;  // the columns do not mean what they say: no effect can be judged
+  bool happened = false;  // true of the robot: no fault of the data
   std::string treatment;  // what the gate did about it; empty where nothing
 
   std::string text() const { return treatment.empty() ? what : what + "; " + treatment; }
