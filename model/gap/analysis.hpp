@@ -8,7 +8,7 @@
 #include <tl/expected.hpp>
 
 #include "model/gap/conclusion/analysis_result.hpp"
-#include "model/gap/data_checks/dataset.hpp"
+#include "model/gap/data_checks/gathered_runs.hpp"
 #include "model/gap/fit/problem.hpp"
 #include "model/log/drive_log.hpp"
 #include "model/simulation/robot_model.hpp"

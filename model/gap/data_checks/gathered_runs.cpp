@@ -1,4 +1,4 @@
-#include "model/gap/data_checks/dataset.hpp"
+#include "model/gap/data_checks/gathered_runs.hpp"
 
 #include <algorithm>
 #include <cmath>
