@@ -104,6 +104,15 @@ Replies replies_of(const std::string& summary) {
   return replies;
 }
 
+int skipped_periods_of(const std::string& summary) {
+  const std::size_t at = summary.find("  periods skipped ");
+  int skipped = 0;
+  if (at == std::string::npos || std::sscanf(summary.c_str() + at, " periods skipped %d", &skipped) != 1) {
+    throw std::runtime_error("no count of skipped periods in the summary:\n" + summary);
+  }
+  return skipped;
+}
+
 Travel travel_of(const Table& truth) {
   const double period_s = std::stod(truth.metadata("period_s"));
   Travel travel;

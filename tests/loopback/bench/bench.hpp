@@ -63,6 +63,9 @@ struct Replies {
 };
 Replies replies_of(const std::string& summary);
 
+// Ticks that the loop left out because it woke up late, as the daemon's summary counts them.
+int skipped_periods_of(const std::string& summary);
+
 // How far the wheels went on the floor, in metres, as the truth file says.
 struct Travel {
   double left_m = 0.0;
