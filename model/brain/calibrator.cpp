@@ -64,6 +64,11 @@ void widen(const DcGain& gain, double relative_error, DcGain& standard_error) {
   standard_error.from_right = std::hypot(standard_error.from_right, gain.from_right * relative_error);
 }
 
+// Too few readings may be left because some came late.
+Refusal with_remark(const Refusal& refusal, const std::optional<std::string>& remark) {
+  return remark ? Refusal{refusal.reason + "; " + *remark} : refusal;
+}
+
 }  // namespace
 
 Calibrator::Calibrator(const Mission& mission, const RobotLimits& limits,
@@ -267,7 +272,7 @@ CalibrationOutcome Calibrator::response() const {
                  "response calibration on the robot, " + std::to_string(response_runs_.size()) + " actions");
     outcome.response = std::move(*fit);
   } else {
-    outcome.refusal = fit.error();
+    outcome.refusal = with_remark(fit.error(), outcome.remark);
   }
   return outcome;
 }
@@ -306,7 +311,7 @@ CalibrationOutcome Calibrator::arma() const {
   settle_travel(std::span(&run, 1), std::span(&random_counts_, 1));
   auto fit = fit_arx(std::span(&run, 1), options);
   if (!fit) {
-    outcome.refusal = fit.error();
+    outcome.refusal = with_remark(fit.error(), outcome.remark);
     return outcome;
   }
   outcome.model = model_of(fit->model, fit->left.quality, fit->right.quality,

@@ -94,6 +94,18 @@ std::size_t length_worth_keeping(const ResponseEstimate& estimate) {
   return 1;
 }
 
+// A tap shows only in the rows that come so long after the run's first command. Taps that hardly any row
+// shows make the whole response uncertain, and then no tail of it stands out. The last tap has a third of the
+// longest run.
+std::size_t longest_shown(std::span<const DriveLog> logs, double period_s, std::size_t longest) {
+  double duration_s = 0.0;
+  for (const DriveLog& log : logs) {
+    duration_s = std::max(duration_s, log.samples.back().t_s - log.samples.front().t_s);
+  }
+  const auto shown = static_cast<std::size_t>(std::max(1.0, 2.0 / 3.0 * duration_s / period_s));
+  return std::min(longest, shown);
+}
+
 WheelResponse to_response(const Eigen::VectorXd& columns) {
   WheelResponse response;
   for (Eigen::Index i = 0; i < columns.size(); i += 2) {
@@ -124,13 +136,13 @@ WheelFit describe(const ResponseEstimate& estimate, const TravelNoise& noise, do
 tl::expected<FirFit, Refusal> fit_fir(std::span<const DriveLog> logs, const FirFitOptions& options) {
   if (auto refusal = find_unfit_log(logs)) return tl::unexpected(*refusal);
   const double period_s = options.period_s.value_or(shortest_period_s(logs));
-  const std::size_t longest = options.length.value_or(options.longest);
+  const std::size_t longest = options.length.value_or(longest_shown(logs, period_s, options.longest));
 
   const double tick_m = 0.5 * (logs.front().metres_per_tick->left + logs.front().metres_per_tick->right);
   const TravelNoise noise = most_likely_noise(logs, period_s, std::min<std::size_t>(longest, 20), tick_m);
   const Factored factored = factor_equations(logs, period_s, longest, noise);
-  const auto needed = static_cast<Eigen::Index>(4 * longest);
-  if (factored.factor.rows < needed) {
+  if (factored.factor.rows < static_cast<Eigen::Index>(4 * longest)) {
+    const std::size_t needed = 4 * options.length.value_or(options.longest);
     return tl::unexpected(Refusal{"only " + std::to_string(factored.factor.rows) + " usable samples, but " +
                                   std::to_string(needed) + " are needed; record a longer run"});
   }

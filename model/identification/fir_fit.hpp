@@ -12,7 +12,7 @@
 //     leaves independent equations.
 //   * Prior: responses decay and are smooth ("tuned/correlated" kernel, Chen, Ohlsson & Ljung, Automatica 48
 //     (2012) 1525-1535); its size and decay are chosen by marginal likelihood, so exact data are not shrunk.
-//   * Length: from the data, as long as the tail is worth it.
+//   * Length: from the data, as long as the tail is worth it, and at most two thirds of the longest run.
 #pragma once
 
 #include <cstddef>
