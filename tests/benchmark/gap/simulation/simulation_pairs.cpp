@@ -38,18 +38,20 @@ struct Count {
 };
 
 // An effect whose size in the robot is a parameter of the library, but for its sign. What a speed controller
-// or the load on the motors takes back in part (direction_gain, yaw_bias) is none of them.
+// or the load on the motors takes back in part (direction_gain, yaw_bias) is none of them, and neither is the
+// dead zone of an output stage, whose soft knee moves it by some per cent.
 struct SizedEffect {
   std::string_view effect;
   std::string_view parameter;
   double parameter_per_size = 1.0;
+  std::string_view how = "";  // it is hidden, of several ways; empty: in any
 };
 
 constexpr double wheel_base_m = test::PlantParameters{}.wheel_base_m;
 constexpr std::array sized_effects{
     SizedEffect{"backlash", "gap"},
     SizedEffect{"command_quantization", "step"},
-    SizedEffect{"dead_zone", "threshold"},
+    SizedEffect{"dead_zone", "threshold", 1.0, "firmware ignores small commands"},
     SizedEffect{"distance_scale", "change"},
     SizedEffect{"saturation", "limit"},
     SizedEffect{"effective_track", "excess", wheel_base_m},
@@ -70,14 +72,14 @@ bool is_left_out(const test::HiddenEffect& effect) {
          effect.name == "transport_delay";
 }
 
-std::vector<DriveLog> runs_of(const Pair& pair, bool hidden, test::Severity severity) {
+test::GapCase robot_of(const Pair& pair, bool hidden, test::Severity severity) {
   test::GapCaseSpec spec;
   spec.name = hidden ? std::string(pair.effect->name) : "clean";
   spec.severity = severity;
   spec.seed = pair.seed;
   spec.runs = 3;
   spec.seconds = 40.0;
-  return test::make_gap_case(spec).runs;
+  return test::make_gap_case(spec);
 }
 
 std::vector<DriveLog> answering_later(std::vector<DriveLog> runs, std::size_t periods) {
@@ -122,29 +124,33 @@ bool holds_size(const gap::Known& known, double size) {
   return (lower <= size && size <= upper) || (lower <= -size && -size <= upper);
 }
 
-struct Sizes {
-  double simulation = 0.0;
-  double robot = 0.0;
-};
+// The hidden size of a robot if it is the library's parameter.
+std::optional<double> parameter_of(const test::GapCase& robot, const SizedEffect& sized) {
+  if (robot.hidden.empty()) return std::nullopt;
+  const test::HiddenInCase& hidden = robot.hidden.front();
+  if (!sized.how.empty() && hidden.how != sized.how) return std::nullopt;
+  return sized.parameter_per_size * hidden.size;
+}
 
-void check_sizes(const gap::SimulationGap& gap, const Pair& pair, const Sizes& truth, Count& count) {
+void check_sizes(const gap::SimulationGap& gap, const Pair& pair, const test::GapCase& simulator,
+                 const test::GapCase& robot, Count& count) {
   const auto sized = std::ranges::find(sized_effects, pair.effect->name, &SizedEffect::effect);
   const auto said = std::ranges::find(gap.differences, pair.effect->name, &gap::EffectDifference::effect);
   if (sized == sized_effects.end() || said == gap.differences.end()) return;
   const auto parameter =
       std::ranges::find(said->parameters, sized->parameter, &gap::ParameterDifference::name);
   if (parameter == said->parameters.end()) return;
-  const auto check = [&](const std::optional<gap::Known>& known, double size, const char* where) {
-    if (!known || size == 0.0) return;
-    const double value = sized->parameter_per_size * size;
-    const bool holds = holds_size(*known, value);
+  const auto check = [&](const std::optional<gap::Known>& known, const std::optional<double>& truth,
+                         const char* where) {
+    if (!known || !truth) return;
+    const bool holds = holds_size(*known, *truth);
     count.add(holds);
     if (!holds)
-      std::cerr << "  outside, in the " << where << ": " << value << " is not in [" << known->interval.lower
+      std::cerr << "  outside, in the " << where << ": " << *truth << " is not in [" << known->interval.lower
                 << ", " << known->interval.upper << "]\n";
   };
-  check(parameter->simulation, truth.simulation, "simulator");
-  check(parameter->robot, truth.robot, "robot");
+  check(parameter->simulation, parameter_of(simulator, *sized), "simulator");
+  check(parameter->robot, parameter_of(robot, *sized), "robot");
 }
 
 void try_pair(const Pair& pair, Tally& tally) {
@@ -152,18 +158,18 @@ void try_pair(const Pair& pair, Tally& tally) {
   const bool in_simulation = in_both || pair.kind == DifferenceKind::surplus;
   const bool in_robot = in_both || pair.kind == DifferenceKind::missing;
   const auto size = pair.kind == DifferenceKind::wrong_size ? test::Severity::small : test::Severity::large;
-  const auto simulated = runs_of(pair, in_simulation, size);
-  const auto real = answering_later(runs_of(pair, in_robot, test::Severity::large), pair.later_periods);
-  const auto gap =
-      gap::analyse_simulation_gap(simulated, real, {}, gap::serial_for, [](const std::string&, double) {});
-  std::cerr << pair.effect->name << " " << gap::kind_name(pair.kind) << " later by " << pair.later_periods
-            << " seed " << pair.seed << ": " << (gap ? gap->robot.summary : gap.error().reason) << "\n";
-  tally.right[pair.kind].add(gap && says(*gap, pair));
-  const double robot_size = pair.effect->size(test::Severity::large);
-  if (gap && says(*gap, pair)) {
-    check_sizes(*gap, pair, {in_simulation ? pair.effect->size(size) : 0.0, in_robot ? robot_size : 0.0},
-                tally.size);
-  }
+  const test::GapCase simulator = robot_of(pair, in_simulation, size);
+  const test::GapCase robot = robot_of(pair, in_robot, test::Severity::large);
+  const auto real = answering_later(robot.runs, pair.later_periods);
+  const auto gap = gap::analyse_simulation_gap(simulator.runs, real, {}, gap::serial_for,
+                                               [](const std::string&, double) {});
+  const bool right = gap && says(*gap, pair);
+  const auto& hidden = robot.hidden.empty() ? simulator.hidden : robot.hidden;
+  std::cerr << (right ? "right: " : "wrong: ") << pair.effect->name << " (" << hidden.front().how << ") "
+            << gap::kind_name(pair.kind) << " later by " << pair.later_periods << " seed " << pair.seed
+            << ": " << (gap ? gap->robot.summary : gap.error().reason) << "\n";
+  tally.right[pair.kind].add(right);
+  if (right) check_sizes(*gap, pair, simulator, robot, tally.size);
   tally.extra.add(gap && says_another(*gap, pair));
   const auto delay = !gap ? 0.0 : [&] {
     for (const auto& change : gap->robot.linear_changes)
