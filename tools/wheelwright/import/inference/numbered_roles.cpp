@@ -241,11 +241,12 @@ void map_by_numbers(std::span<const Recording> recordings, const GivenMapping& g
   if (!time.column && !time.period_s) time.period_s = 1.0;  // any will do to compare assignments
   const Column t_s = stream_times(*stream, time);
   if (t_s.empty() || (mapping.command && mapping.wheels)) return;
+  const bool sides_are_known = mapping.command.has_value() || mapping.wheels.has_value();
   by_numbers.find_motion(t_s);
   if (mapping.time.column || mapping.time.period_s)
     find_step(*stream, t_s, by_numbers.unused(), given, mapping, findings);
   if (!mapping.reference && mapping.command && mapping.wheels)
-    find_pose_columns(*stream, by_numbers.unused(), mapping, findings);
+    find_pose_columns(*stream, t_s, by_numbers.unused(), sides_are_known, mapping, findings);
 }
 
 }  // namespace wheelwright::import

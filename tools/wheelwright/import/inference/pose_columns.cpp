@@ -1,7 +1,12 @@
 #include "tools/wheelwright/import/inference/pose_columns.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
 
 #include "tools/wheelwright/import/conversion/counts.hpp"
 
@@ -9,30 +14,75 @@ namespace wheelwright::import {
 namespace {
 
 constexpr double sure_explained = 0.9;
+constexpr double hole_s = 10.0;  // between runs
 
-struct Path {
-  std::vector<double> x, y, theta;  // in counts, and radians as far as the base is known
+// Rows of one run: files that were read together begin anew, wherever the robot was put.
+struct Rows {
+  std::size_t begin = 0;
+  std::size_t end = 0;
 };
 
-// Odometry at the base that makes `heading` turn as the wheels do; in counts.
-Path dead_reckoned(const std::vector<double>& left, const std::vector<double>& right,
-                   double radians_per_count) {
-  Path path;
-  double x = 0.0, y = 0.0, theta = 0.0;
-  for (std::size_t i = 0; i < left.size(); ++i) {
-    const double dl = i == 0 ? 0.0 : left[i] - left[i - 1];
-    const double dr = i == 0 ? 0.0 : right[i] - right[i - 1];
-    if (std::isfinite(dl) && std::isfinite(dr)) {
-      const double middle = theta + 0.5 * radians_per_count * (dr - dl);
-      x += 0.5 * (dl + dr) * std::cos(middle);
-      y += 0.5 * (dl + dr) * std::sin(middle);
-      theta += radians_per_count * (dr - dl);
-    }
-    path.x.push_back(x);
-    path.y.push_back(y);
-    path.theta.push_back(theta);
+std::vector<Rows> runs_of(const std::vector<double>& t_s) {
+  std::vector<Rows> runs{{0, t_s.size()}};
+  for (std::size_t i = 1; i < t_s.size(); ++i) {
+    const double step_s = t_s[i] - t_s[i - 1];
+    if (!(step_s < 0.0 || step_s > hole_s)) continue;
+    runs.back().end = i;
+    runs.push_back({i, t_s.size()});
   }
-  return path;
+  return runs;
+}
+
+double mean(const std::vector<double>& values, const Rows& rows) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t i = rows.begin; i < rows.end; ++i) {
+    if (!std::isfinite(values[i])) continue;
+    sum += values[i];
+    count += 1.0;
+  }
+  return count > 0.0 ? sum / count : 0.0;
+}
+
+// About the mean of each run.
+std::vector<double> centred(std::vector<double> values, const std::vector<Rows>& runs) {
+  for (const Rows& rows : runs) {
+    const double middle = mean(values, rows);
+    for (std::size_t i = rows.begin; i < rows.end; ++i) values[i] -= middle;
+  }
+  return values;
+}
+
+struct Counts {
+  std::vector<double> left, right, difference;
+};
+
+struct Path {
+  std::vector<double> x, y;  // in counts, about the mean of each run
+};
+
+// By the counts, with a heading that turns as the wheels do and agrees with `heading` on average.
+Path dead_reckoned(const Counts& counts, const std::vector<double>& heading_rad, double radians_per_count,
+                   const std::vector<Rows>& runs) {
+  Path path{std::vector<double>(counts.left.size()), std::vector<double>(counts.left.size())};
+  for (const Rows& rows : runs) {
+    const double offset_rad = mean(heading_rad, rows) - radians_per_count * mean(counts.difference, rows);
+    double x = 0.0, y = 0.0;
+    for (std::size_t i = rows.begin; i < rows.end; ++i) {
+      const double forward =
+          i == rows.begin
+              ? 0.0
+              : 0.5 * (counts.left[i] - counts.left[i - 1] + counts.right[i] - counts.right[i - 1]);
+      const double theta = offset_rad + radians_per_count * counts.difference[i];
+      if (std::isfinite(forward) && std::isfinite(theta)) {
+        x += forward * std::cos(theta);
+        y += forward * std::sin(theta);
+      }
+      path.x[i] = x;
+      path.y[i] = y;
+    }
+  }
+  return {centred(std::move(path.x), runs), centred(std::move(path.y), runs)};
 }
 
 struct Line {
@@ -66,50 +116,135 @@ Line regress(const std::vector<double>& values, const std::vector<const std::vec
   return line;
 }
 
+std::vector<double> unwrapped(const Channel& counts) {
+  std::vector<double> values = counts.values;
+  if (const auto bits = wrapped_bits(values)) unwrap(values, *bits);
+  return values;
+}
+
+struct Heading {
+  const Channel* channel = nullptr;
+  std::vector<double> values;  // without wraps
+  double per_count = 0.0;      // of the right wheel less the left one; negative: it turns against them
+};
+
+// A heading in a range of one turn, of radians or degrees, as one that goes on.
+std::vector<double> without_wraps(std::vector<double> values) {
+  double least = std::numeric_limits<double>::infinity();
+  double largest = -least;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    least = std::min(least, value);
+    largest = std::max(largest, value);
+  }
+  const double turn = largest - least > 7.0 ? 360.0 : 2.0 * std::acos(-1.0);
+  if (!(largest - least <= 1.01 * turn)) return values;
+  double added = 0.0;
+  std::optional<double> last;
+  for (double& value : values) {
+    if (!std::isfinite(value)) continue;
+    const double step = last ? value + added - *last : 0.0;
+    if (std::abs(step) > 0.5 * turn) added -= std::copysign(turn, step);
+    value += added;
+    last = value;
+  }
+  return values;
+}
+
+Heading find_heading(const std::vector<const Channel*>& unused, const Counts& counts,
+                     const std::vector<Rows>& runs) {
+  const std::vector<double> difference = centred(counts.difference, runs);
+  for (const Channel* channel : unused) {
+    std::vector<double> values = without_wraps(channel->values);
+    const Line line = regress(centred(values, runs), {&difference});
+    if (line.explained > sure_explained) return {channel, std::move(values), line.factors[0]};
+  }
+  return {};
+}
+
+struct Places {
+  std::array<const Channel*, 2> column{};
+  bool mirrored = false;  // the first turned towards the second goes against the heading
+};
+
+std::optional<Places> find_places(const std::vector<const Channel*>& unused, const Channel* heading,
+                                  const Path& path, const std::vector<Rows>& runs) {
+  Places places;
+  std::array<Line, 2> lines;
+  std::size_t found = 0;
+  for (const Channel* channel : unused) {
+    const Line line =
+        channel == heading ? Line{} : regress(centred(channel->values, runs), {&path.x, &path.y});
+    if (line.explained <= sure_explained) continue;
+    if (found == 2) return std::nullopt;
+    places.column.at(found) = channel;
+    lines.at(found++) = line;
+  }
+  if (found < 2) return std::nullopt;
+  const auto& [x, y] = lines;
+  places.mirrored = x.factors[0] * y.factors[1] < x.factors[1] * y.factors[0];
+  return places;
+}
+
+void exchange_sides(Mapping& mapping) {
+  std::swap(mapping.wheels->left, *mapping.wheels->right);
+  CommandMapping& command = *mapping.command;
+  if (!command.is_of_body() && command.second) std::swap(command.first, *command.second);
+}
+
 }  // namespace
 
-void find_pose_columns(const Stream& stream, const std::vector<const Channel*>& unused, Mapping& mapping,
+void find_pose_columns(const Stream& stream, const std::vector<double>& t_s,
+                       const std::vector<const Channel*>& unused, bool sides_are_known, Mapping& mapping,
                        std::vector<std::string>& findings) {
   const WheelMapping& wheels = *mapping.wheels;
   if (wheels.kind != WheelKind::counts || !wheels.right || wheels.body_motion) return;
   const Channel* left = stream.find(wheels.left.channel);
   const Channel* right = stream.find(wheels.right->channel);
   if (left == nullptr || right == nullptr) return;
-  std::vector<double> counts[2] = {left->values, right->values};
-  std::vector<double> difference;
-  for (auto& side : counts) {
-    if (const auto bits = wrapped_bits(side)) unwrap(side, *bits);
-  }
-  for (std::size_t i = 0; i < counts[0].size(); ++i) difference.push_back(counts[1][i] - counts[0][i]);
-
-  const Channel* heading = nullptr;
-  double radians_per_count = 0.0;
-  for (const Channel* channel : unused) {
-    std::vector<double> values = channel->values;
-    const Line line = regress(values, {&difference});
-    if (line.explained > sure_explained && line.factors[0] > 0.0 && heading == nullptr) {
-      heading = channel;
-      radians_per_count = line.factors[0];
-    }
-  }
-  if (heading == nullptr) return;
+  const std::vector<Rows> runs = runs_of(t_s);
+  Counts counts{unwrapped(*left), unwrapped(*right), {}};
+  for (std::size_t i = 0; i < counts.left.size(); ++i)
+    counts.difference.push_back(counts.right[i] - counts.left[i]);
+  const Heading heading = find_heading(unused, counts, runs);
+  if (heading.channel == nullptr) return;
   // Degrees turn by more than a radian can for a count of the same wheels: both are tried.
   for (const double unit : {1.0, std::acos(-1.0) / 180.0}) {
-    const Path path = dead_reckoned(counts[0], counts[1], unit * radians_per_count);
-    std::vector<const Channel*> places;
-    for (const Channel* channel : unused) {
-      if (channel != heading && regress(channel->values, {&path.x, &path.y}).explained > sure_explained)
-        places.push_back(channel);
+    std::vector<double> heading_rad = heading.values;
+    for (double& value : heading_rad) value *= unit;
+    const Path path = dead_reckoned(counts, heading_rad, unit * heading.per_count, runs);
+    auto places = find_places(unused, heading.channel, path, runs);
+    if (!places) continue;
+    const bool against = heading.per_count < 0.0;
+    const std::string column = "column " + heading.channel->name;
+    if (against && (places->mirrored || sides_are_known)) {
+      findings.push_back(
+          column + " is a heading that falls where the wheels turn left, so that " +
+          (places->mirrored ? "it is clockwise" : "the sides or the heading are the wrong way round") +
+          "; the reference is left out");
+      return;
     }
-    if (places.size() != 2) continue;
+    if (against) {
+      exchange_sides(mapping);
+      findings.push_back("the right wheel stands first: columns " + places->column[0]->name + ", " +
+                         places->column[1]->name + " and " + heading.channel->name +
+                         " turn left with the first wheel; or they are of a frame whose y points right, and "
+                         "left and right are exchanged in all results");
+    }
+    if (places->mirrored) {
+      std::swap(places->column[0], places->column[1]);
+      findings.push_back(
+          "y stands before x: in the order of the columns the robot would turn against its heading");
+    }
     ReferenceMapping reference;
-    reference.x = ChannelName{stream.name, places[0]->name};
-    reference.y = ChannelName{stream.name, places[1]->name};
-    reference.theta = ChannelName{stream.name, heading->name};
+    reference.x = ChannelName{stream.name, places->column[0]->name};
+    reference.y = ChannelName{stream.name, places->column[1]->name};
+    reference.theta = ChannelName{stream.name, heading.channel->name};
     if (unit != 1.0) reference.angle_unit = "deg";
     mapping.reference = reference;
-    findings.push_back("the reference is x, y and heading in columns " + places[0]->name + ", " +
-                       places[1]->name + " and " + heading->name + ": they go as the counts do");
+    findings.push_back("the reference is x, y and heading in columns " + places->column[0]->name + ", " +
+                       places->column[1]->name + " and " + heading.channel->name +
+                       ": they go as the counts do");
     return;
   }
 }

@@ -10,9 +10,12 @@
 
 namespace wheelwright::import {
 
-// Adds the reference to a mapping with counts of both wheels, where `unused` holds x and y, with or without a
-// heading.
-void find_pose_columns(const Stream& stream, const std::vector<const Channel*>& unused, Mapping& mapping,
+// Adds the reference to a mapping with counts of both wheels, if `unused` holds x, y and a heading. Their
+// sense of turning shows whether y stands before x, and, unless `sides_are_known`, whether the right wheel
+// stands before the left one: then the sides of wheels and commands are exchanged. A clockwise heading is
+// left out.
+void find_pose_columns(const Stream& stream, const std::vector<double>& t_s,
+                       const std::vector<const Channel*>& unused, bool sides_are_known, Mapping& mapping,
                        std::vector<std::string>& findings);
 
 }  // namespace wheelwright::import
