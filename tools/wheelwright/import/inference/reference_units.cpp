@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "config/load/text_format.hpp"
@@ -17,9 +18,13 @@ using std::numbers::pi;
 
 class ReferenceUnits {
  public:
-  ReferenceUnits(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
-                 std::vector<std::string>& findings)
-      : columns_(columns), given_(given), mapping_(mapping), findings_(findings) {}
+  ReferenceUnits(const DriveColumns& columns, const GivenMapping& given, bool scale_is_assumed,
+                 Mapping& mapping, std::vector<std::string>& findings)
+      : columns_(columns),
+        given_(given),
+        scale_is_assumed_(scale_is_assumed),
+        mapping_(mapping),
+        findings_(findings) {}
 
   // Heading and place against those of the counts, over windows of some rows.
   void run() {
@@ -58,6 +63,7 @@ class ReferenceUnits {
     }
     if (turn_squares > 0.0) heading_unit(turn_products / turn_squares);
     if (way > 0.0) place_unit(reference_way / way);
+    if (scale_is_assumed_) scale_by_reference(time);
   }
 
  private:
@@ -66,12 +72,62 @@ class ReferenceUnits {
     return stands(columns_.x) && stands(columns_.y) && stands(columns_.theta_rad);
   }
 
+  // A scale that was taken from the commands takes their gain for one. Who knows where the robot was knows
+  // better: the slope of the way seen along the heading over that of the wheels, in windows of some
+  // centimetres.
+  void scale_by_reference(const TimeRepair& time) {
+    if (columns_.x.empty() || columns_.theta_rad.empty()) return;
+    constexpr double window_m = 0.05;
+    const double scale = *wheel_scale(*mapping_.wheels);
+    double products = 0.0;
+    double squares = 0.0;
+    for (const auto& rows : time.runs) {
+      const WheelTravel travel = wheel_travel(columns_, rows, mapping_);
+      std::optional<std::size_t> before;
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        const double middle = 0.5 * scale * (travel.values[0][i] + travel.values[1][i]);
+        if (!is_placed(rows[i]) || !std::isfinite(middle)) continue;
+        if (!before) before = i;
+        const double way = middle - 0.5 * scale * (travel.values[0][*before] + travel.values[1][*before]);
+        const double turn = angle_in_rad_ * (columns_.theta_rad[rows[i]] - columns_.theta_rad[rows[*before]]);
+        if (std::abs(way) < window_m && std::abs(turn) < 0.1) continue;
+        const double heading = angle_in_rad_ * columns_.theta_rad[rows[*before]] + 0.5 * turn;
+        const double dx = place_in_m_ * (columns_.x[rows[i]] - columns_.x[rows[*before]]);
+        const double dy = place_in_m_ * (columns_.y[rows[i]] - columns_.y[rows[*before]]);
+        if (std::abs(turn) < 0.5) {  // else it is in doubt whether it turned once around
+          products += way * (dx * std::cos(heading) + dy * std::sin(heading));
+          squares += way * way;
+        }
+        before = i;
+      }
+    }
+    const double ratio = squares > 0.0 ? products / squares : 0.0;
+    if (!is_near(ratio, 1.0)) return;
+    take_scale(ratio);
+  }
+
+  void take_scale(double ratio) {
+    WheelMapping& wheels = *mapping_.wheels;
+    auto& assumed = wheels.metres_per_count ? wheels.metres_per_count : wheels.wheel_radius_m;
+    const std::string what = wheels.metres_per_count ? "a count is " : "the wheel radius is ";
+    const std::string key = wheels.metres_per_count ? "wheels.metres_per_count" : "wheels.wheel_radius_m";
+    if (!assumed) return;
+    std::erase_if(findings_, [&](const std::string& finding) { return finding.starts_with(what); });
+    const double asked = *assumed;
+    assumed = rounded_gain(ratio * asked);
+    findings_.push_back(what + config::plain_number(*assumed) +
+                        " m, so that the wheels go as far as the reference; --set " + key +
+                        " if you know it (for the speeds that are asked for it would have to be " +
+                        config::plain_number(asked) + " m)");
+  }
+
   void heading_unit(double slope) {
     ReferenceMapping& reference = *mapping_.reference;
     if (!reference.theta || given_.says("reference.angle_unit") || reference.angle_unit != "rad" ||
         !is_near(slope, 180.0 / pi))
       return;
     reference.angle_unit = "deg";
+    angle_in_rad_ = pi / 180.0;
     findings_.push_back("headings are in degrees: they turn " + fixed_number(slope, 1) +
                         " times as far as the counts in radians");
   }
@@ -90,6 +146,7 @@ class ReferenceUnits {
                                                      {"inch", 1.0 / 0.0254, 1.06}}) {
       if (std::abs(std::log(ratio / per_metre)) > std::log(tolerance)) continue;
       reference.unit = unit;
+      place_in_m_ = 1.0 / per_metre;
       findings_.push_back("places are in " + reference.unit + ": they go " +
                           fixed_number(ratio, ratio < 10.0 ? 2 : 0) +
                           " times as far as the counts in metres");
@@ -98,15 +155,18 @@ class ReferenceUnits {
 
   const DriveColumns& columns_;
   const GivenMapping& given_;
+  bool scale_is_assumed_;
   Mapping& mapping_;
   std::vector<std::string>& findings_;
+  double angle_in_rad_ = 1.0;  // of the columns, once their unit is found
+  double place_in_m_ = 1.0;
 };
 
 }  // namespace
 
-void set_reference_units(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
-                         std::vector<std::string>& findings) {
-  ReferenceUnits(columns, given, mapping, findings).run();
+void set_reference_units(const DriveColumns& columns, const GivenMapping& given, bool scale_is_assumed,
+                         Mapping& mapping, std::vector<std::string>& findings) {
+  ReferenceUnits(columns, given, scale_is_assumed, mapping, findings).run();
 }
 
 }  // namespace wheelwright::import

@@ -55,7 +55,7 @@ class UnitFinder {
       suggest_base();
     }
     if (mapping_.reference && mapping_.wheels && mapping_.wheel_base_m)
-      set_reference_units(columns_, given_, mapping_, findings_);
+      set_reference_units(columns_, given_, found_scale_, mapping_, findings_);
   }
 
  private:

@@ -1,0 +1,57 @@
+// What a reference says of the scale of the counts.
+#include "tests/unit/tools/wheelwright/import/import_text.hpp"
+
+using namespace wheelwright;
+using namespace wheelwright::test;
+
+namespace {
+
+constexpr double reached = 0.9;  // of the speed that is asked for
+
+std::string asked(const ForeignRow& row) {
+  return number(row.t_s) + "," + number(row.command_left / reached) + "," +
+         number(row.command_right / reached) + "," + counts(row);
+}
+
+}  // namespace
+
+TEST_CASE("Where no one states how far a count goes, the reference says it before the commands do") {
+  const ForeignDrive drive = foreign_drive();
+  const std::vector<std::string> base{"robot.wheel_base_m=0.3"};
+  const auto by_commands = import_text(foreign_text(drive, "t,cmd_left,cmd_right,enc_left,enc_right",
+                                                    [](const ForeignRow& row) { return asked(row); }),
+                                       base);
+  REQUIRE(by_commands.understood.mapping.wheels->metres_per_count);
+  CHECK_THAT(*by_commands.understood.mapping.wheels->metres_per_count,
+             WithinRel(ForeignDrive::metres_per_count / reached, 0.02));
+
+  const std::string header = "t,cmd_left,cmd_right,enc_left,enc_right,ref_x,ref_y,ref_theta";
+  for (const double degrees : {1.0, 57.295779513}) {
+    for (const double millimetres : {1.0, 1000.0}) {
+      INFO(degrees << " " << millimetres);
+      const auto by_reference =
+          import_text(foreign_text(drive, header,
+                                   [&](const ForeignRow& row) {
+                                     return asked(row) + "," + number(millimetres * row.x) + "," +
+                                            number(millimetres * row.y) + "," + number(degrees * row.theta);
+                                   }),
+                      base);
+      REQUIRE(by_reference.understood.mapping.wheels->metres_per_count);
+      CHECK_THAT(*by_reference.understood.mapping.wheels->metres_per_count,
+                 WithinRel(ForeignDrive::metres_per_count, 0.005));
+      CHECK(by_reference.found("so that the wheels go as far as the reference"));
+      CHECK_FALSE(by_reference.found("so that a wheel reaches the speed that it is asked for"));
+    }
+  }
+}
+
+TEST_CASE("A scale that is stated stays, whatever the reference says") {
+  const ForeignDrive drive = foreign_drive();
+  const auto outcome = import_text(
+      foreign_text(drive, "t,cmd_left,cmd_right,enc_left,enc_right,ref_x,ref_y,ref_theta",
+                   [](const ForeignRow& row) {
+                     return asked(row) + "," + number(row.x) + "," + number(row.y) + "," + number(row.theta);
+                   }),
+      {"robot.wheel_base_m=0.3", "wheels.metres_per_count=0.00052"});
+  CHECK(outcome.understood.mapping.wheels->metres_per_count == 0.00052);
+}
