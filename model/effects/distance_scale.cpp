@@ -43,7 +43,7 @@ EffectInfo distance_scale() {
             0.5,
             {-0.05, -0.02, -0.01, 0.01, 0.02, 0.05},
             0.0008}},
-          {.reference = true, .place = true, .encoders = true},
+          {.reference = true, .place = true, .encoders = true, .scale = true},
           [](const EffectArguments& arguments) { return std::make_unique<DistanceScale>(arguments); }};
 }
 

@@ -141,6 +141,7 @@ struct EffectNeeds {
   bool turning = false;
   bool battery = false;
   bool encoders = false;
+  bool scale = false;    // metres per tick that someone states
   bool variety = false;  // several sizes of command: with one or two, a bend looks like a gain
 };
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -43,6 +44,9 @@ struct ExtraColumn {
   std::vector<double> values;      // one per sample; not-a-number where the field was empty or no number
   std::vector<std::string> texts;  // one per sample as it stands in the file; empty where all are numbers
 };
+
+// Metadata of a log whose metres per tick no one states: "commands" or "reference", by which they were found.
+inline constexpr std::string_view scale_from_key = "scale_from";
 
 struct DriveLog {
   std::string name;  // of the file, for messages

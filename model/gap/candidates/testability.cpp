@@ -28,6 +28,7 @@ struct Contents {
   bool reference = false;
   bool place = false;
   bool gyro = false;
+  std::string scale_from;  // of the counts; empty where it is stated
   Excitation excitation;
   TravelDirections directions;
   double lowest_v = std::numeric_limits<double>::infinity();
@@ -40,6 +41,9 @@ Contents contents_of(std::span<const DriveLog> logs) {
     if (log.has_ticks()) contents.counts = true;
     if (log.has_ticks() && has_gyro(log)) contents.gyro = true;
     contents.directions.add(log);
+    for (const auto& [key, value] : log.other_metadata) {
+      if (key == scale_from_key) contents.scale_from = value;
+    }
     std::size_t references = 0;
     for (std::size_t i = 0; i < log.samples.size(); ++i) {
       const auto& sample = log.samples[i];
@@ -72,6 +76,10 @@ std::string missing_for(const EffectInfo& info, const Contents& contents) {
                          : "the logs hold no reference poses";
   }
   if (needs.place && !contents.place) return "the logs hold no reference positions";
+  if (needs.scale && !contents.scale_from.empty()) {
+    return "how far a count goes was found from the " + contents.scale_from +
+           "; give wheels.metres_per_count as its maker states it";
+  }
   if (needs.battery && !(contents.highest_v > 0.0)) return "the logs hold no battery voltage";
   if (needs.battery && contents.highest_v < (1.0 + min_voltage_change) * contents.lowest_v) {
     return "the battery voltage does not change in these logs";

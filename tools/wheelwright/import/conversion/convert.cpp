@@ -83,6 +83,8 @@ tl::expected<Conversion, std::string> convert(const DriveColumns& columns, const
     }
     doubt_period(log, conversion.remarks);
     if (is_one_wheel(mapping)) log.other_metadata.emplace_back("one_wheel", "left");
+    if (mapping.wheels && !mapping.wheels->scale_from.empty())
+      log.other_metadata.emplace_back(scale_from_key, mapping.wheels->scale_from);
     if (!mapping.robot.empty()) log.other_metadata.emplace_back("robot", mapping.robot);
     for (const auto& entry : mapping_entries(mapping)) {
       log.other_metadata.emplace_back("mapping." + entry.key, entry.value);

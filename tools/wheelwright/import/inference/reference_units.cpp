@@ -1,9 +1,10 @@
 #include "tools/wheelwright/import/inference/reference_units.hpp"
 
 #include <cmath>
+#include <complex>
 #include <numbers>
-#include <optional>
 #include <utility>
+#include <vector>
 
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/run_repair.hpp"
@@ -18,13 +19,9 @@ using std::numbers::pi;
 
 class ReferenceUnits {
  public:
-  ReferenceUnits(const DriveColumns& columns, const GivenMapping& given, bool scale_is_assumed,
-                 Mapping& mapping, std::vector<std::string>& findings)
-      : columns_(columns),
-        given_(given),
-        scale_is_assumed_(scale_is_assumed),
-        mapping_(mapping),
-        findings_(findings) {}
+  ReferenceUnits(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
+                 std::vector<std::string>& findings)
+      : columns_(columns), given_(given), mapping_(mapping), findings_(findings) {}
 
   // Heading and place against those of the counts, over windows of some rows.
   void run() {
@@ -63,7 +60,7 @@ class ReferenceUnits {
     }
     if (turn_squares > 0.0) heading_unit(turn_products / turn_squares);
     if (way > 0.0) place_unit(reference_way / way);
-    if (scale_is_assumed_) scale_by_reference(time);
+    if (mapping_.wheels->scale_from == "commands") scale_by_reference(time);
   }
 
  private:
@@ -73,37 +70,57 @@ class ReferenceUnits {
   }
 
   // A scale that was taken from the commands takes their gain for one. Who knows where the robot was knows
-  // better: the slope of the way seen along the heading over that of the wheels, in windows of some
-  // centimetres.
+  // better: the slope of its places over the path that the wheels go along its headings, each about its mean.
   void scale_by_reference(const TimeRepair& time) {
     if (columns_.x.empty() || columns_.theta_rad.empty()) return;
-    constexpr double window_m = 0.05;
-    const double scale = *wheel_scale(*mapping_.wheels);
+    Slope slope;
+    for (const auto& rows : time.runs) add_run(rows, slope);
+    const double ratio = slope.squares > 0.0 ? slope.products / slope.squares : 0.0;
+    if (is_near(ratio, 1.0)) take_scale(ratio);
+  }
+
+  struct Slope {
     double products = 0.0;
     double squares = 0.0;
-    for (const auto& rows : time.runs) {
-      const WheelTravel travel = wheel_travel(columns_, rows, mapping_);
-      std::optional<std::size_t> before;
-      for (std::size_t i = 0; i < rows.size(); ++i) {
-        const double middle = 0.5 * scale * (travel.values[0][i] + travel.values[1][i]);
-        if (!is_placed(rows[i]) || !std::isfinite(middle)) continue;
-        if (!before) before = i;
-        const double way = middle - 0.5 * scale * (travel.values[0][*before] + travel.values[1][*before]);
-        const double turn = angle_in_rad_ * (columns_.theta_rad[rows[i]] - columns_.theta_rad[rows[*before]]);
-        if (std::abs(way) < window_m && std::abs(turn) < 0.1) continue;
-        const double heading = angle_in_rad_ * columns_.theta_rad[rows[*before]] + 0.5 * turn;
-        const double dx = place_in_m_ * (columns_.x[rows[i]] - columns_.x[rows[*before]]);
-        const double dy = place_in_m_ * (columns_.y[rows[i]] - columns_.y[rows[*before]]);
-        if (std::abs(turn) < 0.5) {  // else it is in doubt whether it turned once around
-          products += way * (dx * std::cos(heading) + dy * std::sin(heading));
-          squares += way * way;
-        }
-        before = i;
+
+    void add(const std::vector<std::complex<double>>& path, const std::vector<std::complex<double>>& places) {
+      if (path.empty()) return;
+      std::complex<double> path_mean, place_mean;
+      for (const auto& at : path) path_mean += at / static_cast<double>(path.size());
+      for (const auto& at : places) place_mean += at / static_cast<double>(path.size());
+      for (std::size_t i = 0; i < path.size(); ++i) {
+        products += std::real((places[i] - place_mean) * std::conj(path[i] - path_mean));
+        squares += std::norm(path[i] - path_mean);
       }
     }
-    const double ratio = squares > 0.0 ? products / squares : 0.0;
-    if (!is_near(ratio, 1.0)) return;
-    take_scale(ratio);
+  };
+
+  // Of a turn between two rows by more than `unclear_rad` it is not known how the way went.
+  void add_run(const std::vector<std::size_t>& rows, Slope& slope) const {
+    constexpr double unclear_rad = 0.5;
+    const double scale = *wheel_scale(*mapping_.wheels);
+    const WheelTravel travel = wheel_travel(columns_, rows, mapping_);
+    std::vector<std::complex<double>> path, places;
+    double last_way = 0.0;
+    double last_heading = 0.0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const double way = 0.5 * scale * (travel.values[0][i] + travel.values[1][i]);
+      if (!is_placed(rows[i]) || !std::isfinite(way)) continue;
+      const double heading = angle_in_rad_ * columns_.theta_rad[rows[i]];
+      const double turn = std::remainder(heading - last_heading, 2.0 * pi);
+      if (!path.empty() && std::abs(turn) > unclear_rad) {
+        slope.add(path, places);
+        path.clear();
+        places.clear();
+      }
+      const auto before = path.empty() ? std::complex<double>() : path.back();
+      path.push_back(path.empty() ? before
+                                  : before + std::polar(1.0, heading - 0.5 * turn) * (way - last_way));
+      places.push_back(place_in_m_ * std::complex<double>(columns_.x[rows[i]], columns_.y[rows[i]]));
+      last_way = way;
+      last_heading = heading;
+    }
+    slope.add(path, places);
   }
 
   void take_scale(double ratio) {
@@ -115,6 +132,7 @@ class ReferenceUnits {
     std::erase_if(findings_, [&](const std::string& finding) { return finding.starts_with(what); });
     const double asked = *assumed;
     assumed = rounded_gain(ratio * asked);
+    wheels.scale_from = "reference";
     findings_.push_back(what + config::plain_number(*assumed) +
                         " m, so that the wheels go as far as the reference; --set " + key +
                         " if you know it (for the speeds that are asked for it would have to be " +
@@ -155,7 +173,6 @@ class ReferenceUnits {
 
   const DriveColumns& columns_;
   const GivenMapping& given_;
-  bool scale_is_assumed_;
   Mapping& mapping_;
   std::vector<std::string>& findings_;
   double angle_in_rad_ = 1.0;  // of the columns, once their unit is found
@@ -164,9 +181,9 @@ class ReferenceUnits {
 
 }  // namespace
 
-void set_reference_units(const DriveColumns& columns, const GivenMapping& given, bool scale_is_assumed,
-                         Mapping& mapping, std::vector<std::string>& findings) {
-  ReferenceUnits(columns, given, scale_is_assumed, mapping, findings).run();
+void set_reference_units(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
+                         std::vector<std::string>& findings) {
+  ReferenceUnits(columns, given, mapping, findings).run();
 }
 
 }  // namespace wheelwright::import

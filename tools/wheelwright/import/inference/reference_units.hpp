@@ -1,5 +1,5 @@
 // The units of a reference, by how far it goes and turns beside the counts; and the scale of the counts by
-// it, where no one states it.
+// it, where it was found from the commands.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@
 namespace wheelwright::import {
 
 // Of a mapping with wheels and their base. Sets what is not given; adds a line with the evidence to
-// `findings`. `scale_is_assumed`: metres per count or the wheel radius were taken from the commands.
-void set_reference_units(const DriveColumns& columns, const GivenMapping& given, bool scale_is_assumed,
-                         Mapping& mapping, std::vector<std::string>& findings);
+// `findings`.
+void set_reference_units(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
+                         std::vector<std::string>& findings);
 
 }  // namespace wheelwright::import

@@ -21,6 +21,7 @@ using config::plain_number;
 using std::numbers::pi;
 
 constexpr double fastest_m_s = 3.0;  // larger commands are in no metres per second
+constexpr auto from_commands = "commands";
 constexpr double min_explained = 0.1;
 constexpr double sure_nats = 50.0;
 constexpr double sure_explained = 0.5;  // share of the variance from which a gain is believed
@@ -55,7 +56,7 @@ class UnitFinder {
       suggest_base();
     }
     if (mapping_.reference && mapping_.wheels && mapping_.wheel_base_m)
-      set_reference_units(columns_, given_, found_scale_, mapping_, findings_);
+      set_reference_units(columns_, given_, mapping_, findings_);
   }
 
  private:
@@ -130,6 +131,7 @@ class UnitFinder {
     found_scale_ = true;
     if (mapping_.wheels->kind == WheelKind::counts) {
       mapping_.wheels->metres_per_count = scale;
+      mapping_.wheels->scale_from = from_commands;
       findings_.push_back("a count is " + plain_number(scale) +
                           " m, so that a wheel reaches the speed that it is asked for; --set "
                           "wheels.metres_per_count if you know it" +
@@ -139,6 +141,7 @@ class UnitFinder {
                                    mapping_.wheels->unit);
       if (angle && angle->of_count) {
         mapping_.wheels->metres_per_count = scale;
+        mapping_.wheels->scale_from = from_commands;
         findings_.push_back("a count is " + plain_number(scale) +
                             " m, so that a wheel reaches the speed that it is asked for; --set "
                             "wheels.metres_per_count if you know it" +
@@ -148,6 +151,7 @@ class UnitFinder {
       const double radius_m = rounded_gain(scale / (angle ? angle->in_si : 1.0));
       if (radius_m < 0.003 || mapping_.wheels->unit.empty()) return;
       mapping_.wheels->wheel_radius_m = radius_m;
+      mapping_.wheels->scale_from = from_commands;
       findings_.push_back("the wheel radius is " + plain_number(*mapping_.wheels->wheel_radius_m) +
                           " m, so that a wheel reaches the speed that it is asked for; --set "
                           "wheels.wheel_radius_m if you know it" +

@@ -78,6 +78,7 @@ void add_wheels(Entries& entries, const WheelMapping& wheels) {
   entries.add("wheels.metres_per_count_right", wheels.metres_per_count_right);
   entries.add("wheels.counts_per_turn", wheels.counts_per_turn);
   entries.add("wheels.wheel_radius_m", wheels.wheel_radius_m);
+  if (!wheels.scale_from.empty()) entries.add("wheels.scale_from", wheels.scale_from);
   if (wheels.left_reversed || wheels.right_reversed) {
     entries.add("wheels.reversed", wheels.left_reversed && wheels.right_reversed ? "both"
                                    : wheels.left_reversed                        ? "left"

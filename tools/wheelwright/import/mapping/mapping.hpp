@@ -63,6 +63,7 @@ struct WheelMapping {
   std::optional<double> metres_per_count_right{};  // where it is not that of the left wheel
   std::optional<double> counts_per_turn{};
   std::optional<double> wheel_radius_m{};
+  std::string scale_from{};  // "commands" or "reference", by which it was found; empty: someone states it
   bool left_reversed = false;
   bool right_reversed = false;
   bool per_row = false;            // the channels hold the travel since the row before

@@ -124,6 +124,8 @@ std::optional<WheelMapping> read_wheels(YamlReader& from) {
   wheels.metres_per_count_right = number(from, "metres_per_count_right", {1e-9, 1, "m"});
   wheels.counts_per_turn = number(from, "counts_per_turn", {1, 1e8});
   wheels.wheel_radius_m = number(from, "wheel_radius_m", {0.001, 2, "m"});
+  wheels.scale_from = from.choice<std::string>(
+      "scale_from", {{"stated", ""}, {"commands", "commands"}, {"reference", "reference"}}, "");
   const std::string reversed = from.choice<std::string>(
       "reversed", {{"none", "none"}, {"left", "left"}, {"right", "right"}, {"both", "both"}}, "none");
   wheels.left_reversed = reversed == "left" || reversed == "both";

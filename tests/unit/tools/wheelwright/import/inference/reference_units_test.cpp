@@ -1,4 +1,5 @@
 // What a reference says of the scale of the counts.
+#include "model/gap/candidates/testability.hpp"
 #include "tests/unit/tools/wheelwright/import/import_text.hpp"
 
 using namespace wheelwright;
@@ -11,6 +12,13 @@ constexpr double reached = 0.9;  // of the speed that is asked for
 std::string asked(const ForeignRow& row) {
   return number(row.t_s) + "," + number(row.command_left / reached) + "," +
          number(row.command_right / reached) + "," + counts(row);
+}
+
+bool can_show_distance_scale(const ImportOutcome& outcome) {
+  REQUIRE(outcome.conversion);
+  const auto untestable = gap::testability(outcome.conversion->runs).untestable;
+  return std::ranges::none_of(untestable,
+                              [](const gap::Untestable& one) { return one.effect == "distance_scale"; });
 }
 
 }  // namespace
@@ -38,9 +46,10 @@ TEST_CASE("Where no one states how far a count goes, the reference says it befor
                       base);
       REQUIRE(by_reference.understood.mapping.wheels->metres_per_count);
       CHECK_THAT(*by_reference.understood.mapping.wheels->metres_per_count,
-                 WithinRel(ForeignDrive::metres_per_count, 0.005));
+                 WithinRel(ForeignDrive::metres_per_count, 0.001));
       CHECK(by_reference.found("so that the wheels go as far as the reference"));
       CHECK_FALSE(by_reference.found("so that a wheel reaches the speed that it is asked for"));
+      CHECK_FALSE(can_show_distance_scale(by_reference));
     }
   }
 }
@@ -54,4 +63,5 @@ TEST_CASE("A scale that is stated stays, whatever the reference says") {
                    }),
       {"robot.wheel_base_m=0.3", "wheels.metres_per_count=0.00052"});
   CHECK(outcome.understood.mapping.wheels->metres_per_count == 0.00052);
+  CHECK(can_show_distance_scale(outcome));
 }
