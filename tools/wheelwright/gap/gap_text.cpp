@@ -77,7 +77,24 @@ void print_faults(std::ostream& out, const std::string& title, const std::vector
   if (count > most) out << "  and " << count - most << " more, all in gap.json\n";
 }
 
+std::string names_text(const std::vector<std::string>& runs) {
+  constexpr std::size_t most = 4;
+  std::string text;
+  for (std::size_t i = 0; i < runs.size() && i < most; ++i) text += (i == 0 ? "" : ", ") + runs[i];
+  if (runs.size() > most) text += " and " + std::to_string(runs.size() - most) + " more";
+  return text;
+}
+
 }  // namespace
+
+std::string run_roles_text(const gap::GapAnalysis& analysis) {
+  std::string text = "training: " + names_text(analysis.trained);
+  text += analysis.tail_held_out      ? "; held out: its last third"
+          : analysis.held_out.empty() ? ""
+                                      : "; held out: " + names_text(analysis.held_out);
+  if (analysis.untouched) text += "; untouched: " + names_text(analysis.tested);
+  return text;
+}
 
 void print_gap(std::ostream& out, const gap::GapAnalysis& analysis) {
   out << gap::verdict_name(analysis.verdict) << ": " << analysis.summary << "\n";
@@ -91,6 +108,7 @@ void print_gap(std::ostream& out, const gap::GapAnalysis& analysis) {
         << " of the gap in " << percent(regime.share_of_time) << " of the time\n";
   }
   if (analysis.train.before.empty() && analysis.test.before.empty()) return;
+  out << "\nruns: " << run_roles_text(analysis) << "\n";
   out << "\nthe gap                                       before     after     floor\n";
   print_figures(out, "training", analysis.train);
   print_figures(out, test_runs_text(analysis), analysis.test);

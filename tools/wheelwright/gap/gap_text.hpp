@@ -11,6 +11,9 @@ namespace wheelwright::tools {
 
 void print_gap(std::ostream& out, const gap::GapAnalysis& analysis);
 
+// Which runs fitted parameters, decided on effects, and were used for nothing but the check.
+std::string run_roles_text(const gap::GapAnalysis& analysis);
+
 // By how much references and counts tell of other moments, as a sentence; empty where they do not.
 std::string late_references_text(const gap::GapAnalysis& analysis);
 

@@ -144,7 +144,9 @@ TEST_CASE("gap.json has every key of its contract whatever the verdict") {
 
 TEST_CASE("Of a linear robot wheelwright gap says that nothing is missing, and what would have shown") {
   const auto at = workspace("gap_clean", runs_with("clean"));
-  REQUIRE(gap(at).status == ExitStatus::done);
+  const auto outcome = gap(at);
+  REQUIRE(outcome.status == ExitStatus::done);
+  CHECK_THAT(outcome.out, ContainsSubstring("runs: training: run1.csv; held out: run2.csv"));
   const auto json = gap_json(at);
   INFO(json["summary"].get<std::string>());
   CHECK(json["verdict"] == "nothing_missing");
