@@ -6,6 +6,7 @@
 #include "tools/wheelwright/import/inference/column_names.hpp"
 #include "tools/wheelwright/import/inference/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/gain_units.hpp"
+#include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {
 namespace {
@@ -44,38 +45,51 @@ void take_assignment(const Stream& stream, const Assignment& best, Mapping& mapp
     const bool exchanged =
         best.kind != CommandKind::twist && are_exchanged(stream, best.command[0], best.command[1]);
     command.kind = best.kind;
-    if (best.kind == CommandKind::wheels && largest(best.command[0]->values) > fastest_m_s)
+    const std::string stated_unit = meaning_of(stream, *best.command[0]).unit;
+    if (find_unit(speed_units(), stated_unit)) {
+      command.unit = stated_unit;
+    } else if (best.kind == CommandKind::wheels && largest(best.command[0]->values) > fastest_m_s &&
+               meaning_of(stream, *best.command[0]).quantity != Quantity::speed) {
       command.kind = CommandKind::duty;
+    }
     if (is_body) command.kind = CommandKind::twist;
     command.first = {stream.name, best.command[exchanged ? 1 : 0]->name};
     if (best.command[1] != nullptr)
       command.second = ChannelName{stream.name, best.command[exchanged ? 0 : 1]->name};
     mapping.command = command;
     const bool is_twist = command.kind == CommandKind::twist;
-    findings.push_back(std::string(is_twist                     ? "commands are forward and turning speed: "
-                                   : best.command[1] == nullptr ? "the command is "
-                                                                : "commands are left and right: ") +
-                       column_in_words(*best.command[0]) +
-                       (best.command[1] == nullptr ? "" : " and " + column_in_words(*best.command[1])) +
-                       evidence);
+    findings.push_back(
+        std::string(is_twist                     ? "commands are forward and turning speed: "
+                    : best.command[1] == nullptr ? "the command is "
+                                                 : "commands are left and right: ") +
+        column_in_words(*best.command[exchanged ? 1 : 0]) +
+        (best.command[1] == nullptr ? "" : " and " + column_in_words(*best.command[exchanged ? 0 : 1])) +
+        evidence);
   }
   if (!mapping.wheels) {
     WheelMapping wheels;
     wheels.kind = best.wheel[0].cumulative ? WheelKind::counts : WheelKind::speed;
+    if (best.wheel[0].cumulative && !are_whole(best.wheel[0].channel->values)) {
+      wheels.kind = WheelKind::distance;  // parts of a count are none
+      wheels.unit = "m";
+    }
     if (!best.wheel[0].cumulative && largest(best.wheel[0].channel->values) <= fastest_m_s)
       wheels.unit = "m/s";
     wheels.body_motion = is_body;
     const bool exchanged = are_exchanged(stream, best.wheel[0].channel, best.wheel[1].channel);
     wheels.left = {stream.name, best.wheel[exchanged ? 1 : 0].channel->name};
     if (!one_wheel) wheels.right = ChannelName{stream.name, best.wheel[exchanged ? 0 : 1].channel->name};
-    wheels.unit_assumed = !best.wheel[0].cumulative;
+    wheels.unit_assumed = wheels.kind != WheelKind::counts;
     mapping.wheels = wheels;
-    findings.push_back(std::string(best.wheel[0].cumulative ? "counts" : "speeds") +
+    findings.push_back(std::string(wheels.kind == WheelKind::counts     ? "counts"
+                                   : wheels.kind == WheelKind::distance ? "travel"
+                                                                        : "speeds") +
                        (one_wheel ? " of one wheel: "
                         : is_body ? " of the body, forward and turning: "
                                   : " of the left and right wheel: ") +
-                       column_in_words(*best.wheel[0].channel) +
-                       (one_wheel ? "" : " and " + column_in_words(*best.wheel[1].channel)) + evidence);
+                       column_in_words(*best.wheel[exchanged ? 1 : 0].channel) +
+                       (one_wheel ? "" : " and " + column_in_words(*best.wheel[exchanged ? 0 : 1].channel)) +
+                       evidence);
   }
 }
 

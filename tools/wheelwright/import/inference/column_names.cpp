@@ -51,6 +51,9 @@ std::optional<Quantity> time_or_pose(const Name& name) {
   const bool is_rate = words.has_any({"linear", "angular", "twist", "velocity", "vel", "speed", "rate", "acc",
                                       "accel", "acceleration", "force", "gyro", "mag", "dot"});
   if (is_rate || name.is_command || name.side != NamedSide::none) return std::nullopt;
+  const bool of_source = words.words().size() == 2;  // "x_odom", "y_ref"
+  if (of_source && words.words().front() == "x") return Quantity::x;
+  if (of_source && words.words().front() == "y") return Quantity::y;
   if (last == "x" || last == "px" || last == "tx" || last == "posx" || last == "xpos") return Quantity::x;
   if (last == "y" || last == "py" || last == "ty" || last == "posy" || last == "ypos") return Quantity::y;
   if (words.has_any({"theta", "yaw", "heading", "psi", "th", "orientation"})) return Quantity::heading;

@@ -20,6 +20,18 @@ double evenness(const std::vector<double>& values) {
   return at(0.02) > 0.0 ? at(0.1) / at(0.9) : 0.0;
 }
 
+bool is_row_index(const std::vector<double>& values) {
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    if (values[i] - values[i - 1] != 1.0) return false;
+  }
+  return values.size() > 1;
+}
+
+bool are_whole(const std::vector<double>& values) {
+  return std::ranges::all_of(
+      values, [](double value) { return !std::isfinite(value) || value == std::round(value); });
+}
+
 bool looks_counted(const std::vector<double>& values) {
   constexpr double min_range = 10.0;
   std::size_t changes = 0;

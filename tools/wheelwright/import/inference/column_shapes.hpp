@@ -9,6 +9,12 @@ namespace wheelwright::import {
 // and of rows out of order the most rise.
 double evenness(const std::vector<double>& values);
 
+// Whether each value is the one before and one more.
+bool is_row_index(const std::vector<double>& values);
+
+// Whether there are no parts of one.
+bool are_whole(const std::vector<double>& values);
+
 // Whether a column is held for most rows, as a command is, and changes at all.
 bool is_held(const std::vector<double>& values);
 

@@ -68,6 +68,9 @@ void set_duty(const DriveColumns& columns, const GivenMapping& given, Mapping& m
   CommandMapping& command = *mapping.command;
   const bool implied = given.says("command.full_scale_m_s") && !given.says("command.kind");
   if (implied && !command.is_of_body()) command.kind = CommandKind::duty;
+  // And who states the unit of a speed, that they are none.
+  if (given.says("command.unit") && !given.says("command.kind") && command.kind == CommandKind::duty)
+    command.kind = CommandKind::wheels;
   set_full_scale(columns, given, command);
 }
 

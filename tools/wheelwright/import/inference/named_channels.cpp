@@ -2,7 +2,24 @@
 
 #include <algorithm>
 
+#include "tools/wheelwright/import/inference/name_words.hpp"
+
 namespace wheelwright::import {
+
+namespace {
+
+// Words that one of two names has and the other has not: "mocap_x" is nearer to "mocap_y" than to "odom_y".
+int words_apart(const std::string& one, const std::string& other) {
+  const NameWords first(one);
+  const NameWords second(other);
+  const auto strange = [](const NameWords& name, const NameWords& in) {
+    return static_cast<int>(
+        std::ranges::count_if(name.words(), [&in](const std::string& word) { return !in.has(word); }));
+  };
+  return strange(first, second) + strange(second, first);
+}
+
+}  // namespace
 
 NamedChannels::NamedChannels(std::span<const Recording> recordings) {
   for (const auto& recording : recordings) {
@@ -74,12 +91,18 @@ std::optional<NamedPair> NamedChannels::numbered_pair(Quantity quantity,
 }
 
 const Named* NamedChannels::beside(const Named& other, Quantity quantity) const {
+  const Named* best = nullptr;
+  int least = 0;
   for (const auto& named : named_) {
-    if (named.stream == other.stream && named.meaning.quantity == quantity &&
-        named.meaning.side == NamedSide::none)
-      return &named;
+    if (named.stream != other.stream || named.meaning.quantity != quantity ||
+        named.meaning.side != NamedSide::none)
+      continue;
+    const int strange = words_apart(named.channel->name, other.channel->name);
+    if (best != nullptr && strange >= least) continue;
+    best = &named;
+    least = strange;
   }
-  return nullptr;
+  return best;
 }
 
 }  // namespace wheelwright::import

@@ -6,6 +6,9 @@
 
 #include "config/load/ascii_text.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
+#include "tools/wheelwright/import/inference/column_names.hpp"
+#include "tools/wheelwright/import/inference/column_shapes.hpp"
+#include "tools/wheelwright/import/inference/name_words.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {
@@ -87,9 +90,10 @@ class ReferenceFinder {
       if (trust(named) < 0) continue;
       if (!moves(*named.channel) && !moves(*named_.beside(named, Quantity::y)->channel)) continue;
       if (best != nullptr && trust(named) <= trust(*best)) {
-        if (named.stream != best->stream) others += ", " + named.name().text();
+        others += ", " + named.name().text();
         continue;
       }
+      if (best != nullptr) others += ", " + best->name().text();
       best = &named;
     }
     if (best == nullptr) return find_heading_alone();
@@ -112,9 +116,29 @@ class ReferenceFinder {
       reference.qw = qw->name();
       if (const Named* qx = named_.beside(x, Quantity::qx)) reference.qx = qx->name();
       if (const Named* qy = named_.beside(x, Quantity::qy)) reference.qy = qy->name();
-    } else if (const Named* theta = named_.beside(x, Quantity::heading)) {
+    } else if (const Named* theta = named_.beside(x, Quantity::heading);
+               theta != nullptr && (trust(*theta) >= 0 || trust(x) < 0)) {
       reference.theta = theta->name();
       if (find_unit(angle_units(), theta->meaning.unit)) reference.angle_unit = theta->meaning.unit;
+    } else {
+      take_angle(x, reference);
+    }
+  }
+
+  // Beside a place, an angle that says no more is the heading.
+  static void take_angle(const Named& x, ReferenceMapping& reference) {
+    for (const Channel& channel : x.stream->channels) {
+      const NameWords words(channel.name);
+      if (!words.has_any({"phi", "angle", "rot", "rotation", "rz", "bearing", "azimuth", "course", "winkel",
+                          "kurs", "richtung", "cap", "angulo", "rumbo", "angolo"}) ||
+          words.has_any({"steer", "steering", "wheel", "joint", "motor", "rate", "vel", "speed", "roll",
+                         "pitch", "odom"}) ||
+          meaning_of(*x.stream, channel).side != NamedSide::none || is_held(channel.values))
+        continue;
+      reference.theta = ChannelName{x.stream->name, channel.name};
+      const NameMeaning meaning = meaning_of(*x.stream, channel);
+      if (find_unit(angle_units(), meaning.unit)) reference.angle_unit = meaning.unit;
+      return;
     }
   }
 

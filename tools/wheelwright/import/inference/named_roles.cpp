@@ -55,11 +55,6 @@ class ByNames {
     }
   }
 
-  static bool are_whole(const std::vector<double>& values) {
-    return std::ranges::all_of(
-        values, [](double value) { return !std::isfinite(value) || value == std::round(value); });
-  }
-
   static bool is_per_row(const Named& named) {
     return NameWords(named.channel->name)
         .has_any({"delta", "diff", "inc", "increment", "increments", "dticks"});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 
@@ -21,6 +22,7 @@ namespace {
 constexpr std::size_t min_stream_rows = 50;
 constexpr std::size_t max_columns = 40;
 constexpr double sure_explained = 0.6;
+constexpr double as_even_as_time = 0.3;
 constexpr std::size_t max_rows = 20'000;
 
 const Stream* longest_table(std::span<const Recording> recordings) {
@@ -51,6 +53,15 @@ class ByNumbers {
   }
 
   void find_time() {
+    std::vector<const Channel*> indices;
+    std::ranges::copy_if(unused_, std::back_inserter(indices),
+                         [](const Channel* channel) { return is_row_index(channel->values); });
+    const bool other_time = std::ranges::any_of(unused_, [](const Channel* channel) {
+      return !is_row_index(channel->values) && evenness(channel->values) > as_even_as_time;
+    });
+    if (other_time) {
+      for (const Channel* index : indices) std::erase(unused_, index);
+    }
     const Channel* best = nullptr;
     double max_even = 0.02;
     for (const Channel* channel : unused_) {

@@ -162,6 +162,26 @@ Heading find_heading(const std::vector<const Channel*>& unused, const Counts& co
   return {};
 }
 
+// A wheel that counts backwards against its command turns the other way.
+void count_as_commanded(const Stream& stream, const CommandMapping& command, const std::vector<double>& t_s,
+                        const std::vector<Rows>& runs, Counts& counts) {
+  if (command.is_of_body() || !command.second) return;
+  for (const auto& [name, side] :
+       {std::pair{&command.first, &counts.left}, {&*command.second, &counts.right}}) {
+    const Channel* channel = stream.find(name->channel);
+    if (channel == nullptr) return;
+    std::vector<double> asked(t_s.size());
+    for (std::size_t i = 1; i < t_s.size(); ++i) {
+      const double step = channel->values[i] * (t_s[i] - t_s[i - 1]);
+      asked[i] = asked[i - 1] + (std::isfinite(step) ? step : 0.0);
+    }
+    asked = centred(std::move(asked), runs);
+    const Line line = regress(centred(*side, runs), {&asked});
+    if (line.explained <= sure_explained || line.factors[0] > 0.0) continue;
+    for (double& count : *side) count = -count;
+  }
+}
+
 struct Places {
   std::array<const Channel*, 2> column{};
   bool mirrored = false;  // the first turned towards the second goes against the heading
@@ -198,12 +218,13 @@ void find_pose_columns(const Stream& stream, const std::vector<double>& t_s,
                        const std::vector<const Channel*>& unused, bool sides_are_known, Mapping& mapping,
                        std::vector<std::string>& findings) {
   const WheelMapping& wheels = *mapping.wheels;
-  if (wheels.kind != WheelKind::counts || !wheels.right || wheels.body_motion) return;
+  if (wheels.kind == WheelKind::speed || !wheels.right || wheels.body_motion) return;
   const Channel* left = stream.find(wheels.left.channel);
   const Channel* right = stream.find(wheels.right->channel);
   if (left == nullptr || right == nullptr) return;
   const std::vector<Rows> runs = runs_of(t_s);
   Counts counts{unwrapped(*left), unwrapped(*right), {}};
+  count_as_commanded(stream, *mapping.command, t_s, runs, counts);
   for (std::size_t i = 0; i < counts.left.size(); ++i)
     counts.difference.push_back(counts.right[i] - counts.left[i]);
   const Heading heading = find_heading(unused, counts, runs);

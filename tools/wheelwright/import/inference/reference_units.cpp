@@ -1,7 +1,7 @@
 #include "tools/wheelwright/import/inference/reference_units.hpp"
 
+#include <array>
 #include <cmath>
-#include <complex>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -10,6 +10,8 @@
 #include "tools/wheelwright/import/conversion/run_repair.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
 #include "tools/wheelwright/import/inference/gain_units.hpp"
+#include "tools/wheelwright/import/inference/path_scale.hpp"
+#include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {
 namespace {
@@ -19,9 +21,15 @@ using std::numbers::pi;
 
 class ReferenceUnits {
  public:
-  ReferenceUnits(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
-                 std::vector<std::string>& findings)
-      : columns_(columns), given_(given), mapping_(mapping), findings_(findings) {}
+  ReferenceUnits(const DriveColumns& columns, const GivenMapping& given,
+                 const std::array<double, 2>& directions, Mapping& mapping,
+                 std::vector<std::string>& findings, std::vector<std::string>& doubts)
+      : columns_(columns),
+        given_(given),
+        directions_(directions),
+        mapping_(mapping),
+        findings_(findings),
+        doubts_(doubts) {}
 
   // Heading and place against those of the counts, over windows of some rows.
   void run() {
@@ -33,7 +41,7 @@ class ReferenceUnits {
     double reference_way = 0.0;
     const TimeRepair time = repair_runs(columns_, mapping_);
     for (const auto& rows : time.runs) {
-      const WheelTravel travel = wheel_travel(columns_, rows, mapping_);
+      const WheelTravel travel = travel_of(rows);
       std::size_t before = rows.size();
       for (std::size_t i = 0; i < rows.size(); ++i) {
         if (!is_placed(rows[i]) || !std::isfinite(travel.values[0][i]) || !std::isfinite(travel.values[1][i]))
@@ -60,67 +68,37 @@ class ReferenceUnits {
     }
     if (turn_squares > 0.0) heading_unit(turn_products / turn_squares);
     if (way > 0.0) place_unit(reference_way / way);
-    if (mapping_.wheels->scale_from == "commands") scale_by_reference(time);
+    if (mapping_.wheels->scale_from == from_commands) scale_by_reference();
   }
 
  private:
+  WheelTravel travel_of(const std::vector<std::size_t>& rows) const {
+    WheelTravel travel = wheel_travel(columns_, rows, mapping_);
+    for (std::size_t side = 0; side < 2; ++side) {
+      for (double& value : travel.values[side]) value *= directions_[side];
+    }
+    return travel;
+  }
+
   bool is_placed(std::size_t row) const {
     const auto stands = [row](const Column& column) { return column.empty() || std::isfinite(column[row]); };
     return stands(columns_.x) && stands(columns_.y) && stands(columns_.theta_rad);
   }
 
   // A scale that was taken from the commands takes their gain for one. Who knows where the robot was knows
-  // better: the slope of its places over the path that the wheels go along its headings, each about its mean.
-  void scale_by_reference(const TimeRepair& time) {
-    if (columns_.x.empty() || columns_.theta_rad.empty()) return;
-    Slope slope;
-    for (const auto& rows : time.runs) add_run(rows, slope);
-    const double ratio = slope.squares > 0.0 ? slope.products / slope.squares : 0.0;
-    if (is_near(ratio, 1.0)) take_scale(ratio);
-  }
-
-  struct Slope {
-    double products = 0.0;
-    double squares = 0.0;
-
-    void add(const std::vector<std::complex<double>>& path, const std::vector<std::complex<double>>& places) {
-      if (path.empty()) return;
-      std::complex<double> path_mean, place_mean;
-      for (const auto& at : path) path_mean += at / static_cast<double>(path.size());
-      for (const auto& at : places) place_mean += at / static_cast<double>(path.size());
-      for (std::size_t i = 0; i < path.size(); ++i) {
-        products += std::real((places[i] - place_mean) * std::conj(path[i] - path_mean));
-        squares += std::norm(path[i] - path_mean);
-      }
+  // better.
+  void scale_by_reference() {
+    const auto found = path_scale(columns_, mapping_, directions_);
+    if (!found) return;
+    const double ratio = found->metres_per_unit / *wheel_scale(*mapping_.wheels);
+    constexpr double no_unit = 5.0;  // is so little
+    if (ratio < 1.0 / no_unit || ratio > no_unit) {
+      if (!is_near(ratio, 1000.0) && !is_near(ratio, 100.0)) doubts_.push_back(unlike_reference(ratio));
+      return;
     }
-  };
-
-  // Of a turn between two rows by more than `unclear_rad` it is not known how the way went.
-  void add_run(const std::vector<std::size_t>& rows, Slope& slope) const {
-    constexpr double unclear_rad = 0.5;
-    const double scale = *wheel_scale(*mapping_.wheels);
-    const WheelTravel travel = wheel_travel(columns_, rows, mapping_);
-    std::vector<std::complex<double>> path, places;
-    double last_way = 0.0;
-    double last_heading = 0.0;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      const double way = 0.5 * scale * (travel.values[0][i] + travel.values[1][i]);
-      if (!is_placed(rows[i]) || !std::isfinite(way)) continue;
-      const double heading = angle_in_rad_ * columns_.theta_rad[rows[i]];
-      const double turn = std::remainder(heading - last_heading, 2.0 * pi);
-      if (!path.empty() && std::abs(turn) > unclear_rad) {
-        slope.add(path, places);
-        path.clear();
-        places.clear();
-      }
-      const auto before = path.empty() ? std::complex<double>() : path.back();
-      path.push_back(path.empty() ? before
-                                  : before + std::polar(1.0, heading - 0.5 * turn) * (way - last_way));
-      places.push_back(place_in_m_ * std::complex<double>(columns_.x[rows[i]], columns_.y[rows[i]]));
-      last_way = way;
-      last_heading = heading;
-    }
-    slope.add(path, places);
+    take_scale(ratio);
+    if (is_near(ratio, 1.0)) return;
+    doubts_.push_back(unlike_reference(ratio));
   }
 
   void take_scale(double ratio) {
@@ -132,7 +110,7 @@ class ReferenceUnits {
     std::erase_if(findings_, [&](const std::string& finding) { return finding.starts_with(what); });
     const double asked = *assumed;
     assumed = rounded_gain(ratio * asked);
-    wheels.scale_from = "reference";
+    wheels.scale_from = from_reference;
     findings_.push_back(what + config::plain_number(*assumed) +
                         " m, so that the wheels go as far as the reference; --set " + key +
                         " if you know it (for the speeds that are asked for it would have to be " +
@@ -145,7 +123,6 @@ class ReferenceUnits {
         !is_near(slope, 180.0 / pi))
       return;
     reference.angle_unit = "deg";
-    angle_in_rad_ = pi / 180.0;
     findings_.push_back("headings are in degrees: they turn " + fixed_number(slope, 1) +
                         " times as far as the counts in radians");
   }
@@ -164,7 +141,6 @@ class ReferenceUnits {
                                                      {"inch", 1.0 / 0.0254, 1.06}}) {
       if (std::abs(std::log(ratio / per_metre)) > std::log(tolerance)) continue;
       reference.unit = unit;
-      place_in_m_ = 1.0 / per_metre;
       findings_.push_back("places are in " + reference.unit + ": they go " +
                           fixed_number(ratio, ratio < 10.0 ? 2 : 0) +
                           " times as far as the counts in metres");
@@ -173,17 +149,57 @@ class ReferenceUnits {
 
   const DriveColumns& columns_;
   const GivenMapping& given_;
+  std::array<double, 2> directions_;
   Mapping& mapping_;
   std::vector<std::string>& findings_;
-  double angle_in_rad_ = 1.0;  // of the columns, once their unit is found
-  double place_in_m_ = 1.0;
+  std::vector<std::string>& doubts_;
 };
 
 }  // namespace
 
-void set_reference_units(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
-                         std::vector<std::string>& findings) {
-  ReferenceUnits(columns, given, mapping, findings).run();
+std::string unlike_reference(double ratio) {
+  return "by the reference the wheels go " + config::plain_number(rounded_gain(ratio)) +
+         " times as fast as commanded: the commands may be a duty, or in another unit (--set "
+         "command.kind=duty, command.unit), or the reference in another (reference.unit)";
+}
+
+bool set_scale_by_reference(const DriveColumns& columns, const GivenMapping& given,
+                            const std::array<double, 2>& directions, bool has_to_agree, Mapping& mapping,
+                            std::vector<std::string>& findings) {
+  WheelMapping& wheels = *mapping.wheels;
+  const bool is_angle = wheels.kind == WheelKind::angle;
+  if (wheels.kind != WheelKind::counts && !is_angle) return false;
+  const auto by_path = path_scale(columns, mapping, directions);
+  if (!by_path) return false;
+  const auto by_turns = turn_scale(columns, mapping, directions, by_path->angle_in_rad);
+  if (has_to_agree && !by_turns) return false;
+  ReferenceMapping reference = *mapping.reference;
+  double scale = by_path->metres_per_unit;
+  const bool unit_is_free = !given.says("reference.unit") && reference.unit == "m";
+  for (const char* unit : {"mm", "cm"}) {
+    const double metres = in_si(distance_units(), unit);
+    if (!by_turns || !unit_is_free || !is_near(metres * by_path->metres_per_unit / *by_turns, 1.0)) continue;
+    reference.unit = unit;
+    scale = metres * by_path->metres_per_unit;
+  }
+  if (has_to_agree && !is_near(scale / *by_turns, 1.0)) return false;
+  constexpr double longest_count_m = 1.0;
+  if (scale < 1e-9 || scale > longest_count_m) return false;
+  mapping.reference = reference;
+  auto& found = is_angle ? wheels.wheel_radius_m : wheels.metres_per_count;
+  found = rounded_gain(is_angle ? scale / in_si(angle_units(), wheels.unit) : scale);
+  wheels.scale_from = from_reference;
+  findings.push_back((is_angle ? "the wheel radius is " : "a count is ") + config::plain_number(*found) +
+                     " m, so that the wheels go as far as the reference, whose places are in " +
+                     reference.unit + "; --set wheels." + (is_angle ? "wheel_radius_m" : "metres_per_count") +
+                     " if you know it");
+  return true;
+}
+
+void set_reference_units(const DriveColumns& columns, const GivenMapping& given,
+                         const std::array<double, 2>& directions, Mapping& mapping,
+                         std::vector<std::string>& findings, std::vector<std::string>& doubts) {
+  ReferenceUnits(columns, given, directions, mapping, findings, doubts).run();
 }
 
 }  // namespace wheelwright::import

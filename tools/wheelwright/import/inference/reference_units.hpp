@@ -2,6 +2,7 @@
 // it, where it was found from the commands.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -10,9 +11,26 @@
 
 namespace wheelwright::import {
 
-// Of a mapping with wheels and their base. Sets what is not given; adds a line with the evidence to
-// `findings`.
-void set_reference_units(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
-                         std::vector<std::string>& findings);
+// WheelMapping::scale_from.
+inline constexpr auto from_commands = "commands";
+inline constexpr auto from_reference = "reference";
+
+// A doubt, if the wheels go so many times as fast as commanded.
+std::string unlike_reference(double ratio);
+
+// Metres per count, or the radius of wheels that tell their angle, by the places of the reference, and the
+// unit of these; says so in `findings`. False, and nothing is set, without places, headings or such travel;
+// or, if it has to agree, unless the turns of the reference about the given wheel base lead to the same
+// scale.
+bool set_scale_by_reference(const DriveColumns& columns, const GivenMapping& given,
+                            const std::array<double, 2>& directions, bool has_to_agree, Mapping& mapping,
+                            std::vector<std::string>& findings);
+
+// Of a mapping with wheels and their base. `directions`: 1, or -1 of a wheel that counts backwards. Sets what
+// is not given; adds a line with the evidence to `findings`, and to `doubts` if reference and commands cannot
+// both be in their units.
+void set_reference_units(const DriveColumns& columns, const GivenMapping& given,
+                         const std::array<double, 2>& directions, Mapping& mapping,
+                         std::vector<std::string>& findings, std::vector<std::string>& doubts);
 
 }  // namespace wheelwright::import

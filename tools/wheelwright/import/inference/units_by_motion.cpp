@@ -21,7 +21,6 @@ using config::plain_number;
 using std::numbers::pi;
 
 constexpr double fastest_m_s = 3.0;  // larger commands are in no metres per second
-constexpr auto from_commands = "commands";
 constexpr double min_explained = 0.1;
 constexpr double sure_nats = 50.0;
 constexpr double sure_explained = 0.5;  // share of the variance from which a gain is believed
@@ -56,10 +55,21 @@ class UnitFinder {
       suggest_base();
     }
     if (mapping_.reference && mapping_.wheels && mapping_.wheel_base_m)
-      set_reference_units(columns_, given_, mapping_, findings_);
+      set_reference_units(columns_, given_, directions(), mapping_, findings_, doubts_);
   }
 
  private:
+  // 1, or -1 of a wheel that counts backwards: as it goes against its command, else as is stated.
+  std::array<double, 2> directions() const {
+    const WheelMapping& wheels = *mapping_.wheels;
+    std::array<double, 2> result{wheels.left_reversed ? -1.0 : 1.0, wheels.right_reversed ? -1.0 : 1.0};
+    if (!mapping_.command || mapping_.command->is_of_body()) return result;
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (fits_[k].explained >= sure_explained) result[k] = std::copysign(1.0, fits_[k].gain);
+    }
+    return result;
+  }
+
   // Coarse counts and stamps that jitter hide a speed that is sure all the same.
   bool is_sure() const {
     return explained_ >= sure_explained ||
@@ -79,12 +89,20 @@ class UnitFinder {
     }
     if (mapping_.wheels->kind == WheelKind::angle || mapping_.wheels->kind == WheelKind::distance)
       travel_unit();
+    if (!wheel_scale(*mapping_.wheels) && !take_scale_of_reference(true)) {
+      find_scale();
+      if (found_scale_ || !take_scale_of_reference(false)) return;
+    }
     const auto scale = wheel_scale(*mapping_.wheels);
-    if (!scale) return find_scale();
+    if (!scale) return;
     const double gain_m_s = std::abs(gain_) * *scale;
     if (mapping_.command->is_duty()) return find_full_scale(gain_m_s);
     if (unit_is_said() || !(gain_m_s > 0.0)) return;
     command_unit(gain_m_s);
+  }
+
+  bool take_scale_of_reference(bool has_to_agree) {
+    return set_scale_by_reference(columns_, given_, directions(), has_to_agree, mapping_, findings_);
   }
 
   double command_in_si() const {
@@ -179,6 +197,7 @@ class UnitFinder {
   void travel_unit() {
     WheelMapping& wheels = *mapping_.wheels;
     if (!wheels.unit_assumed || mapping_.command->is_duty()) return;
+    if (largest(columns_.command[0]) * command_in_si() > fastest_m_s) return angle_unit();
     const double metres = command_in_si() / std::abs(gain_);  // of one unit
     for (const Unit& unit : angle_units()) {
       if (!wheels.wheel_radius_m || !is_near(metres, unit.in_si * *wheels.wheel_radius_m)) continue;
@@ -188,6 +207,13 @@ class UnitFinder {
       if (!unit.is_imperial && is_near(metres, unit.in_si))
         return take_travel_unit(WheelKind::distance, unit);
     }
+    if (wheels.kind == WheelKind::distance) take_travel_unit(WheelKind::angle, angle_units().front());
+  }
+
+  // Commands that are in no metres per second: the travel is an angle, and they may be its speed.
+  void angle_unit() {
+    take_travel_unit(WheelKind::angle, angle_units().front());
+    if (is_near(std::abs(gain_), 1.0) && !unit_is_said()) mapping_.command->unit = "rad/s";
   }
 
   void take_travel_unit(WheelKind kind, const Unit& unit) {
@@ -202,12 +228,14 @@ class UnitFinder {
   // Units and scales that are known leave nothing to find, and may be wrong.
   void check_gain() {
     const auto scale = wheel_scale(*mapping_.wheels);
-    if (!scale || mapping_.command->is_duty() || found_scale_) return;
+    if (!scale || mapping_.command->is_duty()) return;
     const auto unit = find_unit(speed_units(), mapping_.command->unit);
     const auto command = unit ? speed_in_m_s(*unit, mapping_.wheels) : std::nullopt;
     if (!command) return;
     const double gain = std::abs(gain_) * *scale / *command;
-    if (gain < 0.6 || gain > 1.6) {
+    if (mapping_.wheels->scale_from == from_reference && !is_near(gain, 1.0)) {
+      doubts_.push_back(unlike_reference(gain));
+    } else if (!found_scale_ && (gain < 0.6 || gain > 1.6)) {
       doubts_.push_back("the wheels go " + plain_number(rounded_gain(gain)) +
                         " times as far as commanded: check the units of commands and wheels, and the scale");
     }

@@ -104,3 +104,30 @@ TEST_CASE("Files that are read together keep the reference, though each begins e
   CHECK(understood->mapping.reference->x->channel == "6");
   CHECK(understood->mapping.reference->theta->channel == "8");
 }
+
+TEST_CASE("A wheel that counts backwards hides no reference") {
+  const ForeignDrive drive = foreign_drive();
+  const auto outcome = import_rows(drive, [](const ForeignRow& row) {
+    return number(row.t_s) + "," + number(row.command_left) + "," + number(row.command_right) + "," +
+           std::to_string(row.counts_left) + "," + std::to_string(-row.counts_right) + "," + number(row.x) +
+           "," + number(row.y) + "," + number(row.theta);
+  });
+  REQUIRE(outcome.understood.mapping.reference);
+  CHECK(outcome.understood.mapping.wheels->left.channel == "4");
+  CHECK(outcome.doubts("--set wheels.reversed=right"));
+  CHECK_THAT(*outcome.understood.mapping.wheels->metres_per_count,
+             WithinRel(ForeignDrive::metres_per_count, 0.001));
+}
+
+TEST_CASE("A number of the row is no time beside a column that rises as a clock does") {
+  const ForeignDrive drive = foreign_drive();
+  const auto indexed = [](bool first) {
+    return [first, k = 0](const ForeignRow& row) mutable {
+      const std::string index = std::to_string(k++);
+      return (first ? index + "," : "") + motion(row) + number(row.x) + "," + number(row.y) + "," +
+             number(row.theta) + (first ? "" : "," + index);
+    };
+  };
+  check_reference(import_rows(drive, indexed(true)), drive);
+  check_reference(import_rows(drive, indexed(false)), drive);
+}
