@@ -22,6 +22,27 @@ bool are_exchanged(const Stream& stream, const Channel* first, const Channel* se
   return side(*first) == NamedSide::right || side(*second) == NamedSide::left;
 }
 
+double root_mean_square(const std::vector<double>& values) {
+  double squares = 0.0;
+  double count = 0.0;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    squares += value * value;
+    count += 1.0;
+  }
+  return count > 0.0 ? std::sqrt(squares / count) : 0.0;
+}
+
+// Counted speeds of two wheels have the same step, and two wheels go about as fast; forward and turning speed
+// do not.
+bool are_of_body(const Assignment& best) {
+  constexpr double unlike = 2.5;
+  const auto& first = best.wheel[0].channel->values;
+  const auto& second = best.wheel[1].channel->values;
+  return std::abs(std::log(quantum(first) / quantum(second))) > 0.5 ||
+         std::abs(std::log(root_mean_square(first) / root_mean_square(second))) > std::log(unlike);
+}
+
 }  // namespace
 
 std::string column_in_words(const Channel& channel) {
@@ -32,12 +53,8 @@ std::string column_in_words(const Channel& channel) {
 void take_assignment(const Stream& stream, const Assignment& best, Mapping& mapping,
                      std::vector<std::string>& findings) {
   const bool one_wheel = best.wheel[1].channel == nullptr;
-  // Counted speeds of two wheels have the same step; forward and turning speed have not.
-  const bool is_body =
-      !one_wheel && best.kind == CommandKind::wheels && best.command[1] != nullptr &&
-      !best.wheel[0].cumulative &&
-      std::abs(std::log(quantum(best.wheel[0].channel->values) / quantum(best.wheel[1].channel->values))) >
-          0.5;
+  const bool is_body = !one_wheel && best.kind == CommandKind::wheels && best.command[1] != nullptr &&
+                       !best.wheel[0].cumulative && are_of_body(best);
   const std::string evidence = " (explains " + fixed_number(100.0 * best.explained, 1) +
                                " % of the speed, log-likelihood gain " + fixed_number(best.nats, 0) + ")";
   if (!mapping.command) {

@@ -17,6 +17,7 @@
 #include "tools/wheelwright/import/inference/step_response.hpp"
 #include "tools/wheelwright/import/inference/time_unit.hpp"
 #include "tools/wheelwright/import/inference/units_by_motion.hpp"
+#include "tools/wheelwright/import/inference/unused_columns.hpp"
 #include "tools/wheelwright/import/mapping/mapping_file.hpp"
 
 namespace wheelwright::import {
@@ -103,6 +104,7 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
       add_doubts(*columns, mapping, inference.doubts);
     }
   }
+  if (auto unused = unused_columns(recordings, mapping)) inference.findings.push_back(*std::move(unused));
   inference.entries = overlaid(mapping, given);
   // Each of several roles may have been looked for in the same streams.
   std::vector<std::string> once;

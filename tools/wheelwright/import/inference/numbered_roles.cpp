@@ -15,6 +15,7 @@
 #include "tools/wheelwright/import/inference/pose_columns.hpp"
 #include "tools/wheelwright/import/inference/response_fit.hpp"
 #include "tools/wheelwright/import/inference/step_response.hpp"
+#include "tools/wheelwright/import/inference/unused_columns.hpp"
 
 namespace wheelwright::import {
 namespace {
@@ -34,13 +35,6 @@ const Stream* longest_table(std::span<const Recording> recordings) {
     }
   }
   return longest;
-}
-
-bool is_used(const Mapping& mapping, const Stream& stream, const Channel& channel) {
-  for (const auto& entry : mapping_entries(mapping)) {
-    if (entry.value == channel.name || entry.value == stream.name + ":" + channel.name) return true;
-  }
-  return false;
 }
 
 class ByNumbers {

@@ -106,14 +106,31 @@ class Head {
     if (is_row_of_column_numbers(cells) && cells.size() == table_.width) return as_strings(cells);
     if (!is_header_row(cells, table_.dialect)) return {};
     std::vector<std::string> names = as_strings(cells);
-    // R leaves out the name above its row names.
-    if (names.size() + 1 == table_.width && table_.width > 2) names.insert(names.begin(), std::string());
+    if (names.size() + 1 == table_.width && table_.width > 2)
+      names.insert(rows_are_named() ? names.begin() : names.end(), std::string());
     return names.size() == table_.width ? names : std::vector<std::string>();
+  }
+
+  // R leaves out the name above the names of its rows, which are texts or numbers from 1 on.
+  bool rows_are_named() const {
+    Cells cells;
+    split_row(sample_.head[first_row_].text, table_.dialect, cells);
+    return cells.front() == "1" || kinds_.front() == ColumnKind::text;
+  }
+
+  void say_that_a_name_is_missing(const Line& header) {
+    Cells cells;
+    split_row(header.text, table_.dialect, cells);
+    if (cells.size() + 1 != table_.width || is_comment(header.text) || rows_are_named()) return;
+    layout_.remarks.push_back("line " + std::to_string(header.number) + ": " + std::to_string(cells.size()) +
+                              " names above " + std::to_string(table_.width) +
+                              " columns: the last column has none");
   }
 
   // Returns the number of lines that stand above what belongs to the header.
   std::size_t take_header(std::size_t first_row) {
     if (first_row == 0) return 0;
+    first_row_ = first_row;
     std::size_t at = first_row - 1;
     if (at > 0 && is_rule(sample_.head[at].text)) --at;
     layout_.header = header_cells(sample_.head[at]);
@@ -128,6 +145,7 @@ class Head {
       if (join_upper_names(above, layout_.header)) --at;
     }
     layout_.header_is_comment = is_comment(sample_.head[at].text);
+    say_that_a_name_is_missing(sample_.head[at]);
     return at;
   }
 
@@ -170,6 +188,7 @@ class Head {
   TableLayout& layout_;
   std::vector<ColumnKind> kinds_;
   std::vector<std::string> units_;
+  std::size_t first_row_ = 0;
   std::size_t left_out_ = 0;
 };
 

@@ -83,6 +83,7 @@ TEST_CASE("A heading that is clockwise beside x and y that are not is left out, 
   });
   check_same(outcome, drive);
   CHECK(outcome.found("column 8 is a heading that falls where the wheels turn left"));
+  CHECK(outcome.found("not used: column 6, column 7, column 8"));
   CHECK_FALSE(outcome.understood.mapping.reference);
 }
 
@@ -130,4 +131,23 @@ TEST_CASE("A number of the row is no time beside a column that rises as a clock 
   };
   check_reference(import_rows(drive, indexed(true)), drive);
   check_reference(import_rows(drive, indexed(false)), drive);
+}
+
+TEST_CASE("Forward and turning speed without names are told from two wheels by how large they are") {
+  const ForeignDrive drive = foreign_drive();
+  double left_before = 0.0, right_before = 0.0;
+  const auto outcome = import_rows(drive, [&](const ForeignRow& row) {
+    const double metres = ForeignDrive::metres_per_count / drive.period_s;
+    const double left = metres * (static_cast<double>(row.counts_left) - left_before);
+    const double right = metres * (static_cast<double>(row.counts_right) - right_before);
+    left_before = static_cast<double>(row.counts_left);
+    right_before = static_cast<double>(row.counts_right);
+    const double jitter = 1e-4 * std::sin(row.t_s * 1000.0);  // none of the numbers has a step
+    return number(row.t_s) + "," + number(row.linear()) + "," + number(row.angular(ForeignDrive::base_m)) +
+           "," + number(0.5 * (left + right) + jitter) + "," +
+           number((right - left) / ForeignDrive::base_m + jitter);
+  });
+  REQUIRE(outcome.understood.mapping.command);
+  CHECK(outcome.understood.mapping.command->kind == import::CommandKind::twist);
+  CHECK(outcome.understood.mapping.wheels->body_motion);
 }

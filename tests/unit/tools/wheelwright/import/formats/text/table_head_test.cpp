@@ -70,6 +70,18 @@ TEST_CASE("A column without a name that counts the rows is left out") {
   CHECK(names_of("\"t\" \"v\" \"w\"\n\"1\" 0.1 5 6\n\"2\" 0.2 6 7\n") == Names{"t", "v", "w"});
 }
 
+TEST_CASE("Where a name is missing it is that of row names, or else the last one, and that is said") {
+  CHECK(names_of("t,v\n1,0.1,5\n2,0.2,6\n3,0.3,7\n").back() == "v");
+  const import::Recording recording = read_text("t,v\n0.02,5,12.4\n0.04,6,12.5\n0.06,7,12.4\n");
+  const Names found = names(recording.streams[0]);
+  REQUIRE(found.size() == 3);
+  CHECK(found[0] == "t");
+  CHECK(found[1] == "v");
+  CHECK(std::ranges::any_of(recording.remarks, [](const std::string& remark) {
+    return remark.find("2 names above 3 columns") != std::string::npos;
+  }));
+}
+
 TEST_CASE("Numbers that pandas writes for names are no row") {
   const import::Recording recording = read_text(",0,1,2\n0,0.1,5,6\n1,0.2,6,7\n");
   CHECK(names(recording.streams[0]) == Names{"0", "1", "2"});
