@@ -146,7 +146,7 @@ TEST_CASE("Of a linear robot wheelwright gap says that nothing is missing, and w
   const auto at = workspace("gap_clean", runs_with("clean"));
   const auto outcome = gap(at);
   REQUIRE(outcome.status == ExitStatus::done);
-  CHECK_THAT(outcome.out, ContainsSubstring("runs: training: run1.csv; held out: run2.csv"));
+  CHECK_THAT(outcome.out, ContainsSubstring("runs: training: " + at.files[0] + "; held out: " + at.files[1]));
   const auto json = gap_json(at);
   INFO(json["summary"].get<std::string>());
   CHECK(json["verdict"] == "nothing_missing");
