@@ -46,9 +46,9 @@ EffectInfo dead_zone() {
         "how slowly larger commands come through again: 1, the threshold is taken from each; less, from "
         "those "
         "below threshold / (1 - taper)",
-        0.02,
+        0.002,
         1.0,
-        {0.02, 0.4, 1.0},
+        {0.002, 0.4, 1.0},
         0.0,
         false}},
       {.variety = true},

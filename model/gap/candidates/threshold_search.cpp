@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace wheelwright::gap {
@@ -10,6 +11,10 @@ namespace {
 
 constexpr std::string_view dead_zone = "dead_zone";
 constexpr std::string_view stiction = "stiction";
+
+// Of dead_zone.
+constexpr std::size_t threshold = 0;
+constexpr std::size_t taper = 1;
 
 // Of stiction.
 constexpr std::size_t breakaway = 0;
@@ -30,16 +35,21 @@ std::vector<double> command_sizes_m_s(const Problem& problem, double largest_m_s
   return sizes;
 }
 
-std::vector<double> between_commands(const Problem& train, double threshold_m_s) {
-  constexpr double max_times = 3.0;  // of the threshold as it is
-  constexpr std::size_t max_tried = 40;
-  const std::vector<double> sizes = command_sizes_m_s(train, max_times * threshold_m_s);
-  const std::size_t stride = 1 + sizes.size() / max_tried;
+constexpr std::size_t max_tried = 40;
+
+// In the middle between sizes of commands that are `stride` apart.
+std::vector<double> between(const std::vector<double>& sizes, std::size_t stride) {
   std::vector<double> middles;
   for (std::size_t i = stride; i < sizes.size(); i += stride) {
     middles.push_back(0.5 * (sizes[i - 1] + sizes[i]));
   }
   return middles;
+}
+
+std::vector<double> nearest(std::vector<double> values, double to, std::size_t count) {
+  std::ranges::sort(values, {}, [to](double value) { return std::abs(value - to); });
+  values.resize(std::min(values.size(), count));
+  return values;
 }
 
 // From `value / most` to `value * most`, each by the same factor more than the one before.
@@ -58,22 +68,57 @@ class Tuning {
 
   // Leaves the parameter where the free runs are best.
   void choose(std::size_t effect, std::size_t parameter, const std::vector<double>& values) {
-    TrialModel tried = model_;
-    const auto& info = tried.effects[effect].parameter_info(parameter);
     for (const double value : values) {
-      tried.effects[effect].parameters[parameter] = std::clamp(value, info.lower, info.upper);
-      const double sum_squares = sum_squares_of(train_.residuals(tried));
-      if (sum_squares >= min_) continue;
-      min_ = sum_squares;
-      model_.effects[effect].parameters = tried.effects[effect].parameters;
+      std::vector<double> parameters = model_.effects[effect].parameters;
+      parameters[parameter] = value;
+      try_with(effect, std::move(parameters));
     }
   }
 
+  // The same of several parameters at once, which hang on each other.
+  void choose(std::size_t effect, const std::vector<std::vector<double>>& of_all_parameters) {
+    for (const auto& parameters : of_all_parameters) try_with(effect, parameters);
+  }
+
  private:
+  void try_with(std::size_t effect, std::vector<double> parameters) {
+    TrialModel tried = model_;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      const auto& info = tried.effects[effect].parameter_info(i);
+      parameters[i] = std::clamp(parameters[i], info.lower, info.upper);
+    }
+    tried.effects[effect].parameters = std::move(parameters);
+    const double sum_squares = sum_squares_of(train_.residuals(tried));
+    if (sum_squares >= min_) return;
+    min_ = sum_squares;
+    model_ = std::move(tried);
+  }
+
   const Problem& train_;
   TrialModel& model_;
   double min_;
 };
+
+// Firmware passes commands above its threshold whole, an output stage less: each threshold is tried with the
+// taper as it is, and as a step.
+void tune_dead_zone(const Problem& train, const TrialModel& model, std::size_t effect, Tuning& tuning) {
+  constexpr double max_times = 3.0;  // of the threshold as it is
+  const auto parameters = [&] { return model.effects[effect].parameters; };
+  const double step = model.effects[effect].parameter_info(taper).lower;
+  const std::vector<double> sizes = command_sizes_m_s(train, max_times * parameters()[threshold]);
+  const std::size_t stride = 1 + sizes.size() / max_tried;
+  const auto with_tapers = [&](const std::vector<double>& thresholds) {
+    std::vector<std::vector<double>> tried;
+    for (const double value : thresholds) {
+      tried.push_back({value, parameters()[taper]});
+      tried.push_back({value, step});
+    }
+    return tried;
+  };
+  tuning.choose(effect, with_tapers(between(sizes, stride)));
+  if (stride > 1)
+    tuning.choose(effect, with_tapers(nearest(between(sizes, 1), parameters()[threshold], 2 * stride)));
+}
 
 }  // namespace
 
@@ -89,7 +134,7 @@ TrialModel with_thresholds_tuned(const Problem& train, TrialModel model) {
   for (std::size_t i = 0; i < model.effects.size(); ++i) {
     const auto value = [&](std::size_t parameter) { return model.effects[i].parameters[parameter]; };
     if (model.effects[i].info->name == dead_zone) {
-      tuning.choose(i, 0, between_commands(train, value(0)));
+      tune_dead_zone(train, model, i, tuning);
     } else if (model.effects[i].info->name == stiction) {
       for (const double most : {1.3, 1.04}) {
         tuning.choose(i, breakaway, context(value(breakaway), most, 12));

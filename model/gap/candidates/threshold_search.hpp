@@ -10,7 +10,7 @@ namespace wheelwright::gap {
 bool has_threshold(const EffectInfo& info);
 
 // `model` with the thresholds of its effects, if any, where its free runs are best: of dead_zone between any
-// two commands that were given, of stiction up to a third away.
+// two commands that were given, as it is and as a step, of stiction up to a third away.
 TrialModel with_thresholds_tuned(const Problem& train, TrialModel model);
 
 }  // namespace wheelwright::gap

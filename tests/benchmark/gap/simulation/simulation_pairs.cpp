@@ -39,7 +39,7 @@ struct Count {
 
 // An effect whose size in the robot is a parameter of the library, but for its sign. What a speed controller
 // or the load on the motors takes back in part (direction_gain, yaw_bias) is none of them, and neither is the
-// dead zone of an output stage, whose soft knee moves it by some per cent.
+// dead zone of an output stage, whose soft knee moves it by about a per cent.
 struct SizedEffect {
   std::string_view effect;
   std::string_view parameter;

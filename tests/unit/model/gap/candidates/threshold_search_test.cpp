@@ -45,6 +45,16 @@ TEST_CASE("A dead zone is found between the largest command that does nothing an
   }
 }
 
+TEST_CASE("Firmware that passes larger commands whole is a step, whatever taper the fit is at") {
+  const Problem problem = docked(with_effect("dead_zone", {0.0205, 0.002}));
+  for (const double taper : {0.02, 0.14, 1.0}) {
+    INFO(taper);
+    const TrialModel start = with_effect("dead_zone", {0.018, taper});
+    CHECK_THAT(tuned(problem, start, 0), WithinAbs(0.02, 0.001));
+    CHECK(tuned(problem, start, 1) < 0.03);
+  }
+}
+
 TEST_CASE("A break-away is found although no slope leads from one drive that moves a wheel to the next") {
   const Problem problem = docked(with_effect("stiction", {0.035, 0.003, 0.03, 0.002}));
   for (const double from : {0.029, 0.043}) {
