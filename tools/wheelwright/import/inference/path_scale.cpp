@@ -105,7 +105,7 @@ class PathSlope {
 std::optional<PathScale> path_scale(const DriveColumns& columns, const Mapping& mapping,
                                     const std::array<double, 2>& directions) {
   if (!mapping.reference || !mapping.wheels || mapping.wheels->kind == WheelKind::speed ||
-      columns.x.empty() || columns.theta_rad.empty() || columns.wheel[1].empty())
+      columns.x.empty() || columns.y.empty() || columns.theta_rad.empty() || columns.wheel[1].empty())
     return std::nullopt;
   const PathSlope path(columns, mapping, directions);
   constexpr double degree = pi / 180.0;
