@@ -65,7 +65,10 @@ std::string what_is_missing(const Mapping& mapping) {
   std::string what = not_found.empty() ? "" : not_found + " were found";
   if (!not_known.empty())
     what += (what.empty() ? "" : "; ") + not_known + (unknown > 1 ? " are" : " is") + " not known";
-  return what.empty() ? what : what + "; give" + example;
+  if (what.empty()) return what;
+  const bool two_sides = !mapping.command && !is_one_wheel(mapping);
+  return what + "; give" + example +
+         (two_sides ? " (forward and turning speed are command.linear and command.angular)" : "");
 }
 
 }  // namespace wheelwright::import

@@ -194,6 +194,7 @@ TEST_CASE("A file without commands says what is missing, with the option") {
              ContainsSubstring(
                  "no commands were found; how far a wheel rolls for a count is not known; give --set"));
   CHECK_THAT(outcome.conversion.error(), ContainsSubstring("--set command.left="));
+  CHECK_THAT(outcome.conversion.error(), ContainsSubstring("are command.linear and command.angular"));
 }
 
 TEST_CASE("Two files at different rates make one run with the rows of the wheels") {
