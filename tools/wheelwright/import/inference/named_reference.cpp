@@ -117,7 +117,7 @@ class ReferenceFinder {
       if (const Named* qx = named_.beside(x, Quantity::qx)) reference.qx = qx->name();
       if (const Named* qy = named_.beside(x, Quantity::qy)) reference.qy = qy->name();
     } else if (const Named* theta = named_.beside(x, Quantity::heading);
-               theta != nullptr && (trust(*theta) >= 0 || trust(x) < 0)) {
+               theta != nullptr && trust(*theta) >= 0) {
       reference.theta = theta->name();
       if (find_unit(angle_units(), theta->meaning.unit)) reference.angle_unit = theta->meaning.unit;
     } else {
@@ -129,14 +129,14 @@ class ReferenceFinder {
   static void take_angle(const Named& x, ReferenceMapping& reference) {
     for (const Channel& channel : x.stream->channels) {
       const NameWords words(channel.name);
+      const NameMeaning meaning = meaning_of(*x.stream, channel);
       if (!words.has_any({"phi", "angle", "rot", "rotation", "rz", "bearing", "azimuth", "course", "winkel",
                           "kurs", "richtung", "cap", "angulo", "rumbo", "angolo"}) ||
           words.has_any({"steer", "steering", "wheel", "joint", "motor", "rate", "vel", "speed", "roll",
                          "pitch", "odom"}) ||
-          meaning_of(*x.stream, channel).side != NamedSide::none || is_held(channel.values))
+          meaning.side != NamedSide::none || is_held(channel.values))
         continue;
       reference.theta = ChannelName{x.stream->name, channel.name};
-      const NameMeaning meaning = meaning_of(*x.stream, channel);
       if (find_unit(angle_units(), meaning.unit)) reference.angle_unit = meaning.unit;
       return;
     }

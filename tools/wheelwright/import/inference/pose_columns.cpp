@@ -16,7 +16,7 @@ namespace {
 constexpr double sure_explained = 0.9;
 constexpr double hole_s = 10.0;  // between runs
 
-// Rows of one run: files that were read together begin anew, wherever the robot was put.
+// Rows of one run. Files that were read together each start wherever the robot was put.
 struct Rows {
   std::size_t begin = 0;
   std::size_t end = 0;

@@ -23,13 +23,8 @@ class ReferenceUnits {
  public:
   ReferenceUnits(const DriveColumns& columns, const GivenMapping& given,
                  const std::array<double, 2>& directions, Mapping& mapping,
-                 std::vector<std::string>& findings, std::vector<std::string>& doubts)
-      : columns_(columns),
-        given_(given),
-        directions_(directions),
-        mapping_(mapping),
-        findings_(findings),
-        doubts_(doubts) {}
+                 std::vector<std::string>& findings)
+      : columns_(columns), given_(given), directions_(directions), mapping_(mapping), findings_(findings) {}
 
   // Heading and place against those of the counts, over windows of some rows.
   void run() {
@@ -68,7 +63,6 @@ class ReferenceUnits {
     }
     if (turn_squares > 0.0) heading_unit(turn_products / turn_squares);
     if (way > 0.0) place_unit(reference_way / way);
-    if (mapping_.wheels->scale_from == from_commands) scale_by_reference();
   }
 
  private:
@@ -83,38 +77,6 @@ class ReferenceUnits {
   bool is_placed(std::size_t row) const {
     const auto stands = [row](const Column& column) { return column.empty() || std::isfinite(column[row]); };
     return stands(columns_.x) && stands(columns_.y) && stands(columns_.theta_rad);
-  }
-
-  // A scale that was taken from the commands takes their gain for one. Who knows where the robot was knows
-  // better.
-  void scale_by_reference() {
-    const auto found = path_scale(columns_, mapping_, directions_);
-    if (!found) return;
-    const double ratio = found->metres_per_unit / *wheel_scale(*mapping_.wheels);
-    constexpr double no_unit = 5.0;  // is so little
-    if (ratio < 1.0 / no_unit || ratio > no_unit) {
-      if (!is_near(ratio, 1000.0) && !is_near(ratio, 100.0)) doubts_.push_back(unlike_reference(ratio));
-      return;
-    }
-    take_scale(ratio);
-    if (is_near(ratio, 1.0)) return;
-    doubts_.push_back(unlike_reference(ratio));
-  }
-
-  void take_scale(double ratio) {
-    WheelMapping& wheels = *mapping_.wheels;
-    auto& assumed = wheels.metres_per_count ? wheels.metres_per_count : wheels.wheel_radius_m;
-    const std::string what = wheels.metres_per_count ? "a count is " : "the wheel radius is ";
-    const std::string key = wheels.metres_per_count ? "wheels.metres_per_count" : "wheels.wheel_radius_m";
-    if (!assumed) return;
-    std::erase_if(findings_, [&](const std::string& finding) { return finding.starts_with(what); });
-    const double asked = *assumed;
-    assumed = rounded_gain(ratio * asked);
-    wheels.scale_from = from_reference;
-    findings_.push_back(what + config::plain_number(*assumed) +
-                        " m, so that the wheels go as far as the reference; --set " + key +
-                        " if you know it (for the speeds that are asked for it would have to be " +
-                        config::plain_number(asked) + " m)");
   }
 
   void heading_unit(double slope) {
@@ -152,16 +114,9 @@ class ReferenceUnits {
   std::array<double, 2> directions_;
   Mapping& mapping_;
   std::vector<std::string>& findings_;
-  std::vector<std::string>& doubts_;
 };
 
 }  // namespace
-
-std::string unlike_reference(double ratio) {
-  return "by the reference the wheels go " + config::plain_number(rounded_gain(ratio)) +
-         " times as fast as commanded: the commands may be a duty, or in another unit (--set "
-         "command.kind=duty, command.unit), or the reference in another (reference.unit)";
-}
 
 bool set_scale_by_reference(const DriveColumns& columns, const GivenMapping& given,
                             const std::array<double, 2>& directions, bool has_to_agree, Mapping& mapping,
@@ -198,8 +153,8 @@ bool set_scale_by_reference(const DriveColumns& columns, const GivenMapping& giv
 
 void set_reference_units(const DriveColumns& columns, const GivenMapping& given,
                          const std::array<double, 2>& directions, Mapping& mapping,
-                         std::vector<std::string>& findings, std::vector<std::string>& doubts) {
-  ReferenceUnits(columns, given, directions, mapping, findings, doubts).run();
+                         std::vector<std::string>& findings) {
+  ReferenceUnits(columns, given, directions, mapping, findings).run();
 }
 
 }  // namespace wheelwright::import

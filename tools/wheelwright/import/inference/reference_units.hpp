@@ -1,5 +1,5 @@
 // The units of a reference, by how far it goes and turns beside the counts; and the scale of the counts by
-// it, where it was found from the commands.
+// it, where no one states it.
 #pragma once
 
 #include <array>
@@ -15,9 +15,6 @@ namespace wheelwright::import {
 inline constexpr auto from_commands = "commands";
 inline constexpr auto from_reference = "reference";
 
-// A doubt, if the wheels go so many times as fast as commanded.
-std::string unlike_reference(double ratio);
-
 // Metres per count, or the radius of wheels that tell their angle, by the places of the reference, and the
 // unit of these; says so in `findings`. False, and nothing is set, without places, headings or such travel;
 // or, if it has to agree, unless the turns of the reference about the given wheel base lead to the same
@@ -27,10 +24,9 @@ bool set_scale_by_reference(const DriveColumns& columns, const GivenMapping& giv
                             std::vector<std::string>& findings);
 
 // Of a mapping with wheels and their base. `directions`: 1, or -1 of a wheel that counts backwards. Sets what
-// is not given; adds a line with the evidence to `findings`, and to `doubts` if reference and commands cannot
-// both be in their units.
+// is not given; adds a line with the evidence to `findings`.
 void set_reference_units(const DriveColumns& columns, const GivenMapping& given,
                          const std::array<double, 2>& directions, Mapping& mapping,
-                         std::vector<std::string>& findings, std::vector<std::string>& doubts);
+                         std::vector<std::string>& findings);
 
 }  // namespace wheelwright::import

@@ -55,7 +55,7 @@ class UnitFinder {
       suggest_base();
     }
     if (mapping_.reference && mapping_.wheels && mapping_.wheel_base_m)
-      set_reference_units(columns_, given_, directions(), mapping_, findings_, doubts_);
+      set_reference_units(columns_, given_, directions(), mapping_, findings_);
   }
 
  private:
@@ -234,7 +234,9 @@ class UnitFinder {
     if (!command) return;
     const double gain = std::abs(gain_) * *scale / *command;
     if (mapping_.wheels->scale_from == from_reference && !is_near(gain, 1.0)) {
-      doubts_.push_back(unlike_reference(gain));
+      doubts_.push_back("by the reference the wheels go " + plain_number(rounded_gain(gain)) +
+                        " times as fast as commanded: the commands may be a duty, or in another unit (--set "
+                        "command.kind=duty, command.unit), or the reference in another (reference.unit)");
     } else if (!found_scale_ && (gain < 0.6 || gain > 1.6)) {
       doubts_.push_back("the wheels go " + plain_number(rounded_gain(gain)) +
                         " times as far as commanded: check the units of commands and wheels, and the scale");
