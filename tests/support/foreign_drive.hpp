@@ -29,17 +29,17 @@ struct ForeignDrive {
   std::vector<ForeignRow> rows;
 };
 
-inline ForeignDrive foreign_drive(std::size_t row_count = 1200, double period_s = 0.05,
-                                  double metres_per_count = ForeignDrive::metres_per_count) {
-  constexpr double left_commands[] = {0.0, 0.2, 0.1, -0.15, 0.25, 0.05, 0.18, -0.1, 0.22, 0.12};
-  constexpr double right_commands[] = {0.0, 0.2, 0.25, -0.1, 0.12, 0.2, 0.18, 0.15, 0.08, -0.12};
+// Of the commands of a row in m/s.
+using CommandOfRow = std::function<double(std::size_t)>;
+inline ForeignDrive drive_by(const CommandOfRow& left_command, const CommandOfRow& right_command,
+                             std::size_t row_count = 1200, double period_s = 0.05,
+                             double metres_per_count = ForeignDrive::metres_per_count) {
   ForeignDrive drive{period_s, {}};
   std::vector<double> left, right;
   double speed_left = 0.0, speed_right = 0.0, way_left = 0.0, way_right = 0.0, x = 0.0, y = 0.0, theta = 0.0;
   for (std::size_t k = 0; k < row_count; ++k) {
-    const std::size_t part = k / 37 % 10;
-    left.push_back(left_commands[part] + 0.01 * static_cast<double>(k / 370 % 3));
-    right.push_back(right_commands[part]);
+    left.push_back(left_command(k));
+    right.push_back(right_command(k));
     drive.rows.push_back({period_s * static_cast<double>(k), left[k], right[k],
                           static_cast<std::int64_t>(std::floor(way_left / metres_per_count)),
                           static_cast<std::int64_t>(std::floor(way_right / metres_per_count)), x, y, theta});
@@ -54,6 +54,25 @@ inline ForeignDrive foreign_drive(std::size_t row_count = 1200, double period_s 
     theta += turn;
   }
   return drive;
+}
+
+// Commands that are held for 37 rows each.
+inline ForeignDrive foreign_drive(std::size_t row_count = 1200, double period_s = 0.05,
+                                  double metres_per_count = ForeignDrive::metres_per_count) {
+  constexpr double left_commands[] = {0.0, 0.2, 0.1, -0.15, 0.25, 0.05, 0.18, -0.1, 0.22, 0.12};
+  constexpr double right_commands[] = {0.0, 0.2, 0.25, -0.1, 0.12, 0.2, 0.18, 0.15, 0.08, -0.12};
+  return drive_by(
+      [&](std::size_t k) { return left_commands[k / 37 % 10] + 0.01 * static_cast<double>(k / 370 % 3); },
+      [&](std::size_t k) { return right_commands[k / 37 % 10]; }, row_count, period_s, metres_per_count);
+}
+
+// Commands that change at every row, as a joystick's do.
+inline ForeignDrive joystick_drive() {
+  const auto wave = [](std::size_t k, double period_rows) {
+    return std::sin(6.283185307 * static_cast<double>(k) / period_rows);
+  };
+  return drive_by([&](std::size_t k) { return 0.12 + 0.08 * wave(k, 61.0) + 0.05 * wave(k, 23.7); },
+                  [&](std::size_t k) { return 0.11 - 0.06 * wave(k, 47.0) + 0.06 * wave(k, 131.0); });
 }
 
 // A text with a line of `fields` for each row.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -10,6 +11,9 @@
 #include <vector>
 
 namespace wheelwright::import {
+
+// In a row that has no value.
+inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 // One column of a table, one field of a message, one vector of a MATLAB file.
 struct Channel {

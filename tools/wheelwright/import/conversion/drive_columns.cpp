@@ -17,11 +17,10 @@
 #include "tools/wheelwright/import/conversion/time_units.hpp"
 #include "tools/wheelwright/import/conversion/wheel_command.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
+#include "tools/wheelwright/import/recording.hpp"
 
 namespace wheelwright::import {
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 // A mapped channel and where its values go.
 struct Source {

@@ -8,10 +8,11 @@
 #include <numbers>
 #include <vector>
 
+#include "tools/wheelwright/import/recording.hpp"
+
 namespace wheelwright::import {
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t max_lag = 4;
 constexpr std::array smoothings{0.0, 0.3, 0.5, 0.65, 0.8, 0.9};
 constexpr std::size_t max_rows = 2000;  // enough to decide

@@ -5,11 +5,11 @@
 #include <limits>
 
 #include "model/statistics/order_statistics.hpp"
+#include "tools/wheelwright/import/recording.hpp"
 
 namespace wheelwright::import {
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double hole_s = 0.3;
 constexpr double hole_in_steps = 3.0;
 

@@ -1,7 +1,9 @@
 #include "tools/wheelwright/import/conversion/missing_keys.hpp"
 
+#include <algorithm>
 #include <string_view>
 
+#include "config/load/ascii_text.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
@@ -67,8 +69,13 @@ std::string what_is_missing(const Mapping& mapping) {
     what += (what.empty() ? "" : "; ") + not_known + (unknown > 1 ? " are" : " is") + " not known";
   if (what.empty()) return what;
   const bool two_sides = !mapping.command && !is_one_wheel(mapping);
+  const bool may_be_speeds = mapping.command && mapping.command->second &&
+                             mapping.command->kind == CommandKind::duty &&
+                             std::ranges::all_of(mapping.command->first.channel, config::is_digit) &&
+                             !mapping.command->full_scale_m_s;
   return what + "; give" + example +
-         (two_sides ? " (forward and turning speed are command.linear and command.angular)" : "");
+         (two_sides ? " (forward and turning speed are command.linear and command.angular)" : "") +
+         (may_be_speeds ? " (of commands that are no duty but mm/s, --set command.unit=mm/s)" : "");
 }
 
 }  // namespace wheelwright::import

@@ -11,11 +11,11 @@
 #include "tools/wheelwright/import/conversion/counter_resets.hpp"
 #include "tools/wheelwright/import/conversion/counts.hpp"
 #include "tools/wheelwright/import/conversion/stamps.hpp"
+#include "tools/wheelwright/import/conversion/time_repair.hpp"
 
 namespace wheelwright::import {
 namespace {
 
-constexpr double longest_pause_s = 60.0;
 constexpr double longest_period_s = 5.0;
 constexpr double restart_rows = 3.0;
 constexpr double fastest_m_s = 5.0;
@@ -32,7 +32,8 @@ std::vector<double> counts_of(const DriveLog& run, std::int64_t WheelTicks::*sid
 
 bool pauses(const DriveLog& run) {
   for (std::size_t i = 1; i < run.samples.size(); ++i) {
-    if (run.samples[i].t_s - run.samples[i - 1].t_s > std::max(longest_pause_s, 50.0 * run.period_s))
+    if (run.samples[i].t_s - run.samples[i - 1].t_s >
+        std::max(longest_pause_s, longest_pause_steps * run.period_s))
       return true;
   }
   return false;

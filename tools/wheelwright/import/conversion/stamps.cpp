@@ -10,10 +10,10 @@ namespace wheelwright::import {
 namespace {
 
 constexpr std::size_t min_stamped_rows = 50;
-constexpr double hole_in_steps = 5.0;       // a longer step than so many is a hole
-constexpr double uneven_from = 2.0;         // ratio of the percentiles 95 and 5 of the steps
-constexpr double max_apart_in_steps = 3.0;  // stamps from even times
-constexpr std::size_t half_window = 4;      // rows on each side that tell the speed at a row
+constexpr double stamp_hole_in_steps = 5.0;  // a longer step than so many is a hole
+constexpr double uneven_from = 2.0;          // ratio of the percentiles 95 and 5 of the steps
+constexpr double max_apart_in_steps = 3.0;   // stamps from even times
+constexpr std::size_t half_window = 4;       // rows on each side that tell the speed at a row
 // By how much the travel has to go by rows rather than by stamps: ratio of the sums of squares.
 constexpr double smoother_by = 0.5;
 
@@ -42,7 +42,7 @@ std::vector<double> straighten(std::span<const double> t_s, double step_s) {
   std::size_t begin = 0;
   while (begin < t_s.size()) {
     std::size_t end = begin + 1;
-    while (end < t_s.size() && t_s[end] - t_s[end - 1] < hole_in_steps * step_s) ++end;
+    while (end < t_s.size() && t_s[end] - t_s[end - 1] < stamp_hole_in_steps * step_s) ++end;
     const auto count = static_cast<double>(end - begin);
     double mean_t = 0.0;
     for (std::size_t i = begin; i < end; ++i) mean_t += t_s[i] / count;
@@ -90,7 +90,8 @@ std::optional<EvenStamps> even_stamps(std::span<const double> t_s, std::span<con
   double sum_s = 0.0;
   double count = 0.0;
   for (const double step : steps) {
-    if (step > 2.0 * hole_in_steps * std::max(median_s, result.longest_s / hole_in_steps)) continue;
+    if (step > 2.0 * stamp_hole_in_steps * std::max(median_s, result.longest_s / stamp_hole_in_steps))
+      continue;
     sum_s += step;
     count += 1.0;
   }

@@ -10,11 +10,11 @@
 #include "tools/wheelwright/import/conversion/time_units.hpp"
 #include "tools/wheelwright/import/inference/column_names.hpp"
 #include "tools/wheelwright/import/inference/name_words.hpp"
+#include "tools/wheelwright/import/recording.hpp"
 
 namespace wheelwright::import {
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double max_between_stamps_s = 1.0;
 
 // Stamps of the sender, where a message has them and its clock is that of the recorder.

@@ -13,9 +13,7 @@ namespace {
 using config::fixed_number;
 using config::plain_number;
 
-constexpr double longest_pause_s = 60.0;
-constexpr double longest_pause_steps = 50.0;
-constexpr double hole_s = 10.0;
+constexpr double restart_hole_s = 10.0;
 constexpr double restart_below_s = 1.0;
 constexpr std::size_t max_out_of_order = 5;  // rows by which one may be late
 constexpr std::size_t max_remarks = 5;       // of a kind, with their places
@@ -123,11 +121,11 @@ class Repair {
       result_.t_s[row] = stamps_s_[row];
       result_.remarks.push_back(ask_.place(row) + ": " + by + "; a new run begins");
     } else {
-      offset_s_ = result_.t_s[rows_.back()] + hole_s - stamps_s_[row];
+      offset_s_ = result_.t_s[rows_.back()] + restart_hole_s - stamps_s_[row];
       result_.t_s[row] = time_s(row);
       result_.remarks.push_back(ask_.place(row) + ": " + by +
-                                " while the robot drives; taken for a hole of " + fixed_number(hole_s, 0) +
-                                " s");
+                                " while the robot drives; taken for a hole of " +
+                                fixed_number(restart_hole_s, 0) + " s");
     }
     rows_.push_back(row);
   }

@@ -11,6 +11,10 @@
 
 namespace wheelwright::import {
 
+// A run ends where nothing was written for so long, and for so many steps of the clock.
+inline constexpr double longest_pause_s = 60.0;
+inline constexpr double longest_pause_steps = 50.0;
+
 // Rows of one run in the order of time.
 using RunRows = std::vector<std::size_t>;
 

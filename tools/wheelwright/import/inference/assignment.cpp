@@ -13,8 +13,6 @@ namespace {
 
 using config::fixed_number;
 
-constexpr double fastest_m_s = 3.0;  // larger numbers are in no metres per second
-
 // Whether the names say that the first is the right one.
 bool are_exchanged(const Stream& stream, const Channel* first, const Channel* second) {
   if (first == nullptr || second == nullptr) return false;
@@ -97,6 +95,13 @@ void take_assignment(const Stream& stream, const Assignment& best, Mapping& mapp
     wheels.left = {stream.name, best.wheel[exchanged ? 1 : 0].channel->name};
     if (!one_wheel) wheels.right = ChannelName{stream.name, best.wheel[exchanged ? 0 : 1].channel->name};
     wheels.unit_assumed = wheels.kind != WheelKind::counts;
+    if (best.reversed != nullptr) {
+      wheels.left_reversed = best.reversed->name == wheels.left.channel;
+      wheels.right_reversed = !wheels.left_reversed;
+      findings.push_back(
+          "the " + std::string(wheels.left_reversed ? "left" : "right") +
+          " wheel counts backwards: if it did not, the robot would turn where it is told to drive");
+    }
     mapping.wheels = wheels;
     findings.push_back(std::string(wheels.kind == WheelKind::counts     ? "counts"
                                    : wheels.kind == WheelKind::distance ? "travel"

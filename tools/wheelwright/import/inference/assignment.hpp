@@ -20,6 +20,7 @@ struct Assignment {
   Candidate wheel[2] = {};
   double nats = 0.0;
   double explained = 0.0;
+  const Channel* reversed = nullptr;  // the wheel that counts backwards
 };
 
 // Fills in the command and the wheels that `mapping` lacks; adds a line with the evidence to `findings` for

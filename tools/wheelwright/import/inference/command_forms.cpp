@@ -13,7 +13,7 @@ namespace {
 
 using config::plain_number;
 
-constexpr double sure_explained = 0.5;
+constexpr double form_explained = 0.5;
 
 std::array<ResponseFit, 2> fit_both(const DriveColumns& columns, const Mapping& mapping) {
   const auto rows = response_rows(columns, mapping);
@@ -40,7 +40,7 @@ void infer_forward_bit(std::span<const Recording> recordings, const GivenMapping
   if (!columns) return;
   const auto fits = mapping.wheels && !mapping.wheels->body_motion ? fit_both(*columns, mapping)
                                                                    : std::array<ResponseFit, 2>{};
-  if (std::ranges::any_of(fits, [](const ResponseFit& fit) { return fit.explained < sure_explained; })) {
+  if (std::ranges::any_of(fits, [](const ResponseFit& fit) { return fit.explained < form_explained; })) {
     doubts.push_back("which value of the direction bits is forward is not shown by the wheels; " +
                      plain_number(mapping.command->forward) + " is taken: --set command.forward");
     return;
@@ -59,7 +59,7 @@ void infer_steering(const DriveColumns& columns, const GivenMapping& given, Mapp
   CommandMapping& command = *mapping.command;
   const bool has_both = mapping.wheels && mapping.wheels->right && !mapping.wheels->body_motion;
   const auto fits = has_both ? fit_both(columns, mapping) : std::array<ResponseFit, 2>{};
-  if (fits[0].explained < sure_explained || fits[1].explained < sure_explained) {
+  if (fits[0].explained < form_explained || fits[1].explained < form_explained) {
     doubts.push_back(
         "how steering is mixed with throttle is not shown by the wheels; left = throttle - steering is "
         "taken: --set command.steering_gain=-1 where positive steering turns right");

@@ -18,8 +18,8 @@ namespace {
 
 using config::fixed_number;
 
-constexpr double sure_nats = 50.0;
-constexpr double sure_explained = 0.7;
+constexpr double counter_nats = 50.0;
+constexpr double counter_explained = 0.7;
 
 class CounterKind {
  public:
@@ -121,7 +121,7 @@ class CounterKind {
     other.wheels->per_row = true;
     const Fit running = fit(mapping_);
     const Fit per_row = fit(other);
-    if (per_row.explained < sure_explained || per_row.nats < running.nats + sure_nats ||
+    if (per_row.explained < counter_explained || per_row.nats < running.nats + counter_nats ||
         per_row.steady < 0.6 || running.steady > 0.2)
       return;
     wheels_.per_row = true;
@@ -166,7 +166,7 @@ class CounterKind {
     other.wheels->by_command_sign = true;
     const Fit without = fit(mapping_);
     const Fit with = fit(other);
-    if (with.explained < sure_explained || with.nats < without.nats + sure_nats) {
+    if (with.explained < counter_explained || with.nats < without.nats + counter_nats) {
       doubts_.push_back(
           "the wheels never go back, though commands are negative: they have lost their sign, and the "
           "command "

@@ -10,6 +10,8 @@ namespace wheelwright::import {
 inline constexpr double near_gain = 1.35;  // a unit is taken where the gain is within this factor of it
 bool is_near(double gain, double unit);
 
+inline constexpr double fastest_m_s = 3.0;  // larger numbers are in no metres per second
+
 // Five figures: the gain of a noisy response has no more.
 double rounded_gain(double gain);
 

@@ -10,6 +10,7 @@
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/run_repair.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
+#include "tools/wheelwright/import/inference/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/gain_units.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
@@ -21,12 +22,12 @@ using config::plain_number;
 
 constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr double window_s = 0.25;
-constexpr double sure_explained = 0.7;
+constexpr double gyro_explained = 0.7;
 constexpr std::size_t min_windows = 20;
 constexpr double max_rad_s = 36.0;  // 2000 deg/s, which gyros on robots measure at most
 constexpr double known_within = 0.05;
 
-struct Slope {
+struct GyroSlope {
   double slope = 0.0;
   double explained = 0.0;
 };
@@ -42,13 +43,13 @@ class TurnRegression {
     gyro_squares_ += gyro * gyro;
     products_ += turn_rate * gyro;
   }
-  std::optional<Slope> slope() const {
+  std::optional<GyroSlope> slope() const {
     if (n_ < static_cast<double>(min_windows)) return std::nullopt;
     const double turn = turn_squares_ - sum_turn_ * sum_turn_ / n_;
     const double gyro = gyro_squares_ - sum_gyro_ * sum_gyro_ / n_;
     const double both = products_ - sum_turn_ * sum_gyro_ / n_;
     if (!(turn > 0.0) || !(gyro > 0.0)) return std::nullopt;
-    return Slope{both / turn, both * both / (turn * gyro)};
+    return GyroSlope{both / turn, both * both / (turn * gyro)};
   }
 
  private:
@@ -56,7 +57,7 @@ class TurnRegression {
          products_ = 0.0;
 };
 
-std::optional<Slope> slope_of(const DriveColumns& columns, const Mapping& mapping) {
+std::optional<GyroSlope> slope_of(const DriveColumns& columns, const Mapping& mapping) {
   const bool has_turns = mapping.wheels && mapping.wheels->right && !mapping.wheels->body_motion &&
                          mapping.wheels->kind != WheelKind::speed && mapping.wheel_base_m;
   const auto scale = has_turns ? wheel_scale(*mapping.wheels) : std::nullopt;
@@ -86,10 +87,6 @@ std::optional<Slope> slope_of(const DriveColumns& columns, const Mapping& mappin
     }
   }
   return regression.slope();
-}
-
-bool are_whole(const Column& values) {
-  return std::ranges::all_of(values, [](double v) { return !std::isfinite(v) || v == std::round(v); });
 }
 
 // Raw numbers per deg/s of usual gyros at their ranges.
@@ -127,7 +124,7 @@ void set_gyro_unit(const DriveColumns& columns, const GivenMapping& given, Mappi
   if (!mapping.gyro || given.says("gyro.unit") || given.says("gyro.lsb_per_deg_s")) return;
   ScalarMapping& gyro = *mapping.gyro;
   const auto found = slope_of(columns, mapping);
-  if (!found || found->explained < sure_explained) {
+  if (!found || found->explained < gyro_explained) {
     if (!gyro.unit_is_stated && largest(columns.gyro) > max_rad_s)
       doubts.push_back(
           "the gyro goes up to " + plain_number(largest(columns.gyro)) +

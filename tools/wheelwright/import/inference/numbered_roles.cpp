@@ -4,16 +4,12 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <limits>
-#include <optional>
 
-#include "tools/wheelwright/import/conversion/counts.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/inference/assignment.hpp"
 #include "tools/wheelwright/import/inference/column_shapes.hpp"
-#include "tools/wheelwright/import/inference/gain_units.hpp"
+#include "tools/wheelwright/import/inference/motion_assignments.hpp"
 #include "tools/wheelwright/import/inference/pose_columns.hpp"
-#include "tools/wheelwright/import/inference/response_fit.hpp"
 #include "tools/wheelwright/import/inference/step_response.hpp"
 #include "tools/wheelwright/import/inference/unused_columns.hpp"
 
@@ -22,9 +18,8 @@ namespace {
 
 constexpr std::size_t min_stream_rows = 50;
 constexpr std::size_t max_columns = 40;
-constexpr double sure_explained = 0.6;
+constexpr std::size_t max_unheld_columns = 12;
 constexpr double as_even_as_time = 0.3;
-constexpr std::size_t max_rows = 20'000;
 
 const Stream* longest_table(std::span<const Recording> recordings) {
   const Stream* longest = nullptr;
@@ -71,16 +66,32 @@ class ByNumbers {
   }
 
   void find_motion(const std::vector<double>& t_s) {
-    t_s_ = t_s;
     std::vector<const Channel*> commands;
     std::vector<Candidate> wheels;
     collect(commands, wheels);
-    if (commands.empty() || wheels.empty() || commands.size() > max_columns ||
-        wheels.size() > 2 * max_columns)
-      return;
-    const auto best = best_assignment(commands, wheels);
-    if (!best || best->explained < sure_explained) return;
-    take(*best);
+    if (commands.size() > max_columns || wheels.size() > 2 * max_columns) return;
+    const auto possible = possible_assignments(commands, wheels, t_s, mapping_.wheel_base_m);
+    if (possible.empty()) return;
+    const Assignment best = best_of(possible);
+    take(best);
+    if (best.wheel[1].channel == nullptr) note_still_counter(commands);
+  }
+
+  // Commands that change at every row, as a joystick's do: any column may be one then, and wheels are
+  // counted.
+  void find_unheld_motion(const std::vector<double>& t_s) {
+    std::vector<const Channel*> commands;
+    std::vector<Candidate> wheels;
+    for (const Channel* channel : unused_) {
+      if (!std::isfinite(quantum(channel->values))) continue;  // a constant
+      if (!looks_counted(channel->values)) commands.push_back(channel);
+      if (are_whole(channel->values)) wheels.push_back({channel, true});
+    }
+    if (commands.size() > max_unheld_columns) return;
+    const auto possible = possible_assignments(commands, wheels, t_s, mapping_.wheel_base_m);
+    if (possible.empty()) return;
+    const Assignment best = best_of(possible);
+    if (!has_rival(best, possible) && commands_lead(best, t_s)) take(best);
   }
 
   const std::vector<const Channel*>& unused() const { return unused_; }
@@ -110,108 +121,33 @@ class ByNumbers {
     }
   }
 
-  std::vector<double> speed_of(const Candidate& candidate) const {
-    std::vector<double> values = candidate.channel->values;
-    if (!candidate.cumulative) return values;
-    if (const auto bits = wrapped_bits(values)) unwrap(values, *bits);
-    std::vector<double> speed(values.size(), std::numeric_limits<double>::quiet_NaN());
-    for (std::size_t i = 1; i < values.size(); ++i)
-      speed[i] = (values[i] - values[i - 1]) / (t_s_[i] - t_s_[i - 1]);
-    return speed;
+  // One wheel for two commands: the counter of the other may be a column that never moves.
+  void note_still_counter(const std::vector<const Channel*>& commands) const {
+    const auto second = std::ranges::find_if(commands, [this](const Channel* channel) {
+      return std::ranges::find(unused_, channel) != unused_.end();
+    });
+    const auto still = std::ranges::find_if(unused_, [](const Channel* channel) {
+      return are_whole(channel->values) && !std::isfinite(quantum(channel->values));
+    });
+    if (second == commands.end() || still == unused_.end()) return;
+    findings_.push_back(column_in_words(**still) + " never moves, and " + column_in_words(**second) +
+                        " goes as a command does: if they are of the other wheel, its encoder is silent");
   }
 
-  ResponseFit fit(const std::vector<double>& speed, const Channel& command) const {
-    ResponseRows rows;
-    const std::size_t count = std::min(speed.size(), max_rows);
-    rows.speed.assign(speed.begin(), speed.begin() + static_cast<std::ptrdiff_t>(count));
-    rows.command.assign(count, std::numeric_limits<double>::quiet_NaN());
-    double last = std::numeric_limits<double>::quiet_NaN();
-    for (std::size_t i = 0; i < count; ++i) {
-      rows.command[i] = last;
-      if (std::isfinite(command.values[i])) last = command.values[i];
-    }
-    rows.run_ends = {count};
-    return fit_response(rows);
+  static const Assignment& best_of(const std::vector<Assignment>& possible) {
+    return *std::ranges::max_element(possible, {}, [](const Assignment& each) { return each.nats; });
   }
 
-  std::optional<Assignment> best_assignment(const std::vector<const Channel*>& commands,
-                                            const std::vector<Candidate>& wheels) const {
-    std::vector<std::vector<double>> speeds;
-    speeds.reserve(wheels.size());
-    for (const auto& wheel : wheels) speeds.push_back(speed_of(wheel));
-    std::optional<Assignment> best;
-    const auto offer = [&](const Assignment& assignment) {
-      if (assignment.explained >= sure_explained && (!best || assignment.nats > best->nats))
-        best = assignment;
+  // Whether a column that `best` has no use for could be a command as well: then which one is is a guess, as
+  // a measured speed explains the counts too.
+  static bool has_rival(const Assignment& best, const std::vector<Assignment>& possible) {
+    const auto is_used = [&best](const Channel* channel) {
+      return channel == nullptr || channel == best.command[0] || channel == best.command[1] ||
+             channel == best.wheel[0].channel || channel == best.wheel[1].channel;
     };
-    std::vector<std::vector<ResponseFit>> fits(wheels.size());
-    for (std::size_t w = 0; w < wheels.size(); ++w) {
-      for (const Channel* command : commands)
-        fits[w].push_back(command == wheels[w].channel ? ResponseFit{} : fit(speeds[w], *command));
-    }
-    for (std::size_t w = 0; w < wheels.size(); ++w) {
-      for (std::size_t c = 0; c < commands.size(); ++c) {
-        offer({CommandKind::wheels,
-               {commands[c], nullptr},
-               {wheels[w], {}},
-               fits[w][c].nats,
-               fits[w][c].explained});
-      }
-    }
-    for (std::size_t a = 0; a < wheels.size(); ++a) {
-      for (std::size_t b = a + 1; b < wheels.size(); ++b) {
-        if (wheels[a].channel == wheels[b].channel || wheels[a].cumulative != wheels[b].cumulative) continue;
-        offer_pairs(commands, wheels, fits, a, b, offer);
-        if (commands.size() > 1) offer_twists(commands, wheels, speeds, a, b, offer);
-      }
-    }
-    return best;
-  }
-
-  template <typename Offer>
-  static void offer_pairs(const std::vector<const Channel*>& commands, const std::vector<Candidate>& wheels,
-                          const std::vector<std::vector<ResponseFit>>& fits, std::size_t a, std::size_t b,
-                          const Offer& offer) {
-    for (std::size_t c = 0; c < commands.size(); ++c) {
-      for (std::size_t d = 0; d < commands.size(); ++d) {
-        if (commands[c] == wheels[a].channel || commands[d] == wheels[b].channel) continue;
-        if (c == d && (wheels[a].channel == commands[c] || commands.size() > 1)) continue;
-        offer({CommandKind::wheels,
-               {commands[c], c == d ? nullptr : commands[d]},
-               {wheels[a], wheels[b]},
-               fits[a][c].nats + fits[b][d].nats,
-               std::min(fits[a][c].explained, fits[b][d].explained)});
-      }
-    }
-  }
-
-  template <typename Offer>
-  void offer_twists(const std::vector<const Channel*>& commands, const std::vector<Candidate>& wheels,
-                    const std::vector<std::vector<double>>& speeds, std::size_t a, std::size_t b,
-                    const Offer& offer) const {
-    std::vector<double> forward = speeds[a];
-    std::vector<double> turning = speeds[b];
-    for (std::size_t i = 0; i < forward.size(); ++i) {
-      const double left = forward[i];
-      forward[i] = 0.5 * (left + turning[i]);
-      turning[i] -= left;
-    }
-    for (std::size_t c = 0; c < commands.size(); ++c) {
-      for (std::size_t d = 0; d < commands.size(); ++d) {
-        const bool is_wheel = commands[c] == wheels[a].channel || commands[c] == wheels[b].channel ||
-                              commands[d] == wheels[a].channel || commands[d] == wheels[b].channel;
-        if (c == d || is_wheel) continue;
-        const ResponseFit linear = fit(forward, *commands[c]);
-        const ResponseFit angular = fit(turning, *commands[d]);
-        Assignment assignment{CommandKind::twist,
-                              {commands[c], commands[d]},
-                              {wheels[a], wheels[b]},
-                              linear.nats + angular.nats,
-                              std::min(linear.explained, angular.explained)};
-        if (angular.gain < 0.0) std::swap(assignment.wheel[0], assignment.wheel[1]);
-        offer(assignment);
-      }
-    }
+    return std::ranges::any_of(possible, [&](const Assignment& each) {
+      return !is_used(each.command[0]) || !is_used(each.command[1]);
+    });
   }
 
   void take(const Assignment& best) {
@@ -225,7 +161,6 @@ class ByNumbers {
   Mapping& mapping_;
   std::vector<std::string>& findings_;
   std::vector<const Channel*> unused_;
-  std::vector<double> t_s_;
 };
 
 }  // namespace
@@ -250,6 +185,7 @@ void map_by_numbers(std::span<const Recording> recordings, const GivenMapping& g
   by_numbers.find_motion(t_s);
   if (mapping.time.column || mapping.time.period_s)
     find_step(*stream, t_s, by_numbers.unused(), given, mapping, findings);
+  if (!mapping.command && !mapping.wheels) by_numbers.find_unheld_motion(t_s);
   if (!mapping.reference && mapping.command && mapping.wheels)
     find_pose_columns(*stream, t_s, by_numbers.unused(), sides_are_known, mapping, findings);
 }

@@ -25,7 +25,7 @@ std::complex<double> mean(const Plane& places) {
   return sum / static_cast<double>(places.size());
 }
 
-struct Slope {
+struct FittedSlope {
   double products = 0.0;
   double path_squares = 0.0;
   double place_squares = 0.0;
@@ -52,8 +52,8 @@ class PathSlope {
   PathSlope(const DriveColumns& columns, const Mapping& mapping, const std::array<double, 2>& directions)
       : columns_(columns), mapping_(mapping), directions_(directions) {}
 
-  Slope slope(double angle_in_rad) const {
-    Slope slope;
+  FittedSlope slope(double angle_in_rad) const {
+    FittedSlope slope;
     for (const auto& rows : repair_runs(columns_, mapping_).runs) add_run(rows, angle_in_rad, slope);
     return slope;
   }
@@ -70,7 +70,7 @@ class PathSlope {
            columns_.theta_rad[row] == columns_.theta_rad[row - 1];
   }
 
-  void add_run(const std::vector<std::size_t>& rows, double angle_in_rad, Slope& slope) const {
+  void add_run(const std::vector<std::size_t>& rows, double angle_in_rad, FittedSlope& slope) const {
     const double place_in_m = in_si(distance_units(), mapping_.reference->unit);
     const WheelTravel travel = wheel_travel(columns_, rows, mapping_);
     Plane path, places;
@@ -109,10 +109,10 @@ std::optional<PathScale> path_scale(const DriveColumns& columns, const Mapping& 
     return std::nullopt;
   const PathSlope path(columns, mapping, directions);
   constexpr double degree = pi / 180.0;
-  const Slope radians = path.slope(1.0);
-  const Slope degrees = path.slope(degree);
+  const FittedSlope radians = path.slope(1.0);
+  const FittedSlope degrees = path.slope(degree);
   const bool in_degrees = degrees.explained() > radians.explained();
-  const Slope& best = in_degrees ? degrees : radians;
+  const FittedSlope& best = in_degrees ? degrees : radians;
   if (best.explained() < min_explained || best.products < 0.0) return std::nullopt;
   return PathScale{best.products / best.path_squares, in_degrees ? degree : 1.0};
 }

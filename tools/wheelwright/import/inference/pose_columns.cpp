@@ -9,11 +9,12 @@
 #include <utility>
 
 #include "tools/wheelwright/import/conversion/counts.hpp"
+#include "tools/wheelwright/import/inference/quaternion_columns.hpp"
 
 namespace wheelwright::import {
 namespace {
 
-constexpr double sure_explained = 0.9;
+constexpr double pose_explained = 0.9;
 constexpr double hole_s = 10.0;  // between runs
 
 // Rows of one run. Files that were read together each start wherever the robot was put.
@@ -123,9 +124,9 @@ std::vector<double> unwrapped(const Channel& counts) {
 }
 
 struct Heading {
-  const Channel* channel = nullptr;
-  std::vector<double> values;  // without wraps
-  double per_count = 0.0;      // of the right wheel less the left one; negative: it turns against them
+  const Channel* channel = nullptr;  // of a quaternion, z
+  std::vector<double> values;        // without wraps
+  double per_count = 0.0;            // of the right wheel less the left one; negative: it turns against them
 };
 
 // A heading in a range of one turn, of radians or degrees, as one that goes on.
@@ -151,13 +152,19 @@ std::vector<double> without_wraps(std::vector<double> values) {
   return values;
 }
 
-Heading find_heading(const std::vector<const Channel*>& unused, const Counts& counts,
+Heading find_heading(const std::vector<const Channel*>& unused,
+                     const std::optional<QuaternionColumns>& quaternion, const Counts& counts,
                      const std::vector<Rows>& runs) {
   const std::vector<double> difference = centred(counts.difference, runs);
+  if (quaternion) {
+    std::vector<double> values = without_wraps(quaternion->heading_rad);
+    const Line line = regress(centred(values, runs), {&difference});
+    if (line.explained > pose_explained) return {quaternion->z, std::move(values), line.factors[0]};
+  }
   for (const Channel* channel : unused) {
     std::vector<double> values = without_wraps(channel->values);
     const Line line = regress(centred(values, runs), {&difference});
-    if (line.explained > sure_explained) return {channel, std::move(values), line.factors[0]};
+    if (line.explained > pose_explained) return {channel, std::move(values), line.factors[0]};
   }
   return {};
 }
@@ -177,7 +184,7 @@ void count_as_commanded(const Stream& stream, const CommandMapping& command, con
     }
     asked = centred(std::move(asked), runs);
     const Line line = regress(centred(*side, runs), {&asked});
-    if (line.explained <= sure_explained || line.factors[0] > 0.0) continue;
+    if (line.explained <= pose_explained || line.factors[0] > 0.0) continue;
     for (double& count : *side) count = -count;
   }
 }
@@ -195,7 +202,7 @@ std::optional<Places> find_places(const std::vector<const Channel*>& unused, con
   for (const Channel* channel : unused) {
     const Line line =
         channel == heading ? Line{} : regress(centred(channel->values, runs), {&path.x, &path.y});
-    if (line.explained <= sure_explained) continue;
+    if (line.explained <= pose_explained) continue;
     if (found == 2) return std::nullopt;
     places.column.at(found) = channel;
     lines.at(found++) = line;
@@ -204,6 +211,11 @@ std::optional<Places> find_places(const std::vector<const Channel*>& unused, con
   const auto& [x, y] = lines;
   places.mirrored = x.factors[0] * y.factors[1] < x.factors[1] * y.factors[0];
   return places;
+}
+
+std::string in_words(const QuaternionColumns& parts) {
+  return "the quaternion of columns " + parts.x->name + ", " + parts.y->name + ", " + parts.z->name +
+         " and " + parts.w->name + " (x, y, z, w)";
 }
 
 void exchange_sides(Mapping& mapping) {
@@ -215,7 +227,7 @@ void exchange_sides(Mapping& mapping) {
 }  // namespace
 
 void find_pose_columns(const Stream& stream, const std::vector<double>& t_s,
-                       const std::vector<const Channel*>& unused, bool sides_are_known, Mapping& mapping,
+                       const std::vector<const Channel*>& all_unused, bool sides_are_known, Mapping& mapping,
                        std::vector<std::string>& findings) {
   const WheelMapping& wheels = *mapping.wheels;
   if (wheels.kind == WheelKind::speed || !wheels.right || wheels.body_motion) return;
@@ -224,23 +236,34 @@ void find_pose_columns(const Stream& stream, const std::vector<double>& t_s,
   if (left == nullptr || right == nullptr) return;
   const std::vector<Rows> runs = runs_of(t_s);
   Counts counts{unwrapped(*left), unwrapped(*right), {}};
+  for (const auto& [reversed, side] :
+       {std::pair{wheels.left_reversed, &counts.left}, {wheels.right_reversed, &counts.right}}) {
+    if (!reversed) continue;
+    for (double& count : *side) count = -count;
+  }
   count_as_commanded(stream, *mapping.command, t_s, runs, counts);
   for (std::size_t i = 0; i < counts.left.size(); ++i)
     counts.difference.push_back(counts.right[i] - counts.left[i]);
-  const Heading heading = find_heading(unused, counts, runs);
+  const auto quaternion = find_quaternion(stream, all_unused);
+  std::vector<const Channel*> unused = all_unused;
+  if (quaternion) std::erase_if(unused, [&](const Channel* channel) { return quaternion->has(channel); });
+  const Heading heading = find_heading(unused, quaternion, counts, runs);
   if (heading.channel == nullptr) return;
+  const bool of_quaternion = quaternion && quaternion->has(heading.channel);
+  const std::string column = of_quaternion ? in_words(*quaternion) : "column " + heading.channel->name;
   // Degrees turn by more than a radian can for a count of the same wheels: both are tried.
   for (const double unit : {1.0, std::acos(-1.0) / 180.0}) {
+    if (of_quaternion && unit != 1.0) break;
     std::vector<double> heading_rad = heading.values;
     for (double& value : heading_rad) value *= unit;
     const Path path = dead_reckoned(counts, heading_rad, unit * heading.per_count, runs);
     auto places = find_places(unused, heading.channel, path, runs);
     if (!places) continue;
     const bool against = heading.per_count < 0.0;
-    const std::string column = "column " + heading.channel->name;
     if (against && (places->mirrored || sides_are_known)) {
       findings.push_back(
-          column + " is a heading that falls where the wheels turn left, so that " +
+          column + (of_quaternion ? " has" : " is") +
+          " a heading that falls where the wheels turn left, so that " +
           (places->mirrored ? "it is clockwise" : "the sides or the heading are the wrong way round") +
           "; the reference is left out");
       return;
@@ -260,11 +283,21 @@ void find_pose_columns(const Stream& stream, const std::vector<double>& t_s,
     ReferenceMapping reference;
     reference.x = ChannelName{stream.name, places->column[0]->name};
     reference.y = ChannelName{stream.name, places->column[1]->name};
-    reference.theta = ChannelName{stream.name, heading.channel->name};
-    if (unit != 1.0) reference.angle_unit = "deg";
+    if (of_quaternion) {
+      reference.qx = ChannelName{stream.name, quaternion->x->name};
+      reference.qy = ChannelName{stream.name, quaternion->y->name};
+      reference.qz = ChannelName{stream.name, quaternion->z->name};
+      reference.qw = ChannelName{stream.name, quaternion->w->name};
+    } else {
+      reference.theta = ChannelName{stream.name, heading.channel->name};
+      if (unit != 1.0) reference.angle_unit = "deg";
+    }
     mapping.reference = reference;
-    findings.push_back("the reference is x, y and heading in columns " + places->column[0]->name + ", " +
-                       places->column[1]->name + " and " + heading.channel->name +
+    findings.push_back("the reference is " +
+                       (of_quaternion ? "x and y in columns " + places->column[0]->name + " and " +
+                                            places->column[1]->name + " and " + column
+                                      : "x, y and heading in columns " + places->column[0]->name + ", " +
+                                            places->column[1]->name + " and " + heading.channel->name) +
                        ": they go as the counts do");
     return;
   }

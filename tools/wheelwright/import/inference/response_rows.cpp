@@ -60,7 +60,12 @@ void add_run(const DriveColumns& columns, const Column& times_s, const Mapping& 
         speed[k] = is_speed   ? value[k]
                    : is_burst ? std::numeric_limits<double>::quiet_NaN()
                               : (value[k] - last[k]) / duration_s;
-      if (as_body) speed = {0.5 * (speed[0] + speed[1]), speed[1] - speed[0]};
+      if (as_body) {
+        const WheelMapping& wheels = *mapping.wheels;
+        const double left = wheels.left_reversed ? -speed[0] : speed[0];
+        const double right = wheels.right_reversed ? -speed[1] : speed[1];
+        speed = {0.5 * (left + right), right - left};
+      }
       for (std::size_t k = 0; k < 2; ++k) {
         result[k].speed.push_back(speed[k]);
         result[k].command.push_back(in_force[k]);

@@ -6,8 +6,10 @@
 #include <limits>
 #include <numbers>
 
+#include "config/load/ascii_text.hpp"
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
+#include "tools/wheelwright/import/inference/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/gain_units.hpp"
 #include "tools/wheelwright/import/inference/reference_units.hpp"
 #include "tools/wheelwright/import/inference/response_rows.hpp"
@@ -20,10 +22,9 @@ using config::fixed_number;
 using config::plain_number;
 using std::numbers::pi;
 
-constexpr double fastest_m_s = 3.0;  // larger commands are in no metres per second
-constexpr double min_explained = 0.1;
-constexpr double sure_nats = 50.0;
-constexpr double sure_explained = 0.5;  // share of the variance from which a gain is believed
+constexpr double min_unit_explained = 0.1;
+constexpr double unit_nats = 50.0;
+constexpr double unit_explained = 0.5;  // share of the variance from which a gain is believed
 
 std::optional<Unit> unit_of_gain(double gain, const std::optional<WheelMapping>& wheels) {
   for (const Unit& unit : speed_units()) {
@@ -65,15 +66,15 @@ class UnitFinder {
     std::array<double, 2> result{wheels.left_reversed ? -1.0 : 1.0, wheels.right_reversed ? -1.0 : 1.0};
     if (!mapping_.command || mapping_.command->is_of_body()) return result;
     for (std::size_t k = 0; k < 2; ++k) {
-      if (fits_[k].explained >= sure_explained) result[k] = std::copysign(1.0, fits_[k].gain);
+      if (fits_[k].explained >= unit_explained) result[k] = std::copysign(1.0, fits_[k].gain);
     }
     return result;
   }
 
   // Coarse counts and stamps that jitter hide a speed that is sure all the same.
   bool is_sure() const {
-    return explained_ >= sure_explained ||
-           (explained_ >= min_explained && fits_[0].nats + fits_[1].nats >= sure_nats);
+    return explained_ >= unit_explained ||
+           (explained_ >= min_unit_explained && fits_[0].nats + fits_[1].nats >= unit_nats);
   }
 
   std::string evidence() const {
@@ -96,7 +97,8 @@ class UnitFinder {
     const auto scale = wheel_scale(*mapping_.wheels);
     if (!scale) return;
     const double gain_m_s = std::abs(gain_) * *scale;
-    if (mapping_.command->is_duty()) return find_full_scale(gain_m_s);
+    if (mapping_.command->is_duty())
+      return are_millimetres(gain_m_s) ? take_millimetres(gain_m_s) : find_full_scale(gain_m_s);
     if (unit_is_said() || !(gain_m_s > 0.0)) return;
     command_unit(gain_m_s);
   }
@@ -125,6 +127,25 @@ class UnitFinder {
     if (command.kind != CommandKind::wheels || largest(columns_.command[0]) <= fastest_m_s) return;
     command.kind = CommandKind::duty;
     find_full_scale(gain_m_s);
+  }
+
+  // Whole numbers without a name that lead to as many mm/s. A duty that happens to do so has a gain near one
+  // then.
+  bool are_millimetres(double gain_m_s) const {
+    constexpr double near = 1.1;
+    const CommandMapping& command = *mapping_.command;
+    const bool has_name = !std::ranges::all_of(command.first.channel, config::is_digit);
+    const bool is_said = given_.says("command.kind") || given_.says("command.full_scale") ||
+                         given_.says("command.full_scale_m_s");
+    return command.kind == CommandKind::duty && !has_name && !is_said && are_whole(columns_.command[0]) &&
+           std::abs(std::log(gain_m_s / 0.001)) < std::log(near);
+  }
+
+  void take_millimetres(double gain_m_s) {
+    mapping_.command->kind = CommandKind::wheels;
+    mapping_.command->unit = "mm/s";
+    findings_.push_back("commands are in mm/s: the wheels reach " +
+                        plain_number(rounded_gain(1e3 * gain_m_s)) + " mm/s for each unit" + evidence());
   }
 
   void find_full_scale(double gain_m_s) {
@@ -246,7 +267,7 @@ class UnitFinder {
       return;
     const auto angular = find_unit(angular_units(), mapping_.command->angular_unit);
     const double turn = fits_[1].gain * *scale / *mapping_.wheel_base_m / (angular ? angular->in_si : 1.0);
-    if (fits_[1].explained < sure_explained || (turn > 0.5 && turn < 2.0)) return;
+    if (fits_[1].explained < unit_explained || (turn > 0.5 && turn < 2.0)) return;
     if (!given_.says("command.angular_unit") && mapping_.command->angular_unit == "rad/s" &&
         is_near(turn, pi / 180.0)) {
       mapping_.command->angular_unit = "deg/s";
@@ -272,7 +293,7 @@ class UnitFinder {
     if (mapping_.wheel_base_m || mapping_.command->kind != CommandKind::twist || mapping_.wheels->body_motion)
       return;
     const auto scale = wheel_scale(*mapping_.wheels);
-    if (!scale || fits_[1].explained < sure_explained) return;
+    if (!scale || fits_[1].explained < unit_explained) return;
     findings_.push_back("turns suggest a wheel base of about " +
                         fixed_number(std::abs(fits_[1].gain) * *scale, 3) + " m");
   }

@@ -12,7 +12,6 @@
 namespace wheelwright::import {
 namespace {
 
-constexpr std::size_t header_bytes = 128;
 constexpr std::size_t max_columns = 512;
 constexpr std::size_t short_vector = 8;  // values that go to the metadata where nothing else is so short
 

@@ -9,7 +9,6 @@
 namespace wheelwright::import {
 namespace {
 
-constexpr std::size_t header_bytes = 128;
 constexpr std::size_t max_depth = 16;
 constexpr std::size_t max_fields = 4096;
 constexpr std::size_t max_variables = 20'000;

@@ -31,7 +31,9 @@ struct MatContents {
 // Values of all variables together: 1.3 GB.
 inline constexpr std::size_t max_mat_values = 160'000'000;
 
-// Level 5: the elements behind the header of 128 bytes.
+inline constexpr std::size_t header_bytes = 128;
+
+// Level 5: the elements behind the header.
 void read_level5(std::string_view bytes, MatContents& contents);
 // Level 4: matrices one behind the other.
 void read_level4(std::string_view bytes, MatContents& contents);

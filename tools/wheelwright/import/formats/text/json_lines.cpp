@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "tools/wheelwright/import/formats/text/line_tally.hpp"
+#include "tools/wheelwright/import/recording.hpp"
 
 namespace wheelwright::import {
 namespace {
@@ -15,7 +16,6 @@ namespace {
 constexpr std::size_t max_depth = 24;
 constexpr std::size_t max_members = 4096;
 constexpr std::size_t max_streams = 256;
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 // Collects the numbers of one object under their flattened names. The parser calls it for each part.
 class Flattener {

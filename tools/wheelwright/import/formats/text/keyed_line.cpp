@@ -11,6 +11,7 @@
 #include "tools/wheelwright/import/formats/text/number_text.hpp"
 #include "tools/wheelwright/import/formats/text/time_text.hpp"
 #include "tools/wheelwright/import/formats/text/unit_text.hpp"
+#include "tools/wheelwright/import/recording.hpp"
 
 namespace wheelwright::import {
 namespace {
@@ -19,7 +20,6 @@ using config::is_digit;
 
 constexpr std::size_t max_words = 64;
 constexpr std::size_t max_numbers = 512;
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 bool is_letter(char character) {
   return (character >= 'a' && character <= 'z') || (character >= 'A' && character <= 'Z') ||

@@ -14,7 +14,7 @@
 namespace wheelwright::import {
 namespace {
 
-constexpr std::size_t max_streams = 64;
+constexpr std::size_t max_table_streams = 64;
 constexpr std::size_t labels_in_remark = 6;
 
 std::string in_quotes(const std::string& text) {
@@ -104,7 +104,7 @@ std::size_t count_changes(const std::vector<double>& labels) {
 bool parts_rows(const TextTable& table, std::size_t column) {
   const std::size_t labels = table.labels[column].names().size();
   if (table.columns[column].kind != ColumnKind::text || table.labels[column].are_too_many()) return false;
-  if (labels < 2 || labels > max_streams || 2 * labels > table.rows()) return false;
+  if (labels < 2 || labels > max_table_streams || 2 * labels > table.rows()) return false;
   return names_a_kind(table.columns[column].name) || 5 * count_changes(table.values[column]) > table.rows();
 }
 

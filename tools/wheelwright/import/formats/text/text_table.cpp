@@ -5,11 +5,10 @@
 #include <utility>
 
 #include "tools/wheelwright/import/formats/text/number_text.hpp"
+#include "tools/wheelwright/import/recording.hpp"
 
 namespace wheelwright::import {
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 bool fits(TimeForm form, ColumnKind kind) {
   if (kind == ColumnKind::clock) return form == TimeForm::clock;

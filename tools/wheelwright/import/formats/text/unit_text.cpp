@@ -64,7 +64,7 @@ constexpr std::array<std::string_view, 26> words{
     "degree",      "degrees", "radian", "radians",     "count",        "counts",      "tick",
     "ticks",       "pulse",   "pulses", "volt",        "volts"};
 
-bool is_letter(char character) {
+bool is_unit_letter(char character) {
   const auto code = static_cast<unsigned char>(character);
   return std::isalpha(code) != 0 || code >= 0x80 || character == '%';
 }
@@ -86,7 +86,7 @@ bool is_unit(std::string_view text) {
   bool has_symbol = false;
   for (std::size_t at = 0; at < text.size();) {
     std::size_t end = at;
-    while (end < text.size() && is_letter(text[end])) ++end;
+    while (end < text.size() && is_unit_letter(text[end])) ++end;
     if (end == at) {
       if (between.find(text[at]) == std::string_view::npos) return false;
       ++at;

@@ -54,6 +54,20 @@ TEST_CASE("Columns of x, y and a heading that goes on or stays within one turn a
   check_reference(within_a_turn, drive);
 }
 
+TEST_CASE("Four columns that are a quaternion give the heading, whether the real part is last or first") {
+  const ForeignDrive drive = foreign_drive();
+  const bool real_first = GENERATE(true, false);
+  const auto outcome = import_rows(drive, [real_first](const ForeignRow& row) {
+    const std::string real = number(std::cos(0.5 * row.theta));
+    const std::string turn = "0,0," + number(std::sin(0.5 * row.theta));
+    return motion(row) + number(row.x) + "," + number(row.y) + "," +
+           (real_first ? real + "," + turn : turn + "," + real);
+  });
+  check_reference(outcome, drive);
+  CHECK(outcome.found(real_first ? "the quaternion of columns 9, 10, 11 and 8 (x, y, z, w)"
+                                 : "the quaternion of columns 8, 9, 10 and 11 (x, y, z, w)"));
+}
+
 TEST_CASE("Where y stands before x, the robot would turn against its heading, and they are exchanged") {
   const ForeignDrive drive = foreign_drive();
   const auto outcome = import_rows(drive, [](const ForeignRow& row) {

@@ -100,7 +100,8 @@ TEST_CASE("A state that stands for many rows does not part them") {
 
 TEST_CASE("Lines without numbers in number columns and endless widths take no memory") {
   std::string text = "t,v\n0,1\n1,2\n2,3\n";
-  text += std::string(1'000'000, ',') + "\n3,4\n";
+  text.append(1'000'000, ',');
+  text += "\n3,4\n";
   const import::Recording recording = read_text(text);
   CHECK(recording.streams[0].channels.size() == 2);
   CHECK(recording.streams[0].find("v")->values.back() == 4.0);
