@@ -22,12 +22,15 @@
 namespace wheelwright::daemon {
 namespace {
 
-// Every thread inherits the mask: signals are only taken by the supervisor's sigtimedwait.
+// Every thread inherits the mask: signals are only taken by the supervisor's sigtimedwait, which awaits
+// SIGCHLD besides.
 sigset_t block_signals() {
   sigset_t signals{};
   ::sigemptyset(&signals);
   for (const int signal : {SIGTERM, SIGINT, SIGUSR1, SIGUSR2, SIGHUP, SIGXCPU}) ::sigaddset(&signals, signal);
-  ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  sigset_t blocked = signals;
+  ::sigaddset(&blocked, SIGCHLD);
+  ::pthread_sigmask(SIG_BLOCK, &blocked, nullptr);
   // What they tell of comes as an error of the write that they belong to.
   ::signal(SIGPIPE, SIG_IGN);
   ::signal(SIGXFSZ, SIG_IGN);

@@ -27,9 +27,11 @@ EndCause cause_of(StopReason reason) {
 }  // namespace
 
 RunOutcome Supervisor::run(const sigset_t& signals) {
+  sigset_t awaited = signals;
+  ::sigaddset(&awaited, SIGCHLD);  // the end of the guardian is heard at once
   const timespec patience{0, look_every_ns};
   while (true) {
-    const int signal = ::sigtimedwait(&signals, nullptr, &patience);
+    const int signal = ::sigtimedwait(&awaited, nullptr, &patience);
     if (auto end = obey(signal)) return *end;
     arm_when_ready();
     if (auto end = end_of_run()) return *end;

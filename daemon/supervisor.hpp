@@ -48,7 +48,7 @@ class Supervisor {
  public:
   Supervisor(Supervised parts, Service& service) : parts_(std::move(parts)), service_(service) {}
 
-  // Returns when the run is to end. `signals` are blocked in every thread.
+  // Returns when the run is to end. `signals` and SIGCHLD are blocked in every thread.
   RunOutcome run(const sigset_t& signals);
 
  private:
