@@ -13,7 +13,7 @@
 namespace wheelwright::daemon {
 namespace {
 
-constexpr auto look_every = std::chrono::milliseconds(50);
+constexpr auto write_every = std::chrono::milliseconds(50);
 
 std::string_view title_of(Activity activity) {
   switch (activity) {
@@ -65,7 +65,7 @@ void LogThread::run() {
   note_file_errors();
   while (!wiring_.ending.load(std::memory_order_relaxed)) {
     drain();
-    std::this_thread::sleep_for(look_every);
+    std::this_thread::sleep_for(write_every);
   }
   drain();
   finish();

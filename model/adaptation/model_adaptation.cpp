@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/adaptation/adaptation_fit.hpp"
+#include "model/adaptation/free_run_start.hpp"
 #include "model/adaptation/known_scale.hpp"
 #include "model/filter/filter_noise.hpp"
 #include "model/simulation/model_simulation.hpp"
@@ -13,11 +14,9 @@ namespace {
 
 constexpr double leak_s = 1.0;
 constexpr double kept_driving_s = 120.0;
-constexpr double settle_s = 1.5;  // until the free run has forgotten that it began at rest
 // Readings differ by the age of the counters too: more than the noise of a reading alone.
 constexpr double min_reading_sd_m = 0.001;
 constexpr int ticks_of_doubt = 10;
-constexpr std::int64_t max_ticks_left_out = 200;
 constexpr double longest_stand_s = 2.0;  // the rest of it says nothing
 
 bool is_zero(const WheelPair& pair) {

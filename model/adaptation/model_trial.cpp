@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/adaptation/free_run_start.hpp"
 #include "model/adaptation/known_scale.hpp"
 
 namespace wheelwright {
 namespace {
 
 constexpr double block_s = 2.0;
-constexpr double settle_s = 1.5;
 constexpr double min_way_m =
     0.1;  // of both wheels together within a block; a robot that stands shows nothing
-constexpr std::int64_t max_ticks_left_out = 200;
 
 }  // namespace
 

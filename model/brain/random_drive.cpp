@@ -10,7 +10,7 @@ constexpr double rest_s = 0.7;  // after a part, so that the whole answer to its
 constexpr int max_draws = 32;
 constexpr int points_on_arc = 4;
 
-int ticks_of(double seconds, double period_s) {
+int nearest_ticks(double seconds, double period_s) {
   return std::max(1, static_cast<int>(std::lround(seconds / period_s)));
 }
 
@@ -28,7 +28,7 @@ RandomDrive::RandomDrive(const RandomDrivePlan& plan, const RobotLimits& limits)
       period_s_(limits.period_s),
       wheel_base_m_(limits.wheel_base_m),
       largest_speed_m_s_(limits.largest_wheel_speed_m_s),
-      rest_ticks_(ticks_of(rest_s, limits.period_s)),
+      rest_ticks_(nearest_ticks(rest_s, limits.period_s)),
       random_(plan.seed),
       tour_(tour_of(plan, limits)) {
   restart();
@@ -36,8 +36,8 @@ RandomDrive::RandomDrive(const RandomDrivePlan& plan, const RobotLimits& limits)
 
 void RandomDrive::restart(bool has_model) {
   const double share = has_model ? plan_.tour_share : 0.0;
-  random_ticks_ = ticks_of((1.0 - share) * plan_.duration_s, period_s_);
-  tour_ticks_ = ticks_of(plan_.duration_s, period_s_) - random_ticks_;
+  random_ticks_ = nearest_ticks((1.0 - share) * plan_.duration_s, period_s_);
+  tour_ticks_ = nearest_ticks(plan_.duration_s, period_s_) - random_ticks_;
   random_ = PortableRandom(plan_.seed);
   tour_.restart();
   tick_ = hold_ = 0;
@@ -68,8 +68,8 @@ WheelPair RandomDrive::random_speed(const Pose& rest) {
 }
 
 void RandomDrive::draw(const Pose& rest) {
-  const int shortest = ticks_of(plan_.shortest_hold_s, period_s_);
-  const int longest = std::max(shortest, ticks_of(plan_.longest_hold_s, period_s_));
+  const int shortest = nearest_ticks(plan_.shortest_hold_s, period_s_);
+  const int longest = std::max(shortest, nearest_ticks(plan_.longest_hold_s, period_s_));
   hold_ = shortest + static_cast<int>(random_.uniform() * (longest - shortest + 1));
   for (int i = 0; i < max_draws; ++i) {
     const WheelPair drawn{plan_.spread_m_s * random_.normal(), plan_.spread_m_s * random_.normal()};

@@ -13,7 +13,6 @@ constexpr double enough_to_call_dropped_m = 0.03;
 constexpr double enough_to_call_still_m = 0.004;
 // No wheel and no age of a reading makes a jump of so many standard deviations and more.
 constexpr double jump_sd = 5.0;
-constexpr double min_jump_m = 0.003;
 // A motor that pulls at a wheel that stands draws this much more than one that turns it.
 constexpr double stall_excess_a = 0.22;
 constexpr int new_origin_matters_ticks = 40;

@@ -6,7 +6,7 @@
 namespace wheelwright {
 namespace {
 
-constexpr double block_s = 0.5;
+constexpr double fit_block_s = 0.5;
 // A wheel that rolls less within a block shows more of its noise than of its gain.
 constexpr double min_way_m = 0.02;
 constexpr double smallest_misfit = 0.04;
@@ -19,7 +19,7 @@ constexpr double share_of_spread = 1.2;
 }  // namespace
 
 GainMisfit::GainMisfit(double period_s)
-    : ticks_per_block_(std::max(1, static_cast<int>(std::lround(block_s / period_s)))) {}
+    : ticks_per_block_(std::max(1, static_cast<int>(std::lround(fit_block_s / period_s)))) {}
 
 void GainMisfit::drop_block() {
   ticks_ = 0;

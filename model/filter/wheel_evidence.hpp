@@ -3,6 +3,9 @@
 
 namespace wheelwright {
 
+// No wheel makes such a step between two readings, beyond what their ages can differ by.
+inline constexpr double min_jump_m = 0.003;
+
 struct WheelEvidence {
   double predicted_m = 0.0;  // travel of the model since the last reading that was received
   double counted_m = 0.0;    // and of the encoder

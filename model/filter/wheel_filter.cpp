@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "model/filter/wheel_evidence.hpp"
+
 namespace wheelwright {
 namespace {
 
@@ -22,8 +24,6 @@ constexpr double unrest_fades = 0.98;
 constexpr double min_mean_gate_m = 0.003;
 // Slower a wheel may stand, and a counter may wait for its next count.
 constexpr double rolling_m_s = 0.03;
-// No wheel makes such a step between two readings, beyond what their ages can differ by.
-constexpr double min_jump_m = 0.003;
 // A wheel that starts late stands for up to half of it.
 constexpr double no_count_m = 1e-6;
 constexpr int min_still_ticks = 3;

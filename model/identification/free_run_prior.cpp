@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "model/identification/filtered_run.hpp"
+#include "model/identification/settled_response.hpp"
 
 namespace wheelwright {
 namespace {
 
-constexpr std::size_t prior_periods = 60;      // in which a response is over
 constexpr double past_weight_deviation = 0.3;  // of what is believed of a weight of a past speed
 
 // Many recursions have the same free run: a pole and a zero that cancel change nothing. Of those the one with
@@ -35,20 +35,20 @@ void impulse_rows(const FreeRunProblem& problem, const WheelResponse& response, 
   Eigen::RowVectorXd next(columns + 1);
   for (const WheelSide driven : {WheelSide::left, WheelSide::right}) {
     TravelRun impulse;
-    impulse.commands_m_s.resize(prior_periods);
+    impulse.commands_m_s.resize(forgetting_periods);
     (driven == WheelSide::left ? impulse.commands_m_s[0].left : impulse.commands_m_s[0].right) = 1.0;
     const FilteredRun filtered(impulse, response, problem.layout, problem.period_s, with_sensitivities);
     const double size = driven == problem.side ? problem.prior->own_size : problem.prior->cross_size;
     double variance = size;  // of h_i
     next.setZero();
-    for (std::size_t i = 0; i < prior_periods; ++i) {
+    for (std::size_t i = 0; i < forgetting_periods; ++i) {
       const auto value_at = [&](std::size_t period, Eigen::RowVectorXd& into) {
         if (with_sensitivities) filtered.speed_sensitivities(period, into);
         into[columns] = -filtered.speed_m_s(period);
       };
       value_at(i, row);
       double step_variance = variance;
-      if (i + 1 < prior_periods) {
+      if (i + 1 < forgetting_periods) {
         value_at(i + 1, next);
         row -= next;
         step_variance *= 1.0 - problem.prior->decay;

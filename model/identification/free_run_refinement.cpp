@@ -13,7 +13,6 @@ namespace {
 
 using Factor = LeastSquaresAccumulator::Factor;
 
-constexpr std::size_t prior_periods = 60;  // in which a response is over
 // Dampings are relative to the largest singular value: 1e4 and more moves nothing.
 constexpr LevenbergMarquardtRule search_rule{.max_steps = 40, .max_attempts = 10, .first_damping = 1e-6};
 

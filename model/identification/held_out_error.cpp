@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/identification/settled_response.hpp"
 #include "model/log/run_periods.hpp"
 #include "model/prediction/free_run.hpp"
 
@@ -10,7 +11,6 @@ namespace {
 
 constexpr double longest_block_s = 5.0;
 constexpr double min_blocks = 6.0;
-constexpr double forgetting_periods = 60.0;
 
 // Mean square of travel errors since the first row of a block.
 class Block {

@@ -8,10 +8,11 @@
 #include <limits>
 #include <vector>
 
+#include "model/identification/settled_response.hpp"
+
 namespace wheelwright {
 namespace {
 
-constexpr double same_command_m_s = 1e-4;
 constexpr std::size_t min_curve_commands = 3;
 constexpr double min_span = 1.5;              // largest command over smallest
 constexpr double bend_stands_out = 4.0;       // standard errors

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/identification/settled_response.hpp"
 #include "model/log/run_periods.hpp"
 #include "model/prediction/free_run.hpp"
 
@@ -12,7 +13,6 @@ namespace {
 constexpr double settling_periods =
     14.0;                            // what is left of the lag then is small enough for the model to tell
 constexpr double min_periods = 6.0;  // of a hold behind that
-constexpr double same_command_m_s = 1e-4;
 
 struct Hold {
   double command_m_s = 0.0;

@@ -3,16 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/identification/settled_response.hpp"
 #include "model/log/command_timeline.hpp"
 #include "model/log/run_periods.hpp"
 
 namespace wheelwright {
-namespace {
-
-// A wheel that was commanded within so many periods is taken to move.
-constexpr double moving_window_periods = 6.0;
-
-}  // namespace
 
 double whitened_travel_equations(std::span<const DriveLog> logs, double period_s, std::size_t taps,
                                  const TravelNoise& noise, const EquationSink& sink) {

@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/identification/settled_response.hpp"
 #include "model/log/command_timeline.hpp"
 #include "model/log/run_periods.hpp"
 
 namespace wheelwright {
 namespace {
 
-// A wheel that was commanded within so many periods is taken to move.
-constexpr double moving_window_periods = 6.0;
-// Wheels settle within 15 to 20 periods; after three times that, an unknown past has faded to nothing.
-constexpr double forgetting_periods = 60.0;
 constexpr double time_tolerance = 1e-4;  // of a period; times in files are printed with microseconds
 
 TravelRun travel_run(const DriveLog& log, double period_s) {

@@ -12,10 +12,10 @@
 namespace wheelwright::gap {
 namespace {
 
-constexpr double window_s = 0.7;
-constexpr std::size_t min_windows = 10;
+constexpr double reversal_window_s = 0.7;
+constexpr std::size_t min_reversals = 10;
 
-struct Window {
+struct ReversalWindow {
   double sum_squares = 0.0;  // of innovations
   double count = 0.0;
   double lowest_m = std::numeric_limits<double>::infinity();  // free-run error
@@ -56,9 +56,9 @@ class PowerSinceReversal {
   std::array<double, bins> counts_{};
 };
 
-struct Windows {
-  std::vector<Window> after_reversal;
-  std::vector<Window> elsewhere;
+struct ReversalWindows {
+  std::vector<ReversalWindow> after_reversal;
+  std::vector<ReversalWindow> elsewhere;
   PowerSinceReversal since_reversal;
   double duration_s = 0.0;
 };
@@ -81,14 +81,14 @@ std::vector<std::size_t> reversals_of(const GapRun& run, Channel wheel) {
   return reversals;
 }
 
-void add_windows(const GapRun& run, const ResidualTrack& track, Windows& all) {
+void add_windows(const GapRun& run, const ResidualTrack& track, ReversalWindows& all) {
   if (run.commands_m_s.empty() || track.time_s.empty()) return;
   const std::vector<std::size_t> reversals = reversals_of(run, track.channel);
   std::size_t next = 0;
   bool after_reversal = false;
   double end_s = -1.0;  // of the present window
   std::optional<double> reversed_s;
-  Window present;
+  ReversalWindow present;
   const auto close = [&] {
     if (present.count > 0.0) (after_reversal ? all.after_reversal : all.elsewhere).push_back(present);
     present = {};
@@ -100,7 +100,7 @@ void add_windows(const GapRun& run, const ResidualTrack& track, Windows& all) {
     if (reverses || track.time_s[i] >= end_s) {
       close();
       after_reversal = reverses;
-      end_s = track.time_s[i] + window_s;
+      end_s = track.time_s[i] + reversal_window_s;
     }
     if (track.discontinuity[i] != 0 || command_of(run, track.channel, track.period[i]) == 0.0) continue;
     present.add(track.innovation[i], track.error[i]);
@@ -111,21 +111,21 @@ void add_windows(const GapRun& run, const ResidualTrack& track, Windows& all) {
 }
 
 template <typename Value>
-double median_of(const std::vector<Window>& windows, Value value) {
+double median_of(const std::vector<ReversalWindow>& windows, Value value) {
   std::vector<double> values;
   values.reserve(windows.size());
-  for (const Window& window : windows) values.push_back((window.*value)());
+  for (const ReversalWindow& window : windows) values.push_back((window.*value)());
   return median(std::move(values));
 }
 
 // One-sided: that the first are larger. By the normal approximation of the rank sum.
-double rank_sum_p_value(const std::vector<Window>& larger, const std::vector<Window>& than) {
+double rank_sum_p_value(const std::vector<ReversalWindow>& larger, const std::vector<ReversalWindow>& than) {
   std::vector<double> others;
   others.reserve(than.size());
-  for (const Window& window : than) others.push_back(window.power());
+  for (const ReversalWindow& window : than) others.push_back(window.power());
   std::ranges::sort(others);
   double above = 0.0;
-  for (const Window& window : larger) {
+  for (const ReversalWindow& window : larger) {
     const auto [first, last] = std::equal_range(others.begin(), others.end(), window.power());
     above += static_cast<double>(first - others.begin()) + 0.5 * static_cast<double>(last - first);
   }
@@ -135,9 +135,9 @@ double rank_sum_p_value(const std::vector<Window>& larger, const std::vector<Win
   return 0.5 * std::erfc(deviations / std::sqrt(2.0));
 }
 
-double sum_squares_of(const std::vector<Window>& windows) {
+double sum_squares_of(const std::vector<ReversalWindow>& windows) {
   double sum = 0.0;
-  for (const Window& window : windows) sum += window.sum_squares;
+  for (const ReversalWindow& window : windows) sum += window.sum_squares;
   return sum;
 }
 
@@ -145,15 +145,16 @@ double sum_squares_of(const std::vector<Window>& windows) {
 
 std::optional<ReversalResidual> reversal_residual(const Problem& problem,
                                                   std::span<const ResidualTrack* const> tracks) {
-  Windows all;
+  ReversalWindows all;
   for (const ResidualTrack* track : tracks) add_windows(problem.runs()[track->run], *track, all);
-  if (all.after_reversal.size() < min_windows || all.elsewhere.size() < min_windows) return std::nullopt;
+  if (all.after_reversal.size() < min_reversals || all.elsewhere.size() < min_reversals) return std::nullopt;
   ReversalResidual found;
   found.p_value = rank_sum_p_value(all.after_reversal, all.elsewhere);
-  const double power_elsewhere = median_of(all.elsewhere, &Window::power);
-  if (power_elsewhere > 0.0) found.ratio = median_of(all.after_reversal, &Window::power) / power_elsewhere;
+  const double power_elsewhere = median_of(all.elsewhere, &ReversalWindow::power);
+  if (power_elsewhere > 0.0)
+    found.ratio = median_of(all.after_reversal, &ReversalWindow::power) / power_elsewhere;
   const double excess = found.ratio > 1.0 ? 1.0 - 1.0 / found.ratio : 0.0;
-  const double excess_m2 = excess * median_of(all.after_reversal, &Window::squared_span_m2);
+  const double excess_m2 = excess * median_of(all.after_reversal, &ReversalWindow::squared_span_m2);
   const auto reversals = static_cast<double>(all.after_reversal.size());
   found.size = std::sqrt(excess_m2 * reversals * horizon_s / all.duration_s);
   const double after = sum_squares_of(all.after_reversal);

@@ -12,9 +12,9 @@
 namespace wheelwright::gap {
 namespace {
 
-constexpr double smallest_step_m_s = 0.0025;
-constexpr double largest_step_m_s = 0.1;
-constexpr double largest_shift_of_phase =
+constexpr double smallest_level_step_m_s = 0.0025;
+constexpr double largest_level_step_m_s = 0.1;
+constexpr double largest_shift_of_levels =
     0.1;                                      // of a step, at the fastest command, between two that are tried
 constexpr double stands_out = 6.0;            // standard deviations of what wrong steps show
 constexpr std::size_t response_periods = 80;  // beyond the weights
@@ -132,9 +132,10 @@ std::vector<CommandSteps> steps_to_try(const WheelCommands& wheels) {
   }
   std::vector<CommandSteps> steps;
   if (fastest <= 0.0) return steps;
-  const double apart = largest_shift_of_phase / fastest;
+  const double apart = largest_shift_of_levels / fastest;
   for (const double level_edges : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}) {
-    for (double per_m_s = 1.0 / smallest_step_m_s; per_m_s > 1.0 / largest_step_m_s; per_m_s -= apart) {
+    for (double per_m_s = 1.0 / smallest_level_step_m_s; per_m_s > 1.0 / largest_level_step_m_s;
+         per_m_s -= apart) {
       steps.push_back({1.0 / per_m_s, level_edges});
     }
   }
@@ -154,7 +155,7 @@ std::vector<CommandSteps> steps_around(const CommandSteps& middle) {
   return steps;
 }
 
-double sign_of(double value) {
+double side_of(double value) {
   return value > 0.0 ? 1.0 : -1.0;
 }
 
@@ -178,7 +179,7 @@ double likeness(const WheelCommands& wheels, const EffectInfo& info, const Comma
       effect->command(acted, {});
       change[i] = acted.left - u;
       by_command += periods * change[i] * u;
-      by_sign += periods * change[i] * sign_of(u);
+      by_sign += periods * change[i] * side_of(u);
       commands += periods * u * u;
       signs += periods;
       both += periods * std::abs(u);
@@ -189,7 +190,7 @@ double likeness(const WheelCommands& wheels, const EffectInfo& info, const Comma
     const double loss = (by_sign * commands - by_command * both) / determinant;
     for (std::size_t i = 0; i < wheel.size(); ++i) {
       const auto& [u, periods, evidence] = wheel[i];
-      const double left = change[i] - gain * u - loss * sign_of(u);
+      const double left = change[i] - gain * u - loss * side_of(u);
       agreement += left * evidence;
       power += periods * left * left;
     }

@@ -11,8 +11,8 @@ namespace wheelwright::gap {
 namespace {
 
 constexpr std::array steps_m{0.4, 0.15, 0.05};
-constexpr int max_moves = 12;         // of each size
-constexpr double worth_a_move = 0.2;  // of the sum of squares: a tenth of a nat
+constexpr int max_moves_of_size = 12;  // of each size
+constexpr double worth_a_move = 0.2;   // of the sum of squares: a tenth of a nat
 
 // Parameters of surface_patch, in their order.
 enum : std::size_t { change, x, y, length, width, heading };
@@ -138,7 +138,7 @@ class RegionTuning {
 
   Tuned moved_while_better(Tuned best) const {
     for (const double step_m : steps_m) {
-      for (int move = 0; move < max_moves; ++move) {
+      for (int move = 0; move < max_moves_of_size; ++move) {
         Tuned next = best_of(moved(best.region, step_m));
         if (next.sum_squares > best.sum_squares - worth_a_move) break;
         best = std::move(next);

@@ -12,9 +12,9 @@
 namespace wheelwright::gap {
 namespace {
 
-constexpr double rest_s = 1.0;        // before a segment: wheels that were told to stand have come to rest
-constexpr double forgetting_s = 2.0;  // of a past that is not known, where a robot never stands
-constexpr double enough_s = 2.0;      // of anything; more of it adds less and less
+constexpr double rest_s = 1.0;          // before a segment: wheels that were told to stand have come to rest
+constexpr double unknown_past_s = 2.0;  // of a past that is not known, where a robot never stands
+constexpr double enough_s = 2.0;        // of anything; more of it adds less and less
 constexpr double change_is_worth_s = 1.0;
 
 struct Range {
@@ -239,7 +239,7 @@ DriveLog cut_out(const DriveLog& log, const Segment& segment) {
   part.samples.assign(begin + static_cast<std::ptrdiff_t>(segment.first),
                       begin + static_cast<std::ptrdiff_t>(segment.last));
   if (segment.from_rest) return part;
-  const double known_s = part.samples.front().t_s + forgetting_s;
+  const double known_s = part.samples.front().t_s + unknown_past_s;
   for (DriveSample& sample : part.samples) {
     if (sample.t_s >= known_s) break;
     if (&sample != &part.samples.front()) sample.ticks.reset();

@@ -12,7 +12,6 @@ namespace {
 using namespace std::chrono_literals;
 using open_interface::CommandBytes;
 
-constexpr std::size_t padding_bytes = 40;
 constexpr std::string_view boot_line = "bl-start";  // the first one that a robot prints when it boots
 constexpr auto mode_settles = 60ms;                 // the robot wants 20 ms after a change of mode
 constexpr auto reply_patience = 100ms;              // 16 ms of adapter, 32 ms of line at 19200 baud, and some

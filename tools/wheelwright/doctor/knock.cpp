@@ -12,7 +12,6 @@ using namespace std::chrono_literals;
 using open_interface::PacketId;
 
 constexpr auto patience = 250ms;
-constexpr std::size_t knock_padding_bytes = 40;
 constexpr std::array asked{PacketId::oi_mode, PacketId::voltage, PacketId::voltage, PacketId::oi_mode};
 
 }  // namespace
@@ -28,7 +27,7 @@ bool is_knock_reply(const std::array<std::uint8_t, 6>& bytes) {
 
 KnockAnswer knock(RobotLine& line, bool padded, ReceivedText& received) {
   open_interface::CommandBytes bytes;
-  if (padded) bytes.padding(knock_padding_bytes);
+  if (padded) bytes.padding(padding_bytes);
   bytes.start();
   bytes.query_list(asked);
   line.send(bytes.bytes());

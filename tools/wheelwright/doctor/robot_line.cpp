@@ -19,7 +19,6 @@ using namespace std::chrono_literals;
 
 constexpr auto longest_wait = 50ms;  // between looks at a pending interruption
 constexpr auto patience_of_writes = 200ms;
-constexpr std::size_t padding_bytes = 40;  // longer than any command that may be half sent
 
 // Waits until the port has room or data; no longer than `patience`.
 short wait_for(int descriptor, short events, Clock::duration patience) noexcept {

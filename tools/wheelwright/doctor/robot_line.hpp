@@ -5,6 +5,7 @@
 
 #include <array>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -15,6 +16,8 @@
 namespace wheelwright::tools::doctor {
 
 using Clock = std::chrono::steady_clock;
+
+inline constexpr std::size_t padding_bytes = 40;  // longer than any command that may be half sent
 
 class RobotLine {
  public:

@@ -82,8 +82,6 @@ Plot poses_plot(const RunMaterial& run, const Ticks& ticks, const PlotPoints& tr
   return plot;
 }
 
-enum class Side : unsigned char { left, right };
-
 // The mean over a window around each point: a period holds a handful of ticks, and sometimes two refreshes.
 PlotPoints smoothed(const PlotPoints& points) {
   constexpr double half_window_s = 0.063;  // seven periods in all, in which a Roomba's refreshes even out

@@ -9,8 +9,6 @@ namespace {
 
 constexpr double speed_window_s = 0.1;
 
-enum class Side : unsigned char { left, right };
-
 double of(const WheelPair& pair, Side side) {
   return side == Side::left ? pair.left : pair.right;
 }

@@ -11,6 +11,8 @@
 
 namespace wheelwright::tools {
 
+enum class Side : unsigned char { left, right };
+
 // A model's free run over a log, as it is to be drawn.
 struct DrawnRun {
   std::string name;
