@@ -3,16 +3,18 @@
 // command.
 //
 // The guardian has a duplicate of the port, a socket to the daemon, and a counter in shared memory that the
-// sensor loop advances with every tick. At the end of the socket, or when the counter stands still for longer
-// than its patience, it writes the order to stand. A daemon that is gone is gone for good: then it waits
-// until the wheels stand, leaves the robot in Passive mode, and ends. A daemon that goes on finds has_acted()
-// true and stops the run.
+// sensor loop advances with every tick. When the socket closes, which shows that the daemon is gone, or when
+// the counter stands still for longer than its patience, it writes the order to stand, three times 40 ms
+// apart. It watches from the first tick on. Where the daemon is gone it then waits for 0.6 s, without reading
+// a sensor, leaves the robot in Passive mode, and ends. A daemon that goes on finds has_acted() true and
+// stops the run.
 //
-// The daemon hears the guardian as the guardian hears the daemon: a guardian that was stopped, or hangs,
-// protects nobody, and the daemon stops the robot (responds()).
+// The daemon watches the guardian too: where that has ended or stands still (responds()), it stops the robot
+// and ends with an internal error.
 //
 // Its patience counts the time between two of its own looks at the counter only up to 20 ms: a machine that
-// stood still as a whole, the guardian with it, is no silence.
+// stood still as a whole, the guardian with it, is no silence. One on which both get no processor is not
+// either.
 #pragma once
 
 #include <sys/types.h>
@@ -42,7 +44,7 @@ std::chrono::milliseconds guardian_patience(const roomba::LinkConfig& link, bool
 struct GuardianBoard {
   std::atomic<std::uint64_t> beats{0};
   std::atomic<std::uint64_t> acts{0};
-  std::atomic<std::uint64_t> looks{0};  // of the guardian at the beats
+  std::atomic<std::uint64_t> looks{0};  // passes of the guardian's loop
   std::atomic<std::int64_t> patience_ms{0};
 };
 static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
@@ -55,7 +57,7 @@ class GuardianHandle final : public roomba::PortGuard {
   GuardianHandle(const GuardianHandle&) = delete;
   GuardianHandle& operator=(const GuardianHandle&) = delete;
   // The daemon ends in order: so does the guardian, without touching the wheels. One that does not within
-  // half a second is killed.
+  // half a second is killed. After leave_wheels_to_guardian() it first stops the wheels, and has 1.5 s.
   ~GuardianHandle() override;
 
   void port_opened(int descriptor) override;

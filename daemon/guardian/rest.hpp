@@ -26,8 +26,9 @@ std::vector<config::RestTarget> rest_targets(const std::filesystem::path& runtim
 // mode. False where none of the devices is there: then there is no way to the robot. Throws StartFailure
 // where there is one, but none can be opened.
 //
-// As the service's ExecStopPost= it knows from $EXIT_CODE that the daemon ended by itself, which is always in
-// order; then the robot is in Off mode, and is left there.
+// As the service's ExecStopPost= it knows from $EXIT_CODE and $EXIT_STATUS that the daemon ended by itself
+// and in order; then the robot is in Off mode, and is left there. Not so after an internal fault (status 70),
+// which may be a sensor loop that hangs: the guardian was to stop the wheels, and may be gone.
 bool rest_wheels(const std::vector<config::RestTarget>& targets);
 
 }  // namespace wheelwright::daemon

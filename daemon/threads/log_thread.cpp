@@ -143,9 +143,6 @@ void LogThread::tell(const roomba::Event& event) {
     case EventCode::port_opened:
       spdlog::info("{} is open again", config_.device.string());
       break;
-    case EventCode::port_failed:
-      spdlog::warn("{}", event.text.data());
-      break;
     case EventCode::robot_answers:
       spdlog::info("the robot answers, battery at {:.1f} V", event.value);
       break;

@@ -3,7 +3,7 @@
 
 namespace wheelwright::roomba {
 
-// Called on the thread of the sensor loop; nothing here blocks or allocates.
+// Called by the constructor of the sensor loop, then on its thread only; nothing here blocks or allocates.
 class PortGuard {
  public:
   virtual ~PortGuard() = default;

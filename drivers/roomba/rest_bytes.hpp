@@ -18,8 +18,8 @@ inline open_interface::CommandBytes rest_bytes(DriveMode mode) {
   return out;
 }
 
-// No robot that is told to stand rolls for longer. Sent to Passive before, it would roll on without brakes
-// for half a second.
+// The time that a robot gets to brake, which it does in Safe and Full mode only: one that is sent to Passive
+// before rolls on for half a second. Old motors may creep for up to a second.
 inline constexpr double longest_braking_s = 0.6;
 
 }  // namespace wheelwright::roomba

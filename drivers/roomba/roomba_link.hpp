@@ -5,8 +5,8 @@
 // Stream transport:             receive bytes -> begin_tick -> write -> complete_tick with the reading.
 //
 // Safety lives here, nearest to the wheels: a bump, cliff, wheel drop, overcurrent, change of mode, charger,
-// low battery, a blind segment or a missing command stops the wheels in the same tick. The reason is latched;
-// nothing moves again until arm() is called.
+// low battery, 0.25 s without a sound reading (blind_limit_s) or the fourth late command in a row stops the
+// wheels in the same tick. The reason is latched; nothing moves again until arm() is called.
 #pragma once
 
 #include <cstdint>

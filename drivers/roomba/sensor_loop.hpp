@@ -1,4 +1,5 @@
-// The sensor loop: a Roomba on a serial port, one tick after the other on absolute deadlines.
+// The sensor loop: a Roomba on a serial port, one tick after the other. Queries go out on absolute deadlines;
+// a stream of the robot is its own clock, and a timer only notices its silence.
 //
 // One thread calls run() and owns port, timer and tick; nothing else is posted to it. What it has to say it
 // says through LoopClient, whose functions are called on that thread and must neither block nor allocate.
@@ -23,7 +24,6 @@ namespace wheelwright::roomba {
 
 enum class EventCode : std::uint8_t {
   port_opened,
-  port_failed,    // text: why
   robot_answers,  // value: battery voltage
   link_lost,
   robot_text,  // text: what the robot printed by itself
@@ -81,7 +81,8 @@ class SensorLoop {
              PortGuard* guard = nullptr);
   ~SensorLoop();
 
-  // Loops until request_end(). Puts the wheels to rest on the way out, whatever the reason.
+  // Loops until request_end(), then puts the wheels to rest and leaves the robot in Off mode. Where an
+  // exception leaves it, or the port is closed, it sends nothing: the guard has to stop the wheels.
   void run();
 
   // From any thread or signal handler; take effect with the next tick. Only a robot that answers is armed.

@@ -23,8 +23,9 @@ struct OpenPort {
 };
 
 // Opens a port with 8 data bits, no parity, one stop bit, no flow control. The modem lines are left as they
-// are when it is closed: moving them can reset a robot or change its baud rate. Only one process at
-// a time gets it.
+// are when it is closed: moving them can reset a robot or change its baud rate. Takes an advisory lock
+// (flock), which lasts until every duplicate of the descriptor is closed; a program that takes none, as a
+// terminal, opens it all the same.
 tl::expected<OpenPort, PortError> open_port(const std::filesystem::path& path, int baud);
 
 // The error with what this machine knows of it: who has the port, or which ports there are. Looks through

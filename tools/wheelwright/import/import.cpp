@@ -182,7 +182,8 @@ Action add_import(CLI::App& app) {
   CLI::App* command = app.add_subcommand("import", "Any robot's log to a drive log");
   command->require_subcommand(0, 1);
   command->add_option("FILE", options->files,
-                      "CSV and other text, ROS 1 and ROS 2 bags, MATLAB files, WPILOG; several make one run");
+                      "CSV and other text, ROS 1 and ROS 2 bags, MATLAB files, WPILOG; several make one run, "
+                      "tables of the same columns a run each");
   command->add_option("-o,--output", options->output,
                       "Drive log to write; a folder gets a file for each run");
   command->add_option("--reference", options->reference,

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double max_off_one = 0.01;
 constexpr double max_tilt = 0.1;  // of x and y together, as a mean square
-constexpr std::size_t min_rows = 20;
+constexpr std::size_t min_quaternion_rows = 20;
 
 double mean_square(const Channel& channel) {
   double squares = 0.0;
@@ -39,7 +39,7 @@ bool is_unit(std::span<const Channel> four) {
     }
     ++rows;
   }
-  return rows >= min_rows && turned > max_off_one;
+  return rows >= min_quaternion_rows && turned > max_off_one;
 }
 
 std::vector<double> heading_of(const QuaternionColumns& parts) {
