@@ -8,6 +8,7 @@
 #include <iomanip>
 #include <memory>
 #include <ostream>
+#include <sstream>
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,7 @@
 #include "tools/wheelwright/gap/compare_simulation.hpp"
 
 #include <algorithm>
+#include <ostream>
 
 #include "model/gap/data_checks/informative_segments.hpp"
 #include "model/gap/simulation/simulated_motion.hpp"

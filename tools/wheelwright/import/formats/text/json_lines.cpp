@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <cstdint>
 #include <utility>
 
 #include "tools/wheelwright/import/formats/text/line_tally.hpp"
