@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <cstdint>
 #include <utility>
 
 #include "tools/wheelwright/import/formats/text/line_tally.hpp"
