@@ -11,6 +11,29 @@ std::string wheel_speeds(const ForeignRow& row) {
          counts(row);
 }
 
+// The speeds of both wheels by the counts of a row and the one before, in m/s, as two more columns.
+class MeasuredSpeeds {
+ public:
+  explicit MeasuredSpeeds(const ForeignDrive& drive)
+      : before_(drive.rows.front()), period_s_(drive.period_s) {}
+
+  std::string next(const ForeignRow& row) {
+    const double m_s = ForeignDrive::metres_per_count / period_s_;
+    const auto left = static_cast<double>(row.counts_left - before_.counts_left);
+    const auto right = static_cast<double>(row.counts_right - before_.counts_right);
+    before_ = row;
+    std::string columns(",");
+    columns += number(left * m_s);
+    columns += ",";
+    columns += number(right * m_s);
+    return columns;
+  }
+
+ private:
+  ForeignRow before_;
+  double period_s_;
+};
+
 }  // namespace
 
 TEST_CASE("A joystick's commands of two wheels are found beside counts") {
@@ -44,37 +67,21 @@ TEST_CASE("Poses beside a joystick's commands are the reference and no commands"
 
 TEST_CASE("Where a measured speed could be the command as well, a joystick's command is not guessed") {
   const ForeignDrive drive = joystick_drive();
-  ForeignRow before = drive.rows.front();
+  MeasuredSpeeds measured(drive);
   const auto outcome = import_text(
-      foreign_text(drive, "",
-                   [&before](const ForeignRow& row) {
-                     const auto speed = [&](std::int64_t ForeignRow::*side) {
-                       return number(static_cast<double>(row.*side - before.*side) * 0.01);
-                     };
-                     const std::string fields = wheel_speeds(row) + "," + speed(&ForeignRow::counts_left) +
-                                                "," + speed(&ForeignRow::counts_right);
-                     before = row;
-                     return fields;
-                   }),
+      foreign_text(drive, "", [&](const ForeignRow& row) { return wheel_speeds(row) + measured.next(row); }),
       {"robot.wheel_base_m=0.3"});
   REQUIRE(!outcome.conversion);
-  CHECK_THAT(outcome.conversion.error(), ContainsSubstring("command"));
+  CHECK_THAT(outcome.conversion.error(), ContainsSubstring("no commands"));
 }
 
 TEST_CASE("Measured speeds beside counts are no commands, as the counts do not follow them") {
   const ForeignDrive drive = joystick_drive();
-  ForeignRow before = drive.rows.front();
+  MeasuredSpeeds measured(drive);
   const auto outcome = import_text(
-      foreign_text(drive, "",
-                   [&before](const ForeignRow& row) {
-                     const auto speed = [&](std::int64_t ForeignRow::*side) {
-                       return number(static_cast<double>(row.*side - before.*side) * 0.01);
-                     };
-                     const std::string fields = number(row.t_s) + "," + speed(&ForeignRow::counts_left) +
-                                                "," + speed(&ForeignRow::counts_right) + "," + counts(row);
-                     before = row;
-                     return fields;
-                   }),
+      foreign_text(
+          drive, "",
+          [&](const ForeignRow& row) { return number(row.t_s) + measured.next(row) + "," + counts(row); }),
       {"robot.wheel_base_m=0.3"});
   REQUIRE(!outcome.conversion);
   CHECK_THAT(outcome.conversion.error(), ContainsSubstring("no commands"));
