@@ -14,6 +14,7 @@
 #include "model/gap/data_checks/gate_state.hpp"
 #include "model/gap/data_checks/held_reference.hpp"
 #include "model/identification/run_scales.hpp"
+#include "model/log/heading_offset.hpp"
 #include "model/prediction/segments.hpp"
 #include "model/statistics/significant_digits.hpp"
 
@@ -176,7 +177,8 @@ void mark_counter_reset(GatedLog& gated) {
   }
 }
 
-GatedLog gate_beside(const DriveLog& log, std::size_t frozen_elsewhere) {
+// Without the rows that cannot be true.
+GateState cleaned(const DriveLog& log, std::size_t frozen_elsewhere) {
   GateState state{{log, {}, {}, {}}, {}, frozen_elsewhere};
   remove_garbage_commands(state);
   const std::size_t rows = state.result.log.samples.size();
@@ -190,19 +192,19 @@ GatedLog gate_beside(const DriveLog& log, std::size_t frozen_elsewhere) {
   remove_frozen_reference(state);
   leave_out_repeated_poses(state);
   remove_reference_jumps(state);
-  check_reference(state);
-  check_gyro(state);
-  mark_counter_reset(state.result);
-  return std::move(state.result);
+  return state;
 }
 
-}  // namespace
-
-GatedLog gate(const DriveLog& log) {
-  return gate_beside(log, 0);
+void turn_headings_back(std::vector<GateState>& states) {
+  std::vector<const DriveLog*> logs;
+  for (const GateState& state : states) logs.push_back(&state.result.log);
+  const std::vector<HeadingOffset> offsets = heading_offsets(logs);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (offsets[i].offset_rad == 0.0) continue;
+    turn_headings(states[i].result.log, offsets[i].offset_rad);
+    states[i].treated_fault(0, in_words(offsets[i]), "it was turned back");
+  }
 }
-
-namespace {
 
 void find_other_scale(std::span<const DriveLog> logs, std::vector<GatedLog>& gated) {
   const auto outlier = find_scale_outlier(logs);
@@ -219,18 +221,30 @@ void find_other_scale(std::span<const DriveLog> logs, std::vector<GatedLog>& gat
 
 }  // namespace
 
+GatedLog gate(const DriveLog& log) {
+  return std::move(gate_together({&log, 1}).front());
+}
+
 std::vector<GatedLog> gate_together(std::span<const DriveLog> logs) {
-  std::vector<GatedLog> gated;
+  std::vector<GateState> states;
   std::size_t frozen = 0;
   for (const DriveLog& log : logs) {
-    gated.push_back(gate(log));
-    frozen += gated.back().surely_frozen;
+    states.push_back(cleaned(log, 0));
+    frozen += states.back().result.surely_frozen;
   }
   for (std::size_t i = 0; i < logs.size(); ++i) {
-    const std::size_t elsewhere = frozen - gated[i].surely_frozen;
-    if (elsewhere > 0) gated[i] = gate_beside(logs[i], elsewhere);
+    const std::size_t elsewhere = frozen - states[i].result.surely_frozen;
+    if (elsewhere > 0) states[i] = cleaned(logs[i], elsewhere);
   }
-  find_other_scale(logs, gated);
+  turn_headings_back(states);
+  std::vector<GatedLog> gated;
+  for (GateState& state : states) {
+    check_reference(state);
+    check_gyro(state);
+    mark_counter_reset(state.result);
+    gated.push_back(std::move(state.result));
+  }
+  if (logs.size() > 1) find_other_scale(logs, gated);
   return gated;
 }
 
