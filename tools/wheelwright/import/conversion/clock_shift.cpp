@@ -6,6 +6,7 @@
 
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
+#include "tools/wheelwright/import/conversion/lost_poses.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
 
@@ -56,19 +57,18 @@ Speeds reference_speeds(std::span<const Recording> recordings, const Mapping& ma
   const FoundChannel y = find_channel(recordings, *mapping.reference->y);
   if (x.channel == nullptr || y.channel == nullptr || x.stream != y.stream) return {};
   const auto t_s = stream_times(*x.stream, mapping.time);
+  Column xs = x.channel->values;
+  blank(lost_stretches(xs, y.channel->values), xs);
   std::vector<double> times;
   std::vector<double> way;
   std::size_t last = 0;
   for (std::size_t i = 0; i < t_s.size(); ++i) {
-    if (!std::isfinite(t_s[i]) || !std::isfinite(x.channel->values[i]) ||
-        !std::isfinite(y.channel->values[i]))
-      continue;
+    if (!std::isfinite(t_s[i]) || !std::isfinite(xs[i]) || !std::isfinite(y.channel->values[i])) continue;
     // Noise adds to a way that is summed over short steps.
     if (!times.empty() && t_s[i] < times.back() + 0.5 * step_s) continue;
-    add_point(times, way, t_s[i],
-              times.empty() ? 0.0
-                            : std::hypot(x.channel->values[i] - x.channel->values[last],
-                                         y.channel->values[i] - y.channel->values[last]));
+    add_point(
+        times, way, t_s[i],
+        times.empty() ? 0.0 : std::hypot(xs[i] - xs[last], y.channel->values[i] - y.channel->values[last]));
     last = i;
   }
   return on_grid(times, way, step_s);

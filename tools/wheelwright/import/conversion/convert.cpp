@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "config/load/text_format.hpp"
+#include "model/log/heading_offset.hpp"
 #include "tools/wheelwright/import/conversion/counts.hpp"
 #include "tools/wheelwright/import/conversion/missing_keys.hpp"
 #include "tools/wheelwright/import/conversion/run_maker.hpp"
@@ -59,6 +60,22 @@ DriveColumns filled(DriveColumns columns) {
   return columns;
 }
 
+// A tracker does not know where the robot's front is; its motion shows it.
+void turn_headings_back(Conversion& conversion, const Mapping& mapping) {
+  if (!mapping.reference || mapping.reference->heading_offset_deg) return;
+  std::vector<const DriveLog*> runs;
+  for (const DriveLog& run : conversion.runs) runs.push_back(&run);
+  const auto offsets = heading_offsets(runs);
+  for (std::size_t i = 0; i < offsets.size(); ++i) {
+    if (offsets[i].offset_rad == 0.0) continue;
+    turn_headings(conversion.runs[i], offsets[i].offset_rad);
+    const std::string remark =
+        in_words(offsets[i]) + "; it was turned back (--set reference.heading_offset_deg if you know it)";
+    if (std::ranges::find(conversion.remarks, remark) == conversion.remarks.end())
+      conversion.remarks.push_back(remark);
+  }
+}
+
 }  // namespace
 
 tl::expected<Conversion, std::string> convert(const DriveColumns& columns, const Mapping& mapping,
@@ -92,6 +109,7 @@ tl::expected<Conversion, std::string> convert(const DriveColumns& columns, const
     conversion.runs.push_back(std::move(log));
   }
   if (conversion.runs.empty()) return tl::unexpected(name + ": no run of two rows with a time and a command");
+  turn_headings_back(conversion, mapping);
   return conversion;
 }
 

@@ -11,6 +11,7 @@
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/counts.hpp"
 #include "tools/wheelwright/import/conversion/join_streams.hpp"
+#include "tools/wheelwright/import/conversion/lost_poses.hpp"
 #include "tools/wheelwright/import/conversion/missing_keys.hpp"
 #include "tools/wheelwright/import/conversion/stamps.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
@@ -66,7 +67,10 @@ class Gathering {
     if (!problem_.empty()) return tl::unexpected(problem_);
     if (sources_.empty()) return tl::unexpected(name() + ": " + what_is_missing(mapping_));
     if (!merge()) return tl::unexpected(problem_);
-    if (mapping_.command) apply_directions(columns_, mapping_.command->forward);
+    if (mapping_.command) {
+      subtract_neutral(columns_, mapping_.command->neutral);
+      apply_directions(columns_, mapping_.command->forward);
+    }
     return std::move(columns_);
   }
 
@@ -91,10 +95,40 @@ class Gathering {
   void add_reference() {
     if (!mapping_.reference) return;
     const ReferenceMapping& reference = *mapping_.reference;
-    if (reference.x) add(*reference.x, columns_.x);
-    if (reference.y) add(*reference.y, columns_.y);
+    if (reference.x && reference.y) {
+      add_places(*reference.x, *reference.y);
+    } else {
+      if (reference.x) add(*reference.x, columns_.x);
+      if (reference.y) add(*reference.y, columns_.y);
+    }
     if (reference.theta) add_heading(*reference.theta);
     if (reference.qw && reference.qz) add_quaternion(reference);
+  }
+
+  void add_places(const ChannelName& wanted_x, const ChannelName& wanted_y) {
+    const FoundChannel x = find(wanted_x);
+    const FoundChannel y = find(wanted_y);
+    if (x.channel == nullptr || y.channel == nullptr) return;
+    places_ = {x.channel->values, y.channel->values};
+    if (x.stream == y.stream) {
+      placed_ = x.stream;
+      lost_ = lost_stretches(x.channel->values, y.channel->values);
+      if (!lost_.empty()) columns_.remarks.push_back(in_words(lost_, x.channel->values));
+      for (Column& place : places_) blank(lost_, place);
+    }
+    if (mapping_.reference->y_points_right) {
+      for (double& y_value : places_[1]) y_value = -y_value;
+    }
+    sources_.push_back({x.stream, places_.data(), &columns_.x, Joining::between});
+    sources_.push_back({y.stream, &places_[1], &columns_.y, Joining::between});
+  }
+
+  // Headings counter-clockwise from x, and none where the pose of their stream is lost.
+  void put_right(const Stream* stream) {
+    const ReferenceMapping& reference = *mapping_.reference;
+    const double offset_rad = std::numbers::pi / 180.0 * reference.heading_offset_deg.value_or(0.0);
+    for (double& theta : heading_) theta = (reference.clockwise ? -theta : theta) + offset_rad;
+    if (stream == placed_) blank(lost_, heading_);
   }
 
   // Unwrapped, so that it may be interpolated.
@@ -104,6 +138,7 @@ class Gathering {
     const auto unit = find_unit(angle_units(), mapping_.reference->angle_unit);
     heading_ = found.channel->values;
     for (double& theta : heading_) theta *= unit ? unit->in_si : 1.0;
+    put_right(found.stream);
     sources_.push_back({found.stream, &heading_, &columns_.theta_rad, Joining::between});
   }
 
@@ -120,6 +155,7 @@ class Gathering {
       const double qw = w.channel->values[i];
       heading_.push_back(std::atan2(2.0 * (qw * qz + qx * qy), qw * qw + qx * qx - qy * qy - qz * qz));
     }
+    put_right(w.stream);
     sources_.push_back({w.stream, &heading_, &columns_.theta_rad, Joining::between});
   }
 
@@ -257,6 +293,9 @@ class Gathering {
   const Mapping& mapping_;
   std::size_t max_rows_;
   DriveColumns columns_;
+  std::array<Column, 2> places_;
+  const Stream* placed_ = nullptr;  // the stream of both places
+  std::vector<LostStretch> lost_;   // of its rows
   Column heading_;
   std::vector<Source> sources_;
   std::string problem_;

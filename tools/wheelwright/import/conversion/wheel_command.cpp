@@ -56,6 +56,16 @@ std::array<Column, 2> wheel_commands(const DriveColumns& columns, std::span<cons
   return result;
 }
 
+void subtract_neutral(DriveColumns& columns, double neutral) {
+  if (neutral == 0.0) return;
+  for (Column& command : columns.command) {
+    const bool zero_is_rest = neutral > 0.0 && std::ranges::none_of(command, [neutral](double value) {
+                                return value != 0.0 && value < 0.5 * neutral;
+                              });
+    for (double& value : command) value = value == 0.0 && zero_is_rest ? 0.0 : value - neutral;
+  }
+}
+
 void apply_directions(DriveColumns& columns, double forward) {
   for (std::size_t side = 0; side < 2; ++side) {
     const Column& bits = columns.direction[side];

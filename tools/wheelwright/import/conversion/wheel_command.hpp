@@ -19,6 +19,10 @@ WheelPair wheel_command(const Mapping& mapping, double first, double second);
 std::array<Column, 2> wheel_commands(const DriveColumns& columns, std::span<const std::size_t> rows,
                                      const Mapping& mapping);
 
+// Commands about zero, of commands about the number at which the wheels rest. A 0 that lies apart from all
+// others, by more than half of `neutral`, is that of a receiver that heard no pulse, and rest.
+void subtract_neutral(DriveColumns& columns, double neutral);
+
 // A duty is negative where the bit beside it is not that of forward.
 void apply_directions(DriveColumns& columns, double forward);
 

@@ -1,5 +1,6 @@
 #include "tools/wheelwright/import/inference/assignment.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "config/load/text_format.hpp"
@@ -41,6 +42,14 @@ bool are_of_body(const Assignment& best) {
          std::abs(std::log(root_mean_square(first) / root_mean_square(second))) > std::log(unlike);
 }
 
+// Forward and turning commands that are large and never negative: numbers about one at which the robot rests.
+bool are_of_a_remote_control(const Assignment& best) {
+  return std::ranges::all_of(best.command, [](const Channel* channel) {
+    return channel != nullptr && largest(channel->values) > fastest_m_s &&
+           std::ranges::none_of(channel->values, [](double value) { return value < 0.0; });
+  });
+}
+
 }  // namespace
 
 std::string column_in_words(const Channel& channel) {
@@ -68,15 +77,17 @@ void take_assignment(const Stream& stream, const Assignment& best, Mapping& mapp
       command.kind = CommandKind::duty;
     }
     if (is_body) command.kind = CommandKind::twist;
+    if (command.kind == CommandKind::twist && are_of_a_remote_control(best))
+      command.kind = CommandKind::throttle;
     command.first = {stream.name, best.command[exchanged ? 1 : 0]->name};
     if (best.command[1] != nullptr)
       command.second = ChannelName{stream.name, best.command[exchanged ? 0 : 1]->name};
     mapping.command = command;
-    const bool is_twist = command.kind == CommandKind::twist;
     findings.push_back(
-        std::string(is_twist                     ? "commands are forward and turning speed: "
-                    : best.command[1] == nullptr ? "the command is "
-                                                 : "commands are left and right: ") +
+        std::string(command.kind == CommandKind::throttle ? "commands are throttle and steering: "
+                    : command.kind == CommandKind::twist  ? "commands are forward and turning speed: "
+                    : best.command[1] == nullptr          ? "the command is "
+                                                          : "commands are left and right: ") +
         column_in_words(*best.command[exchanged ? 1 : 0]) +
         (best.command[1] == nullptr ? "" : " and " + column_in_words(*best.command[exchanged ? 0 : 1])) +
         evidence);

@@ -66,7 +66,8 @@ Quantity of_wheel(const Name& name) {
       words.has_any({"vel", "velocity", "speed", "spd", "v", "rpm", "rps", "omega", "w", "rate"}) ||
       find_unit(speed_units(), name.unit);
   if (words.has_any({"dir", "direction"})) return Quantity::direction;
-  if (words.has_any({"pwm", "duty", "power", "throttle", "volt", "volts", "voltage", "effort", "dc"})) {
+  if (words.has_any({"pwm", "duty", "power", "throttle", "volt", "volts", "voltage", "effort", "dc", "rc",
+                     "servo", "esc"})) {
     return Quantity::duty;
   }
   if (name.is_command) return Quantity::command;

@@ -34,9 +34,17 @@ double full_scale_of(double largest_duty) {
   return largest_duty;
 }
 
+double full_scale_about(double neutral, double largest_beyond) {
+  constexpr double pulse_us = 500.0;
+  const double usual = neutral > 2.0 * pulse_us && largest_beyond <= pulse_us ? pulse_us : std::abs(neutral);
+  return std::max(usual, largest_beyond);
+}
+
 void set_full_scale(const DriveColumns& columns, const GivenMapping& given, CommandMapping& command) {
   if (!command.is_duty() || given.says("command.full_scale")) return;
-  command.full_scale = full_scale_of(std::max(largest(columns.command[0]), largest(columns.command[1])));
+  const double largest_duty = std::max(largest(columns.command[0]), largest(columns.command[1]));
+  command.full_scale =
+      command.neutral == 0.0 ? full_scale_of(largest_duty) : full_scale_about(command.neutral, largest_duty);
 }
 
 }  // namespace wheelwright::import

@@ -18,6 +18,9 @@ double rounded_gain(double gain);
 // The number that stands for all of a duty: 1, 100, 255, ...
 double full_scale_of(double largest_duty);
 
+// The same of numbers about the one at which the wheels rest: 500 us of a pulse, else all that is below it.
+double full_scale_about(double neutral, double largest_beyond);
+
 // Largest size of the values of a column; 0 where it has none.
 double largest(const Column& column);
 

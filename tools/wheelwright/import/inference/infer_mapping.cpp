@@ -12,7 +12,9 @@
 #include "tools/wheelwright/import/inference/gyro_scale.hpp"
 #include "tools/wheelwright/import/inference/metadata_roles.hpp"
 #include "tools/wheelwright/import/inference/named_roles.hpp"
+#include "tools/wheelwright/import/inference/neutral_command.hpp"
 #include "tools/wheelwright/import/inference/numbered_roles.hpp"
+#include "tools/wheelwright/import/inference/reference_frame.hpp"
 #include "tools/wheelwright/import/inference/response_rows.hpp"
 #include "tools/wheelwright/import/inference/step_response.hpp"
 #include "tools/wheelwright/import/inference/time_unit.hpp"
@@ -94,10 +96,13 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
   infer_forward_bit(recordings, given, mapping, inference.findings, inference.doubts);
   infer_hundredths(recordings, given, mapping, inference.findings, inference.doubts);
   if (mapping.command || mapping.wheels) {
-    if (const auto columns = gather_sample(recordings, mapping)) {
+    if (auto columns = gather_sample(recordings, mapping)) {
+      infer_neutral(*columns, given, mapping, inference.findings);
       infer_counters(*columns, given, mapping, inference.findings, inference.doubts);
       infer_steering(*columns, given, mapping, inference.findings, inference.doubts);
       set_duty(*columns, given, mapping);
+      if (infer_reference_frame(*columns, given, mapping, inference.findings, inference.doubts))
+        columns = gather_sample(recordings, mapping);
       set_units(*columns, given, mapping, inference.findings, inference.doubts);
       set_step_scale(*columns, given, mapping, inference.findings);
       set_gyro_unit(*columns, given, mapping, inference.findings, inference.doubts);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "tools/wheelwright/import/conversion/counts.hpp"
+#include "tools/wheelwright/import/inference/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/response_fit.hpp"
 
 namespace wheelwright::import {
@@ -27,7 +28,8 @@ ResponseFit fit(const std::vector<double>& speed, const Channel& command) {
     if (std::isfinite(command.values[i])) last = command.values[i];
   }
   rows.run_ends = {count};
-  return fit_response(rows);
+  const bool is_signed = std::ranges::any_of(command.values, [](double value) { return value < 0.0; });
+  return fit_response(rows, is_signed ? Baseline::zero : Baseline::any);
 }
 
 std::vector<double> speed_of(const Candidate& candidate, const std::vector<double>& t_s) {
@@ -111,6 +113,7 @@ class Assignments {
               const std::vector<double>& t_s, std::optional<double> wheel_base_m)
       : commands_(commands), wheels_(wheels), wheel_base_m_(wheel_base_m) {
     for (const auto& wheel : wheels) {
+      whole_.push_back(are_whole(wheel.channel->values));
       speeds_.push_back(speed_of(wheel, t_s));
       auto& fits = fits_.emplace_back();
       for (const Channel* command : commands)
@@ -121,14 +124,13 @@ class Assignments {
   std::vector<Assignment> possible() && {
     for (std::size_t w = 0; w < wheels_.size(); ++w) {
       for (std::size_t c = 0; c < commands_.size(); ++c) {
-        const auto& [gain, explained, nats] = fits_[w][c];
-        offer({CommandKind::wheels, {commands_[c], nullptr}, {wheels_[w], {}}, nats, explained});
+        const ResponseFit& fit = fits_[w][c];
+        offer({CommandKind::wheels, {commands_[c], nullptr}, {wheels_[w], {}}, fit.nats, fit.explained});
       }
     }
     for (std::size_t a = 0; a < wheels_.size(); ++a) {
       for (std::size_t b = a + 1; b < wheels_.size(); ++b) {
-        if (wheels_[a].channel == wheels_[b].channel || wheels_[a].cumulative != wheels_[b].cumulative)
-          continue;
+        if (wheels_[a].channel == wheels_[b].channel || !are_alike(a, b)) continue;
         offer_pairs(a, b);
         if (commands_.size() > 1) offer_twists(a, b);
       }
@@ -139,6 +141,13 @@ class Assignments {
  private:
   void offer(const Assignment& assignment) {
     if (assignment.explained >= motion_explained) possible_.push_back(assignment);
+  }
+
+  // Two counters, or two speeds. A place is as good as a counter where a robot drives straight, but has
+  // parts.
+  bool are_alike(std::size_t a, std::size_t b) const {
+    return wheels_[a].cumulative == wheels_[b].cumulative &&
+           (!wheels_[a].cumulative || whole_[a] == whole_[b]);
   }
 
   void offer_pairs(std::size_t a, std::size_t b) {
@@ -189,6 +198,7 @@ class Assignments {
   const std::vector<const Channel*>& commands_;
   const std::vector<Candidate>& wheels_;
   std::optional<double> wheel_base_m_;
+  std::vector<bool> whole_;                     // of each wheel: its channel has no parts of one
   std::vector<std::vector<double>> speeds_;     // of each wheel
   std::vector<std::vector<ResponseFit>> fits_;  // of each wheel, by each command
   std::vector<Assignment> possible_;

@@ -23,6 +23,12 @@ double mean_square(const Channel& channel) {
   return count > 0.0 ? squares / count : 0.0;
 }
 
+// Of a tracker that has lost the robot, all four are 0 or another number.
+bool is_lost(std::span<const Channel> four, std::size_t row) {
+  return std::ranges::all_of(
+      four, [&](const Channel& channel) { return channel.values[row] == four[0].values[row]; });
+}
+
 // All rows that have the four have length one, and the four are no constants.
 bool is_unit(std::span<const Channel> four) {
   std::size_t rows = 0;
@@ -31,7 +37,7 @@ bool is_unit(std::span<const Channel> four) {
   for (std::size_t i = 0; i < four[0].values.size(); ++i) {
     double squares = 0.0;
     for (const Channel& channel : four) squares += channel.values[i] * channel.values[i];
-    if (!std::isfinite(squares)) continue;
+    if (!std::isfinite(squares) || is_lost(four, i)) continue;
     if (std::abs(squares - 1.0) > max_off_one) return false;
     for (std::size_t k = 0; k < four.size(); ++k) {
       if (rows == 0) first[k] = four[k].values[i];

@@ -79,7 +79,8 @@ class ReferenceUnits {
     return stands(columns_.x) && stands(columns_.y) && stands(columns_.theta_rad);
   }
 
-  void heading_unit(double slope) {
+  void heading_unit(double signed_slope) {
+    const double slope = std::abs(signed_slope);
     ReferenceMapping& reference = *mapping_.reference;
     if (!reference.theta || given_.says("reference.angle_unit") || reference.angle_unit != "rad" ||
         !is_near(slope, 180.0 / pi))

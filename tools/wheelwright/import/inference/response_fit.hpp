@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -18,11 +19,15 @@ struct ResponseRows {
 
 struct ResponseFit {
   double gain = 0.0;       // steady speed per unit of the command
+  double at_zero = 0.0;    // steady speed at a command of 0; other than 0 only of Baseline::any
   double explained = 0.0;  // share of the variance of the speed, 0 to 1
   double nats = 0.0;       // log likelihood over that of a constant speed
 };
 
+// Whether a command of 0 means that the wheel stands, or another number does, as 1500 us of a remote control.
+enum class Baseline : std::uint8_t { zero, any };
+
 // All zero where there are fewer than 20 rows, or nothing changes.
-ResponseFit fit_response(const ResponseRows& rows);
+ResponseFit fit_response(const ResponseRows& rows, Baseline baseline = Baseline::zero);
 
 }  // namespace wheelwright::import

@@ -13,6 +13,7 @@
 #include "tools/wheelwright/import/inference/gain_units.hpp"
 #include "tools/wheelwright/import/inference/reference_units.hpp"
 #include "tools/wheelwright/import/inference/response_rows.hpp"
+#include "tools/wheelwright/import/inference/wheel_directions.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {
@@ -24,7 +25,6 @@ using std::numbers::pi;
 
 constexpr double min_unit_explained = 0.1;
 constexpr double unit_nats = 50.0;
-constexpr double unit_explained = 0.5;  // share of the variance from which a gain is believed
 
 std::optional<Unit> unit_of_gain(double gain, const std::optional<WheelMapping>& wheels) {
   for (const Unit& unit : speed_units()) {
@@ -60,16 +60,7 @@ class UnitFinder {
   }
 
  private:
-  // 1, or -1 of a wheel that counts backwards: as it goes against its command, else as is stated.
-  std::array<double, 2> directions() const {
-    const WheelMapping& wheels = *mapping_.wheels;
-    std::array<double, 2> result{wheels.left_reversed ? -1.0 : 1.0, wheels.right_reversed ? -1.0 : 1.0};
-    if (!mapping_.command || mapping_.command->is_of_body()) return result;
-    for (std::size_t k = 0; k < 2; ++k) {
-      if (fits_[k].explained >= unit_explained) result[k] = std::copysign(1.0, fits_[k].gain);
-    }
-    return result;
-  }
+  std::array<double, 2> directions() const { return wheel_directions(mapping_, fits_); }
 
   // Coarse counts and stamps that jitter hide a speed that is sure all the same.
   bool is_sure() const {
@@ -137,8 +128,8 @@ class UnitFinder {
     const bool has_name = !std::ranges::all_of(command.first.channel, config::is_digit);
     const bool is_said = given_.says("command.kind") || given_.says("command.full_scale") ||
                          given_.says("command.full_scale_m_s");
-    return command.kind == CommandKind::duty && !has_name && !is_said && are_whole(columns_.command[0]) &&
-           std::abs(std::log(gain_m_s / 0.001)) < std::log(near);
+    return command.kind == CommandKind::duty && command.neutral == 0.0 && !has_name && !is_said &&
+           are_whole(columns_.command[0]) && std::abs(std::log(gain_m_s / 0.001)) < std::log(near);
   }
 
   void take_millimetres(double gain_m_s) {

@@ -55,6 +55,7 @@ void add_command(Entries& entries, const CommandMapping& command) {
   entries.add("command.left_direction", command.direction[0]);
   entries.add("command.right_direction", command.direction[1]);
   if (command.direction[0]) entries.add("command.forward", command.forward);
+  if (command.neutral != 0.0) entries.add("command.neutral", command.neutral);
   if (is_throttle) entries.add("command.steering_gain", command.steering_gain);
   if (command.is_duty()) {
     entries.add("command.full_scale", command.full_scale);
@@ -96,6 +97,9 @@ void add_reference(Entries& entries, const ReferenceMapping& reference) {
   entries.add("reference.qw", reference.qw);
   entries.add("reference.unit", reference.unit);
   if (reference.theta) entries.add("reference.angle_unit", reference.angle_unit);
+  if (reference.clockwise) entries.add("reference.heading", "clockwise");
+  if (reference.y_points_right) entries.add("reference.y_axis", "right");
+  entries.add("reference.heading_offset_deg", reference.heading_offset_deg);
   entries.add("reference.clock", reference.clock == ReferenceClock::same ? "same" : "shifted");
   entries.add("reference.shift_s", reference.shift_s);
 }

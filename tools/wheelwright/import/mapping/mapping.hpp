@@ -41,7 +41,8 @@ struct CommandMapping {
   std::optional<ChannelName> second{};  // right, or angular, or steering; absent: one for both wheels
   std::string unit = "m/s";             // of wheel and linear speeds; see speed_units() in units.hpp
   std::string angular_unit = "rad/s";
-  double full_scale = 1.0;                 // duty: the number that stands for all of it
+  double neutral = 0.0;                    // the number at which the wheels rest, taken off every value
+  double full_scale = 1.0;                 // duty: the number that stands for all of it, beyond `neutral`
   std::optional<double> full_scale_m_s{};  // duty: the speed that all of it leads to
   double steering_gain = 1.0;  // left = throttle - gain * steering, right = throttle + gain * steering
   std::array<std::optional<ChannelName>, 2> direction{};  // bits beside a duty without a sign, left and right
@@ -82,6 +83,9 @@ struct ReferenceMapping {
   std::optional<ChannelName> qx, qy, qz, qw;  // in place of theta
   std::string unit = "m";
   std::string angle_unit = "rad";
+  bool clockwise = false;                    // headings grow clockwise
+  bool y_points_right = false;               // of x
+  std::optional<double> heading_offset_deg;  // added to the headings; absent: found in the motion
   ReferenceClock clock = ReferenceClock::same;
   std::optional<double> shift_s;  // added to its stamps, where its clock is shifted
 };

@@ -76,6 +76,7 @@ std::optional<CommandMapping> read_command(YamlReader& from) {
   }
   command.direction = {channel(from, "left_direction"), channel(from, "right_direction")};
   command.forward = from.number("forward", {-1e6, 1e6}, command.forward);
+  command.neutral = from.number("neutral", {-1e6, 1e6}, command.neutral);
   command.steering_gain = from.number("steering_gain", {-1000, 1000}, command.steering_gain);
   command.unit = unit(from, "unit", speed_units(), command.unit);
   command.angular_unit = unit(from, "angular_unit", angular_units(), command.angular_unit);
@@ -148,6 +149,10 @@ std::optional<ReferenceMapping> read_reference(YamlReader& from) {
   reference.angle_unit = unit(from, "angle_unit", angle_units(), reference.angle_unit);
   reference.clock = from.choice<ReferenceClock>(
       "clock", {{"same", ReferenceClock::same}, {"shifted", ReferenceClock::shifted}}, reference.clock);
+  reference.clockwise =
+      from.choice<bool>("heading", {{"counterclockwise", false}, {"clockwise", true}}, false);
+  reference.y_points_right = from.choice<bool>("y_axis", {{"left", false}, {"right", true}}, false);
+  reference.heading_offset_deg = number(from, "heading_offset_deg", {-360, 360, "deg"});
   reference.shift_s = number(from, "shift_s", {-1e12, 1e12, "s"});
   from.text("topic", "");  // which stream it is taken from, where names are found
   if (!reference.x && !reference.theta && !reference.qw) return std::nullopt;

@@ -90,17 +90,6 @@ TEST_CASE(
   CHECK(outcome.found("or they are of a frame whose y points right"));
 }
 
-TEST_CASE("A heading that is clockwise beside x and y that are not is left out, and said") {
-  const ForeignDrive drive = foreign_drive();
-  const auto outcome = import_rows(drive, [](const ForeignRow& row) {
-    return motion(row) + number(row.x) + "," + number(row.y) + "," + number(-row.theta);
-  });
-  check_same(outcome, drive);
-  CHECK(outcome.found("column 8 is a heading that falls where the wheels turn left"));
-  CHECK(outcome.found("not used: column 6, column 7, column 8"));
-  CHECK_FALSE(outcome.understood.mapping.reference);
-}
-
 TEST_CASE("Files that are read together keep the reference, though each begins elsewhere") {
   const ForeignDrive drive = foreign_drive();
   const auto turned = [](const ForeignRow& row) {
