@@ -1,5 +1,5 @@
 // Commands of the Open Interface as bytes. Pure; a command is written whole in one go, since the robot waits
-// without a time-out for the rest of a half-sent one (R500 p6).
+// without a time-out for the rest of a half-sent one (Roomba 500 Open Interface, page 6).
 #pragma once
 
 #include <array>

@@ -1,11 +1,11 @@
 // Replies to the query list, found among whatever arrives.
 //
-// A reply is bare data: no frame, no checksum (R500 p19). So the list is built to carry its own marks. It
-// begins and ends with the OI mode and the battery voltage, both of a narrow range, and both copies must
-// agree; and their order in front and behind goes through its four kinds from tick to tick, so that a reply
-// that comes up to three ticks late is not taken for the new one. All bytes since the query are searched for
-// a segment that fits: text in front, a late tail or lost bytes cost the sample that they hit and shift
-// nothing after it.
+// A reply is bare data: no frame, no checksum (Roomba 500 Open Interface, page 19). So the list is built to
+// carry its own marks. It begins and ends with the OI mode and the battery voltage, both of a narrow range,
+// and both copies must agree; and their order in front and behind goes through its four kinds from tick to
+// tick, so that a reply that comes up to three ticks late is not taken for the new one. All bytes since the
+// query are searched for a segment that fits: text in front, a late tail or lost bytes cost the sample that
+// they hit and shift nothing after it.
 #pragma once
 
 #include <array>

@@ -1,8 +1,9 @@
 // Frames of the sensor stream, found among whatever arrives.
 //
-// A frame is 19, n, then id and data of each packet, then a checksum (R500 p18). iRobot's two documents
-// disagree whether the 19 is summed: both rules are tried, and the one that keeps passing wins. Every byte is
-// examined as a possible header again after a mismatch, so that a false header costs nothing.
+// A frame is 19, n, then id and data of each packet, then a checksum (Roomba 500 Open Interface, page 18).
+// iRobot's two documents disagree whether the 19 is summed: both rules are tried, and the one that keeps
+// passing wins. Every byte is examined as a possible header again after a mismatch, so that a false header
+// costs nothing.
 #pragma once
 
 #include <array>

@@ -15,9 +15,10 @@ namespace {
 constexpr double offset_window_s = 0.5;
 constexpr double longest_turn_rad = 0.5;
 constexpr double cluster_s = 5.0;
-constexpr double fastest_m_s = 2.0;    // a reference that jumps says nothing
-constexpr double sure = 5.0;           // standard errors
-constexpr double matters_rad = 0.005;  // a centimetre aside on two metres
+constexpr std::size_t least_clusters = 10;  // of fewer, their scatter says too little
+constexpr double fastest_m_s = 2.0;         // a reference that jumps says nothing
+constexpr double sure = 5.0;                // standard errors
+constexpr double matters_rad = 0.005;       // a centimetre aside on two metres
 
 // Motion of the reference from one pose to another.
 struct Window {
@@ -140,7 +141,7 @@ std::optional<HeadingOffset> fine_offset(const std::vector<Window>& windows, dou
     score.setZero();
     ++clusters;
   }
-  if (clusters <= static_cast<std::size_t>(factors.size())) return std::nullopt;
+  if (clusters < least_clusters) return std::nullopt;
   const double freedom = static_cast<double>(clusters) / static_cast<double>(clusters - 5);
   const Square covariance = freedom * inverse * scores * inverse;
   const double per_radian = 1.0 / (1.0 + factors[0] * factors[0]);

@@ -26,8 +26,8 @@ struct HeadingOffset {
   double standard_error_rad = 0.0;
 };
 
-// Over all runs. Nothing where the motion does not tell: without places and headings, without straight
-// driving, or where x, y and heading belong to no right-handed frame.
+// Over all runs. Nothing where the motion does not tell: without places and headings, in less than fifty
+// seconds, without straight driving, or where x, y and heading belong to no right-handed frame.
 std::optional<HeadingOffset> find_heading_offset(std::span<const DriveLog* const> runs);
 
 // Whether an offset is sure (five standard errors), large enough to matter (5 mrad), and not

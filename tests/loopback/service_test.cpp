@@ -56,11 +56,11 @@ TEST_CASE("A service is ready once the robot answers, and not before") {
   const auto robot = bench.start_robot("perfect");
   robot->signal(SIGUSR1);  // its battery is out
   const auto daemon = bench.start_service(bench.configure({.run = stays}));
-  REQUIRE(bench.manager.hears("STATUS=waiting for the robot", 3s));
+  REQUIRE(bench.manager.hears("STATUS=waiting for the robot", 10s));
   CHECK_FALSE(bench.manager.hears("READY=1", 1s));
   robot->signal(SIGUSR1);
-  CHECK(bench.manager.hears("READY=1", 5s));
-  CHECK(bench.manager.hears("STATUS=standing, not armed; pose", 3s));
+  CHECK(bench.manager.hears("READY=1", 10s));
+  CHECK(bench.manager.hears("STATUS=standing, not armed; pose", 10s));
   CHECK(daemon->end() == 0);
   CHECK(bench.manager.hears("STOPPING=1", 1s));
 }

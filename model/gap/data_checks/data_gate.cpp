@@ -13,6 +13,7 @@
 #include "model/gap/data_checks/frozen_reference.hpp"
 #include "model/gap/data_checks/gate_state.hpp"
 #include "model/gap/data_checks/held_reference.hpp"
+#include "model/gap/data_checks/wrong_poses.hpp"
 #include "model/identification/run_scales.hpp"
 #include "model/log/heading_offset.hpp"
 #include "model/prediction/segments.hpp"
@@ -102,71 +103,6 @@ void leave_out_holes(GateState& gate) {
   }
 }
 
-// From where it was last told, each of place and heading by itself.
-struct Leap {
-  double moved_m = 0.0;
-  double turned_rad = 0.0;
-  double duration_s = 0.0;
-  bool impossible = false;
-};
-
-class LastReference {
- public:
-  Leap leap_to(const DriveSample& sample) const {
-    Leap leap;
-    if (place_ != nullptr && tells_place(sample)) {
-      leap.duration_s = sample.t_s - place_->t_s;
-      leap.moved_m = std::hypot(*sample.reference_x_m - *place_->reference_x_m,
-                                *sample.reference_y_m - *place_->reference_y_m);
-      leap.impossible = leap.moved_m > impossible_speed_m_s * leap.duration_s + 0.05;
-    }
-    if (heading_ != nullptr && sample.reference_theta_rad) {
-      leap.duration_s = sample.t_s - heading_->t_s;
-      leap.turned_rad = std::abs(wrap_angle(*sample.reference_theta_rad - *heading_->reference_theta_rad));
-      leap.impossible |= leap.turned_rad > 12.0 * leap.duration_s + 0.3;
-    }
-    return leap;
-  }
-  void is(const DriveSample& sample) {
-    if (tells_place(sample)) place_ = &sample;
-    if (sample.reference_theta_rad) heading_ = &sample;
-  }
-  static bool tells_place(const DriveSample& sample) { return sample.reference_x_m && sample.reference_y_m; }
-
- private:
-  const DriveSample* place_ = nullptr;
-  const DriveSample* heading_ = nullptr;
-};
-
-// A reference that leaps and comes back was never there.
-void remove_reference_jumps(GateState& gate) {
-  constexpr std::size_t longest_leap = 5;
-  auto& samples = gate.result.log.samples;
-  LastReference last;
-  std::size_t in_a_row = 0;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    DriveSample& sample = samples[i];
-    if (!LastReference::tells_place(sample) && !sample.reference_theta_rad) continue;
-    const Leap leap = last.leap_to(sample);
-    if (leap.impossible && in_a_row < longest_leap) {
-      if (in_a_row == 0) {
-        gate.treated_fault(i,
-                           "the reference jumps by " + in_digits(leap.moved_m, 3) + " m and " +
-                               in_digits(leap.turned_rad, 3) + " rad in " + in_digits(leap.duration_s, 3) +
-                               " s",
-                           "the row was left out");
-      }
-      ++in_a_row;
-      sample.reference_x_m.reset();
-      sample.reference_y_m.reset();
-      sample.reference_theta_rad.reset();
-      continue;
-    }
-    in_a_row = 0;
-    last.is(sample);
-  }
-}
-
 // So that no figure is taken across lost counts.
 void mark_counter_reset(GatedLog& gated) {
   auto& samples = gated.log.samples;
@@ -191,6 +127,7 @@ GateState cleaned(const DriveLog& log, std::size_t frozen_elsewhere) {
   }
   remove_frozen_reference(state);
   leave_out_repeated_poses(state);
+  leave_out_wrong_poses(state);
   remove_reference_jumps(state);
   return state;
 }

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "config/load/text_format.hpp"
+#include "model/log/lost_poses.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
-#include "tools/wheelwright/import/conversion/lost_poses.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
 

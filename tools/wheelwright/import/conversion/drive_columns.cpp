@@ -9,9 +9,9 @@
 
 #include "config/load/printable_text.hpp"
 #include "config/load/text_format.hpp"
+#include "model/log/lost_poses.hpp"
 #include "tools/wheelwright/import/conversion/counts.hpp"
 #include "tools/wheelwright/import/conversion/join_streams.hpp"
-#include "tools/wheelwright/import/conversion/lost_poses.hpp"
 #include "tools/wheelwright/import/conversion/missing_keys.hpp"
 #include "tools/wheelwright/import/conversion/stamps.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
@@ -295,7 +295,7 @@ class Gathering {
   DriveColumns columns_;
   std::array<Column, 2> places_;
   const Stream* placed_ = nullptr;  // the stream of both places
-  std::vector<LostStretch> lost_;   // of its rows
+  std::vector<RowStretch> lost_;    // of its rows
   Column heading_;
   std::vector<Source> sources_;
   std::string problem_;

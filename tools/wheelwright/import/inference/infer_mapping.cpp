@@ -77,6 +77,15 @@ void set_duty(const DriveColumns& columns, const GivenMapping& given, Mapping& m
   set_full_scale(columns, given, command);
 }
 
+// A drive log says by its format that y points left and headings are counter-clockwise: if they are not, it
+// is wrong.
+bool states_its_frame(std::span<const Recording> recordings) {
+  return std::ranges::any_of(recordings, [](const Recording& recording) {
+    return std::ranges::any_of(recording.metadata,
+                               [](const auto& entry) { return entry.first == "wheelwright_drive_log"; });
+  });
+}
+
 }  // namespace
 
 Inference infer_mapping(std::span<const Recording> recordings, const GivenMapping& given) {
@@ -101,7 +110,8 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
       infer_counters(*columns, given, mapping, inference.findings, inference.doubts);
       infer_steering(*columns, given, mapping, inference.findings, inference.doubts);
       set_duty(*columns, given, mapping);
-      if (infer_reference_frame(*columns, given, mapping, inference.findings, inference.doubts))
+      if (!states_its_frame(recordings) &&
+          infer_reference_frame(*columns, given, mapping, inference.findings, inference.doubts))
         columns = gather_sample(recordings, mapping);
       set_units(*columns, given, mapping, inference.findings, inference.doubts);
       set_step_scale(*columns, given, mapping, inference.findings);

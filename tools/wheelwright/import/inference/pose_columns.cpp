@@ -8,8 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "model/log/lost_poses.hpp"
 #include "tools/wheelwright/import/conversion/counts.hpp"
-#include "tools/wheelwright/import/conversion/lost_poses.hpp"
 #include "tools/wheelwright/import/inference/quaternion_columns.hpp"
 
 namespace wheelwright::import {
@@ -223,7 +223,7 @@ std::vector<Channel> without_lost_poses(const std::vector<const Channel*>& colum
   for (std::size_t a = 0; a < columns.size(); ++a) {
     for (std::size_t b = a + 1; b < columns.size(); ++b) {
       const auto& x = columns[a]->values;
-      for (const LostStretch& stretch : lost_stretches(x, columns[b]->values)) {
+      for (const RowStretch& stretch : lost_stretches(x, columns[b]->values)) {
         for (Channel& each : cleaned) {
           const auto begin = each.values.begin() + static_cast<std::ptrdiff_t>(stretch.begin);
           const auto end = each.values.begin() + static_cast<std::ptrdiff_t>(stretch.end);

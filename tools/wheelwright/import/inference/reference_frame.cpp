@@ -133,7 +133,8 @@ bool infer_reference_frame(const DriveColumns& columns, const GivenMapping& give
   if (against_motion) {
     mapping.reference->y_points_right = true;
     findings.emplace_back(
-        "y points right, or x and y are exchanged: headings turn as the wheels do, and x and y against them");
+        "the places are mirrored, so that y points right or x and y are exchanged: headings turn as the "
+        "wheels do, and x and y against them");
     return true;
   }
   if (with_motion && !with_wheels) {

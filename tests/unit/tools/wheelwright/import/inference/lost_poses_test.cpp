@@ -1,5 +1,4 @@
 // Numbers that a tracker says in place of a pose that it has lost.
-#include "tools/wheelwright/import/conversion/lost_poses.hpp"
 #include "tests/unit/tools/wheelwright/import/import_text.hpp"
 
 using namespace wheelwright;
@@ -55,56 +54,4 @@ TEST_CASE("A pose of 0, -1, -999 or 9999 for a few rows is none, in columns with
       CHECK(outcome.remarks("the pose is lost"));
     }
   }
-}
-
-TEST_CASE("A robot that stands at the origin is not lost") {
-  std::vector<double> x(50, 0.0);
-  std::vector<double> y(50, 0.0);
-  for (int row = 0; row < 200; ++row) {
-    x.push_back(0.01 * row);
-    y.push_back(0.005 * row);
-  }
-  CHECK(import::lost_stretches(x, y).empty());
-}
-
-TEST_CASE("A tracker that finds the robot only after a while has no poses before") {
-  std::vector<double> x(50, 0.0);
-  std::vector<double> y(50, 0.0);
-  for (int row = 0; row < 200; ++row) {
-    x.push_back(1.5 + 0.01 * row);
-    y.push_back(-0.5 + 0.005 * row);
-  }
-  const auto lost = import::lost_stretches(x, y);
-  REQUIRE(lost.size() == 1);
-  CHECK(lost.front().begin == 0);
-  CHECK(lost.front().end == 50);
-}
-
-TEST_CASE("A robot that is set back to the origin and drives on from there is not lost") {
-  std::vector<double> x;
-  std::vector<double> y;
-  for (int lap = 0; lap < 3; ++lap) {
-    x.insert(x.end(), 5, 0.0);
-    y.insert(y.end(), 5, 0.0);
-    for (int row = 0; row < 100; ++row) {
-      x.push_back(0.01 * row);
-      y.push_back(0.005 * row);
-    }
-  }
-  CHECK(import::lost_stretches(x, y).empty());
-}
-
-TEST_CASE("A lost pose is found between rows that have none at all") {
-  std::vector<double> x;
-  std::vector<double> y;
-  for (int row = 0; row < 300; ++row) {
-    const bool placed = row % 5 == 0;
-    const bool lost = row / 50 == 2;
-    x.push_back(!placed ? import::nothing : lost ? -1.0 : 1.0 + 0.01 * row);
-    y.push_back(!placed ? import::nothing : lost ? -1.0 : 2.0 + 0.005 * row);
-  }
-  const auto lost = import::lost_stretches(x, y);
-  REQUIRE(lost.size() == 1);
-  CHECK(lost.front().begin == 100);
-  CHECK(lost.front().end == 150);
 }

@@ -95,7 +95,7 @@ TEST_CASE("A y axis that points right is turned round, and so are x and y that a
     return TrackerPose{row.x, -row.y, row.theta};
   });
   check_frame(right, drive);
-  CHECK(right.found("y points right"));
+  CHECK(right.found("the places are mirrored, so that y points right"));
   const auto exchanged = import_seen_as(drive, [](const ForeignRow& row) {
     return TrackerPose{row.y, row.x, row.theta};
   });
