@@ -31,7 +31,7 @@ class DistanceScale final : public EffectOf<DistanceScale> {
 
 EffectInfo distance_scale() {
   return {"distance_scale",
-          "both wheels roll more or less than counted",
+          "both wheels roll more or less than counted, or the reference is out of scale",
           "Metres per tick are not what the log says: tyre wear, load, carpet. Takes counts and an outside "
           "distance. 'turns_as_counted': the given wheel base is wrong by the same share, as after a "
           "calibration of metres per tick by turning on it.",

@@ -23,7 +23,7 @@ EffectInfo effective_track() {
           "the distance between wheels that turning shows is not the given one",
           "Wide or soft tyres touch the floor elsewhere than in the middle. The same ratio at every turn "
           "rate, which "
-          "distinguishes it from scrub.",
+          "distinguishes it from scrub. Without counts, places that are out of scale look the same.",
           {{"", EffectStage::body}},
           {{"excess",
             "m",

@@ -27,7 +27,9 @@ struct Window {
   double heading_rad;  // half-way
   double turn_rad;
   double duration_s;
-  double rolled_m;  // by the counts, else as commanded
+  double rolled_m;    // by the counts, else as commanded
+  double t_s;         // since the run began, half-way
+  double turned_rad;  // since then, half-way
   std::size_t cluster;
 };
 
@@ -52,6 +54,7 @@ void add_windows(const DriveLog& run, std::vector<Window>& windows) {
   const std::vector<double> way = way_of_wheels_m(run);
   const std::size_t first_cluster = windows.empty() ? 0 : windows.back().cluster + 1;
   std::optional<std::size_t> from;
+  double turned = 0.0;
   for (std::size_t i = 0; i < run.samples.size(); ++i) {
     const DriveSample& to = run.samples[i];
     const auto pose = to.reference_pose();
@@ -66,7 +69,10 @@ void add_windows(const DriveLog& run, std::vector<Window>& windows) {
       const double moved_m = std::hypot(pose->x_m - start.x_m, pose->y_m - start.y_m);
       if (std::abs(turn) < longest_turn_rad && moved_m < fastest_m_s * (to.t_s - before.t_s))
         windows.push_back({pose->x_m - start.x_m, pose->y_m - start.y_m, start.theta_rad + 0.5 * turn, turn,
-                           to.t_s - before.t_s, way[i] - way[*from], cluster});
+                           to.t_s - before.t_s, way[i] - way[*from],
+                           0.5 * (to.t_s + before.t_s) - run.samples.front().t_s, turned + 0.5 * turn,
+                           cluster});
+      turned += turn;
     }
     from = i;
   }
@@ -94,59 +100,123 @@ std::optional<double> coarse_offset(const std::vector<Window>& windows) {
   return forward >= 0.0 ? offset : wrap_angle(offset + std::numbers::pi);
 }
 
-using Row = Eigen::Matrix<double, 5, 1>;
+constexpr Eigen::Index cause_count = 7;
+constexpr Eigen::Index of_drift = 5;
+constexpr Eigen::Index of_scale = 6;
+using Row = Eigen::Matrix<double, cause_count, 1>;
+
+struct Means {
+  double t_s = 0.0;
+  double turned_rad = 0.0;
+};
+
+Means means_of(const std::vector<Window>& windows) {
+  Means sum;
+  for (const Window& window : windows) {
+    sum.t_s += window.t_s;
+    sum.turned_rad += window.turned_rad;
+  }
+  const auto count = static_cast<double>(windows.size());
+  return {sum.t_s / count, sum.turned_rad / count};
+}
 
 struct Motion {
   Row causes;    // of the motion aside
   double aside;  // m
 };
 
-Motion motion_of(const Window& window, double offset_rad) {
+Motion motion_of(const Window& window, const Means& means, double offset_rad) {
   const double direction = window.heading_rad + offset_rad;
   const double c = std::cos(direction);
   const double s = std::sin(direction);
   const double forward = window.dx_m * c + window.dy_m * s;
   Row causes;
   causes << forward, window.turn_rad, forward * window.turn_rad / window.duration_s, window.duration_s * c,
-      window.duration_s * s;
+      window.duration_s * s, forward * (window.t_s - means.t_s),
+      forward * (window.turned_rad - means.turned_rad);
   return {causes, window.dy_m * c - window.dx_m * s};
 }
 
-// What is left of the offset, and its standard error.
-std::optional<HeadingOffset> fine_offset(const std::vector<Window>& windows, double coarse_rad) {
+struct Fit {
+  Row factors;
+  Row standard_errors;
+};
+
+// By the first causes alone where `with_trend` is false.
+std::optional<Fit> fit_aside(const std::vector<Window>& windows, const Means& means, double coarse_rad,
+                             bool with_trend) {
   constexpr double ridge = 1e-9;  // of scaled columns: two that go together leave a large error
-  using Square = Eigen::Matrix<double, 5, 5>;
+  using Square = Eigen::Matrix<double, cause_count, cause_count>;
+  const auto motion_in = [&](const Window& window) {
+    Motion motion = motion_of(window, means, coarse_rad);
+    if (!with_trend) motion.causes.tail(cause_count - of_drift).setZero();
+    return motion;
+  };
   Square normal = Square::Zero();
   Row right = Row::Zero();
   for (const Window& window : windows) {
-    const Motion motion = motion_of(window, coarse_rad);
+    const Motion motion = motion_in(window);
     normal += motion.causes * motion.causes.transpose();
     right += motion.causes * motion.aside;
   }
   if (!(normal(0, 0) > 0.0)) return std::nullopt;
-  const Row sizes = (normal.diagonal().array() + 1e-12 * normal(0, 0)).sqrt();
-  const Row scales = sizes.cwiseInverse();
+  const Row scales = (normal.diagonal().array() + 1e-12 * normal(0, 0)).sqrt().inverse();
   Square scaled = scales.asDiagonal() * normal * scales.asDiagonal();
   scaled.diagonal().array() += ridge;
   const Square inverse = scales.asDiagonal() * scaled.inverse() * scales.asDiagonal();
-  const Row factors = inverse * right;
+  Fit fit;
+  fit.factors = inverse * right;
   Square scores = Square::Zero();
   Row score = Row::Zero();
   std::size_t clusters = 0;
   for (std::size_t i = 0; i < windows.size(); ++i) {
-    const Motion motion = motion_of(windows[i], coarse_rad);
-    score += motion.causes * (motion.aside - factors.dot(motion.causes));
+    const Motion motion = motion_in(windows[i]);
+    score += motion.causes * (motion.aside - fit.factors.dot(motion.causes));
     if (i + 1 < windows.size() && windows[i + 1].cluster == windows[i].cluster) continue;
     scores += score * score.transpose();
     score.setZero();
     ++clusters;
   }
   if (clusters < least_clusters) return std::nullopt;
-  const double freedom = static_cast<double>(clusters) / static_cast<double>(clusters - 5);
+  const double freedom = static_cast<double>(clusters) / static_cast<double>(clusters - cause_count);
   const Square covariance = freedom * inverse * scores * inverse;
-  const double per_radian = 1.0 / (1.0 + factors[0] * factors[0]);
-  return HeadingOffset{wrap_angle(coarse_rad + std::atan(factors[0])),
-                       per_radian * std::sqrt(std::max(covariance(0, 0), 0.0))};
+  fit.standard_errors = covariance.diagonal().array().max(0.0).sqrt();
+  return fit;
+}
+
+// Whether a trend over `values` of the windows is sure and makes a difference.
+bool is_trend(const Fit& fit, Eigen::Index cause, const std::vector<Window>& windows, double Window::*value) {
+  const auto [least, most] = std::ranges::minmax(windows, {}, value);
+  const double size = std::abs(fit.factors[cause]);
+  return size > sure * fit.standard_errors[cause] && size * (most.*value - least.*value) > 2.0 * matters_rad;
+}
+
+std::optional<HeadingOffset> fine_offset(const std::vector<Window>& windows, double coarse_rad) {
+  const Means means = means_of(windows);
+  auto fit = fit_aside(windows, means, coarse_rad, true);
+  if (!fit) return std::nullopt;
+  const bool drifts = is_trend(*fit, of_drift, windows, &Window::t_s);
+  const bool is_scaled = is_trend(*fit, of_scale, windows, &Window::turned_rad);
+  if (!drifts && !is_scaled) fit = fit_aside(windows, means, coarse_rad, false);
+  const double slope = fit->factors[0];
+  const double per_slope = 1.0 / (1.0 + slope * slope);
+  return HeadingOffset{wrap_angle(coarse_rad + std::atan(slope)),
+                       per_slope * fit->standard_errors[0],
+                       drifts ? per_slope * fit->factors[of_drift] : 0.0,
+                       is_scaled ? per_slope * fit->factors[of_scale] : 0.0,
+                       means.t_s,
+                       means.turned_rad};
+}
+
+// Between the two at the means of the first, less what does not matter.
+double apart_rad(const HeadingOffset& own, const HeadingOffset& of_all) {
+  const double expected = of_all.offset_rad + of_all.drift_rad_per_s * (own.mean_t_s - of_all.mean_t_s) +
+                          of_all.per_radian * (own.mean_turned_rad - of_all.mean_turned_rad);
+  return std::abs(wrap_angle(own.offset_rad - expected)) - matters_rad;
+}
+
+bool has_trend(const HeadingOffset& offset) {
+  return offset.drift_rad_per_s != 0.0 || offset.per_radian != 0.0;
 }
 
 }  // namespace
@@ -161,12 +231,23 @@ std::optional<HeadingOffset> find_heading_offset(std::span<const DriveLog* const
 bool is_turned(const HeadingOffset& offset) {
   constexpr double half_a_turn_rad = 0.75 * std::numbers::pi;
   const double size = std::abs(offset.offset_rad);
-  return size > matters_rad && size > sure * offset.standard_error_rad && size < half_a_turn_rad;
+  const bool is_off = size > matters_rad && size > sure * offset.standard_error_rad;
+  return size < half_a_turn_rad && (is_off || has_trend(offset));
 }
 
-void turn_headings(DriveLog& run, double by_rad) {
+void turn_headings(DriveLog& run, const HeadingOffset& offset) {
+  double turned = 0.0;
+  double before = 0.0;
+  bool is_first = true;
   for (DriveSample& sample : run.samples) {
-    if (sample.reference_theta_rad) *sample.reference_theta_rad += by_rad;
+    if (!sample.reference_theta_rad) continue;
+    double& theta = *sample.reference_theta_rad;
+    if (!is_first) turned += wrap_angle(theta - before);
+    is_first = false;
+    before = theta;
+    theta += offset.offset_rad +
+             offset.drift_rad_per_s * (sample.t_s - run.samples.front().t_s - offset.mean_t_s) +
+             offset.per_radian * (turned - offset.mean_turned_rad);
   }
 }
 
@@ -175,8 +256,7 @@ std::vector<HeadingOffset> heading_offsets(std::span<const DriveLog* const> runs
   std::vector<HeadingOffset> offsets;
   for (const DriveLog* run : runs) {
     const auto own = runs.size() > 1 ? find_heading_offset({&run, 1}) : of_all;
-    const double apart_rad = of_all && own ? std::abs(wrap_angle(own->offset_rad - of_all->offset_rad)) : 0.0;
-    const bool contradicts = own && apart_rad > std::max(matters_rad, sure * own->standard_error_rad);
+    const bool contradicts = of_all && own && apart_rad(*own, *of_all) > sure * own->standard_error_rad;
     const auto& used = of_all && !contradicts ? of_all : own;
     offsets.push_back(used && is_turned(*used) ? *used : HeadingOffset{});
   }
@@ -185,11 +265,17 @@ std::vector<HeadingOffset> heading_offsets(std::span<const DriveLog* const> runs
 
 std::string in_words(const HeadingOffset& offset) {
   constexpr double degree = std::numbers::pi / 180.0;
+  constexpr double minute_s = 60.0;
   const double half_rad = 1.96 * offset.standard_error_rad;
-  return "the heading of the reference is turned by " + in_digits(-offset.offset_rad / degree, 3) +
-         " deg against the way that it moves (95 %: " +
-         in_digits((-offset.offset_rad - half_rad) / degree, 3) + " to " +
-         in_digits((-offset.offset_rad + half_rad) / degree, 3) + ")";
+  std::string text =
+      "the heading of the reference is turned by " + in_digits(-offset.offset_rad / degree, 3) +
+      " deg against the way that it moves (95 %: " + in_digits((-offset.offset_rad - half_rad) / degree, 3) +
+      " to " + in_digits((-offset.offset_rad + half_rad) / degree, 3) + ")";
+  if (offset.drift_rad_per_s != 0.0)
+    text += ", drifts by " + in_digits(-minute_s * offset.drift_rad_per_s / degree, 3) + " deg a minute";
+  if (offset.per_radian != 0.0)
+    text += ", turns " + in_digits(1.0 / (1.0 + offset.per_radian), 5) + " times as far";
+  return text;
 }
 
 }  // namespace wheelwright

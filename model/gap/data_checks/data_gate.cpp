@@ -137,8 +137,8 @@ void turn_headings_back(std::vector<GateState>& states) {
   for (const GateState& state : states) logs.push_back(&state.result.log);
   const std::vector<HeadingOffset> offsets = heading_offsets(logs);
   for (std::size_t i = 0; i < states.size(); ++i) {
-    if (offsets[i].offset_rad == 0.0) continue;
-    turn_headings(states[i].result.log, offsets[i].offset_rad);
+    if (!is_turned(offsets[i])) continue;
+    turn_headings(states[i].result.log, offsets[i]);
     states[i].treated_fault(0, in_words(offsets[i]), "it was turned back");
   }
 }

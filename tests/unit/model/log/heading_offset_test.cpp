@@ -31,7 +31,7 @@ std::vector<HeadingOffset> offsets_of(const std::vector<DriveLog>& runs) {
 }
 
 void turn_all(std::vector<DriveLog>& runs, double by_rad) {
-  for (DriveLog& run : runs) turn_headings(run, by_rad);
+  for (DriveLog& run : runs) turn_headings(run, {.offset_rad = by_rad});
 }
 
 bool is_said(const std::vector<GatedLog>& gated, const std::string& words) {
@@ -49,7 +49,7 @@ TEST_CASE("No effect that a robot can have is taken for a heading that is turned
   for (const auto& effect : test::hidden_effects()) {
     INFO(effect.name);
     for (const HeadingOffset& offset : offsets_of(runs_with(std::string(effect.name), 3)))
-      CHECK(offset.offset_rad == 0.0);
+      CHECK_FALSE(is_turned(offset));
   }
 }
 
@@ -77,7 +77,7 @@ TEST_CASE("A turned heading is found without counts, and by one pose in half a s
 
 TEST_CASE("A run whose tracker was taught anew has an offset of its own") {
   auto runs = runs_with("clean", 9);
-  turn_headings(runs.back(), 0.15);
+  turn_headings(runs.back(), {.offset_rad = 0.15});
   const auto offsets = offsets_of(runs);
   CHECK(std::abs(offsets.front().offset_rad) < 0.01);
   CHECK_THAT(offsets.back().offset_rad, WithinAbs(-0.15, 0.01));
@@ -86,7 +86,7 @@ TEST_CASE("A run whose tracker was taught anew has an offset of its own") {
 TEST_CASE("Half a turn may be commands of the other sign, and stays a contradiction") {
   auto runs = runs_with("clean", 11);
   turn_all(runs, 3.1);
-  for (const HeadingOffset& offset : offsets_of(runs)) CHECK(offset.offset_rad == 0.0);
+  for (const HeadingOffset& offset : offsets_of(runs)) CHECK_FALSE(is_turned(offset));
   CHECK(is_said(gate_together(runs), "turned by half a turn"));
 }
 
@@ -99,5 +99,29 @@ TEST_CASE("The data gate turns a heading back and says so") {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     CHECK_THAT(*gated[i].log.samples.back().reference_theta_rad,
                WithinAbs(*straight[i].samples.back().reference_theta_rad, 0.01));
+  }
+}
+
+TEST_CASE(
+    "A heading that drifts, and one whose turns are out of scale, are put right by the way that it moves") {
+  for (const double drift_rad_per_s : {0.0, 0.0015, -0.002}) {
+    for (const double per_radian : {0.0, 0.01}) {
+      INFO(drift_rad_per_s << " " << per_radian);
+      auto runs = runs_with("clean", 15);
+      const auto true_runs = runs;
+      for (DriveLog& run : runs)
+        turn_headings(run, {.drift_rad_per_s = drift_rad_per_s, .per_radian = per_radian});
+      const auto offsets = offsets_of(runs);
+      for (std::size_t i = 0; i < runs.size(); ++i) {
+        CHECK_THAT(offsets[i].drift_rad_per_s, WithinAbs(-drift_rad_per_s, 2e-4));
+        CHECK((offsets[i].per_radian != 0.0) == (per_radian != 0.0));
+        turn_headings(runs[i], offsets[i]);
+        double worst = 0.0;
+        for (std::size_t row = 0; row < runs[i].samples.size(); ++row)
+          worst = std::max(worst, std::abs(*runs[i].samples[row].reference_theta_rad -
+                                           *true_runs[i].samples[row].reference_theta_rad));
+        CHECK(worst < 0.012);
+      }
+    }
   }
 }
