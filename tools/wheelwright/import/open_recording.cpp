@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "config/load/text_file.hpp"
+#include "tools/wheelwright/import/conversion/stamp_columns.hpp"
 #include "tools/wheelwright/import/formats/matlab/mat_file.hpp"
 #include "tools/wheelwright/import/formats/ros/ros_recording.hpp"
 #include "tools/wheelwright/import/formats/text/text_recording.hpp"
@@ -32,6 +33,16 @@ struct Format {
   ReadResult (*read_file)(const path& file);
 };
 
+ReadResult read_text(std::string&& bytes, const std::string& name) {
+  auto recording = read_text_table(std::move(bytes), name);
+  if (!recording) return recording;
+  for (Stream& stream : recording->streams) {
+    join_seconds_and_nanoseconds(stream);
+    sum_steps_of_time(stream);
+  }
+  return recording;
+}
+
 // The first that fits is taken: text, which knows itself by what it has not, stands last.
 constexpr std::array<Format, 7> formats{{
     {is_ros1_bag, nullptr, read_ros_file},
@@ -42,8 +53,7 @@ constexpr std::array<Format, 7> formats{{
      nullptr},
     {is_mat_file, [](std::string&& bytes, const std::string& name) { return read_mat_file(bytes, name); },
      nullptr},
-    {is_text,
-     [](std::string&& bytes, const std::string& name) { return read_text_table(std::move(bytes), name); },
+    {is_text, [](std::string&& bytes, const std::string& name) { return read_text(std::move(bytes), name); },
      nullptr},
 }};
 

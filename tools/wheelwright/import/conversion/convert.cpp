@@ -67,8 +67,8 @@ void turn_headings_back(Conversion& conversion, const Mapping& mapping) {
   for (const DriveLog& run : conversion.runs) runs.push_back(&run);
   const auto offsets = heading_offsets(runs);
   for (std::size_t i = 0; i < offsets.size(); ++i) {
-    if (offsets[i].offset_rad == 0.0) continue;
-    turn_headings(conversion.runs[i], offsets[i].offset_rad);
+    if (!is_turned(offsets[i])) continue;
+    turn_headings(conversion.runs[i], offsets[i]);
     const std::string remark =
         in_words(offsets[i]) + "; it was turned back (--set reference.heading_offset_deg if you know it)";
     if (std::ranges::find(conversion.remarks, remark) == conversion.remarks.end())

@@ -9,6 +9,7 @@ namespace wheelwright::import {
 namespace {
 
 constexpr std::array counter_widths{8, 16, 24, 32};
+constexpr std::array shaft_encoder_widths{10, 12, 14};  // of a turn
 constexpr std::size_t min_changes = 5;
 
 // Largest step of counts that are unwrapped at `modulus`, and how many jumps there are.
@@ -53,6 +54,13 @@ std::optional<int> wrapped_bits(std::span<const double> counts) {
     if (!(is_unsigned || is_signed) || highest - lowest < 0.6 * modulus) continue;
     const Steps steps = steps_at(counts, modulus);
     if (steps.wraps > 0 && steps.largest < 0.4 * modulus) return bits;
+  }
+  // Fewer bits are told from a counter that was set to zero by both ends, and by several wraps.
+  for (const int bits : shaft_encoder_widths) {
+    const double modulus = std::ldexp(1.0, bits);
+    if (lowest < 0.0 || lowest > 0.05 * modulus || highest >= modulus || highest < 0.95 * modulus) continue;
+    const Steps steps = steps_at(counts, modulus);
+    if (steps.wraps > 2 && steps.largest < 0.25 * modulus) return bits;
   }
   return std::nullopt;
 }

@@ -70,6 +70,7 @@ class Gathering {
     if (mapping_.command) {
       subtract_neutral(columns_, mapping_.command->neutral);
       apply_directions(columns_, mapping_.command->forward);
+      reverse_commands(columns_, *mapping_.command);
     }
     return std::move(columns_);
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <utility>
 
 #include "tools/wheelwright/import/conversion/counter_resets.hpp"
@@ -35,10 +37,26 @@ bool is_at_rest(const DriveColumns& columns, std::size_t row) {
   });
 }
 
-std::vector<std::size_t> resets_of(const DriveColumns& columns, const RunRows& rows) {
+// An angle within one turn, of radians or degrees, which starts again at each.
+bool goes_round(const Column& angles) {
+  constexpr double turns[] = {2.0 * std::numbers::pi, 360.0};
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -lowest;
+  for (const double angle : angles) {
+    if (!std::isfinite(angle)) continue;
+    lowest = std::min(lowest, angle);
+    highest = std::max(highest, angle);
+  }
+  return std::ranges::any_of(
+      turns, [&](double turn) { return highest - lowest > 0.9 * turn && highest - lowest < 1.01 * turn; });
+}
+
+std::vector<std::size_t> resets_of(const DriveColumns& columns, const WheelMapping& wheels,
+                                   const RunRows& rows) {
   std::vector<std::size_t> resets;
+  if (wheels.bits) return resets;  // it wraps
   for (const Column& wheel : columns.wheel) {
-    if (wheel.empty()) continue;
+    if (wheel.empty() || (wheels.kind != WheelKind::counts && goes_round(wheel))) continue;
     Column travel;
     travel.reserve(rows.size());
     for (const std::size_t row : rows) travel.push_back(wheel[row]);
@@ -50,10 +68,10 @@ std::vector<std::size_t> resets_of(const DriveColumns& columns, const RunRows& r
   return resets;
 }
 
-void split_at_resets(const DriveColumns& columns, TimeRepair& time) {
+void split_at_resets(const DriveColumns& columns, const WheelMapping& wheels, TimeRepair& time) {
   std::vector<RunRows> runs;
   for (const auto& rows : time.runs) {
-    auto ends = resets_of(columns, rows);
+    auto ends = resets_of(columns, wheels, rows);
     for (const std::size_t reset : ends) {
       time.remarks.push_back(columns.place(rows[reset]) +
                              ": the counts start again from zero; a new run begins");
@@ -100,7 +118,7 @@ TimeRepair repair_runs(const DriveColumns& columns, const Mapping& mapping) {
   }
   all.t_s = std::move(t_s);
   if (mapping.wheels && mapping.wheels->kind != WheelKind::speed && !mapping.wheels->per_row)
-    split_at_resets(columns, all);
+    split_at_resets(columns, *mapping.wheels, all);
   return all;
 }
 

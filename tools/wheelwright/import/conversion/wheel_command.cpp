@@ -66,6 +66,14 @@ void subtract_neutral(DriveColumns& columns, double neutral) {
   }
 }
 
+void reverse_commands(DriveColumns& columns, const CommandMapping& command) {
+  const std::array reversed{command.left_reversed, command.right_reversed};
+  for (std::size_t side = 0; side < 2; ++side) {
+    if (!reversed[side]) continue;
+    for (double& value : columns.command[side]) value = -value;
+  }
+}
+
 void apply_directions(DriveColumns& columns, double forward) {
   for (std::size_t side = 0; side < 2; ++side) {
     const Column& bits = columns.direction[side];

@@ -26,4 +26,7 @@ void subtract_neutral(DriveColumns& columns, double neutral);
 // A duty is negative where the bit beside it is not that of forward.
 void apply_directions(DriveColumns& columns, double forward);
 
+// The commands of wheels that a positive number drives backward.
+void reverse_commands(DriveColumns& columns, const CommandMapping& command);
+
 }  // namespace wheelwright::import

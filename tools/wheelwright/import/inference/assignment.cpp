@@ -106,6 +106,11 @@ void take_assignment(const Stream& stream, const Assignment& best, Mapping& mapp
     wheels.left = {stream.name, best.wheel[exchanged ? 1 : 0].channel->name};
     if (!one_wheel) wheels.right = ChannelName{stream.name, best.wheel[exchanged ? 0 : 1].channel->name};
     wheels.unit_assumed = wheels.kind != WheelKind::counts;
+    const std::string stated = meaning_of(stream, *best.wheel[0].channel).unit;
+    if (wheels.kind == WheelKind::speed && find_unit(speed_units(), stated)) {
+      wheels.unit = stated;
+      wheels.unit_assumed = false;
+    }
     if (best.reversed != nullptr) {
       wheels.left_reversed = best.reversed->name == wheels.left.channel;
       wheels.right_reversed = !wheels.left_reversed;

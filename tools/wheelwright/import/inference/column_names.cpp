@@ -1,6 +1,10 @@
 #include "tools/wheelwright/import/inference/column_names.hpp"
 
+#include <algorithm>
+#include <initializer_list>
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include "tools/wheelwright/import/inference/name_words.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
@@ -12,25 +16,61 @@ struct Name {
   NameWords words;
   bool is_command = false;
   NamedSide side = NamedSide::none;
-  std::string unit;
+  std::string unit{};
+  bool dir_is_a_side = false;
 };
 
-NamedSide side_of(const NameWords& words) {
+bool any_has(const Stream& stream, std::initializer_list<std::string_view> words) {
+  return std::ranges::any_of(
+      stream.channels, [&words](const Channel& channel) { return NameWords(channel.name).has_any(words); });
+}
+
+// "dir" is right where "esq" is left, in Portuguese; elsewhere a direction.
+bool is_portuguese(const Stream& stream) {
+  return any_has(stream, {"esq"});
+}
+
+// "g" and "d" are gauche and droite beside these.
+bool is_french(const Stream& stream) {
+  return any_has(stream, {"consigne", "vitesse", "mesuree", "codeur", "temps"});
+}
+
+NamedSide side_of(const NameWords& words, const Stream& stream) {
+  if (words.has("dir") && is_portuguese(stream)) return NamedSide::right;
+  if (words.has_any({"g", "d"}) && is_french(stream))
+    return words.has("g") ? NamedSide::left : NamedSide::right;
   // In "p_RS_R_x" (EuRoC) the letters name frames.
   if (words.has("rs") || words.has_any({"front", "rear"})) return NamedSide::none;
-  if (words.has_any({"left", "l", "lft", "port", "gauche", "links", "linke", "linkes", "sinistra",
-                     "izquierda", "lhs", "lw", "wl", "izq", "links", "gauche"}))
+  if (words.has_any({"left",     "l",         "lft",       "port",   "gauche", "links", "linke", "linkes",
+                     "sinistra", "izquierda", "izquierdo", "lhs",    "lw",     "wl",    "izq",   "esq",
+                     "esquerda", "esquerdo",  "sinistro",  "linker", "lewy",   "lewe"}))
     return NamedSide::left;
-  if (words.has_any({"right", "r", "rgt", "starboard", "stbd", "droite", "rechts", "rechte", "rechtes",
-                     "destra", "derecha", "rhs", "rw", "wr", "der", "rechts", "droite"}))
+  if (words.has_any({"right",   "r",       "rgt",     "starboard", "stbd",    "droite", "rechts", "rechte",
+                     "rechtes", "destra",  "derecha", "derecho",   "rhs",     "rw",     "wr",     "der",
+                     "direita", "direito", "droit",   "destro",    "rechter", "prawy",  "prawe"}))
     return NamedSide::right;
   return NamedSide::none;
 }
 
+// "Sollgeschwindigkeit", "sollwert".
+bool begins_with_target(const NameWords& words) {
+  return std::ranges::any_of(words.words(), [](const std::string& word) { return word.starts_with("soll"); });
+}
+
 bool is_command_name(const NameWords& words) {
-  return words.has_any({"cmd",       "cmdvel", "command", "commanded", "commands", "set",  "setpoint",
+  return begins_with_target(words) ||
+         words.has_any(
+             {"consigne", "deseada", "deseado", "gewenst", "gewenste", "wanted", "tgt", "vorgabe"}) ||
+         words.has_any({"cmd",       "cmdvel", "command", "commanded", "commands", "set",  "setpoint",
                         "setpoints", "sp",     "target",  "desired",   "des",      "goal", "request",
                         "requested", "req",    "demand",  "input",     "u",        "pwm",  "duty"});
+}
+
+// The reference of a controller is what it wants of a wheel or a speed; that of a place is where it was.
+bool is_controller_reference(const NameWords& words, NamedSide side) {
+  return words.has_any({"ref", "reference"}) &&
+         (side != NamedSide::none ||
+          words.has_any({"v", "w", "vel", "velocity", "speed", "omega", "lin", "linear", "ang", "angular"}));
 }
 
 std::optional<Quantity> time_or_pose(const Name& name) {
@@ -56,16 +96,19 @@ std::optional<Quantity> time_or_pose(const Name& name) {
   if (of_source && words.words().front() == "y") return Quantity::y;
   if (last == "x" || last == "px" || last == "tx" || last == "posx" || last == "xpos") return Quantity::x;
   if (last == "y" || last == "py" || last == "ty" || last == "posy" || last == "ypos") return Quantity::y;
+  if (words.has_any({"north", "northing"})) return Quantity::x;
+  if (words.has_any({"east", "easting"})) return Quantity::y;
   if (words.has_any({"theta", "yaw", "heading", "psi", "th", "orientation"})) return Quantity::heading;
   return std::nullopt;
 }
 
 Quantity of_wheel(const Name& name) {
   const NameWords& words = name.words;
-  const bool is_speed =
-      words.has_any({"vel", "velocity", "speed", "spd", "v", "rpm", "rps", "omega", "w", "rate"}) ||
-      find_unit(speed_units(), name.unit);
-  if (words.has_any({"dir", "direction"})) return Quantity::direction;
+  const bool is_speed = words.has_any({"vel", "velocity", "speed", "spd", "v", "rpm", "rps", "omega", "w",
+                                       "rate", "geschwindigkeit", "drehzahl", "vitesse", "velocidad",
+                                       "velocidade", "snelheid", "velocita"}) ||
+                        find_unit(speed_units(), name.unit);
+  if (words.has("direction") || (words.has("dir") && !name.dir_is_a_side)) return Quantity::direction;
   if (words.has_any({"pwm", "duty", "power", "throttle", "volt", "volts", "voltage", "effort", "dc", "rc",
                      "servo", "esc"})) {
     return Quantity::duty;
@@ -75,7 +118,8 @@ Quantity of_wheel(const Name& name) {
   if (find_unit(angle_units(), name.unit)) return Quantity::angle;
   if (find_unit(distance_units(), name.unit)) return Quantity::distance;
   if (words.has_any({"tick", "ticks", "count", "counts", "cnt", "enc", "encoder", "encoders", "pulse",
-                     "pulses", "qei", "pos"})) {
+                     "pulses", "qei", "pos", "impulse", "impulsos", "pulsos", "codeur", "encodeur",
+                     "teller"})) {
     return Quantity::count;
   }
   if (words.has_any({"dist", "distance", "travel", "odo", "odometer"})) return Quantity::distance;
@@ -109,6 +153,8 @@ Quantity of_body(const Name& name) {
   if (words.has_any({"dir", "direction"})) return Quantity::direction;
   if (words.has_any({"throttle", "thr"}) && !words.has("angle")) return Quantity::throttle;
   if (words.has_any({"steering", "steer"}) && !words.has("angle")) return Quantity::steering;
+  if (!name.is_command && name.unit.empty() && (last == "turn" || last == "turning"))
+    return Quantity::steering;
   const bool is_angular =
       (words.has("angular") && last != "x" && last != "y") ||
       words.has_any({"w", "omega", "wz", "yawrate", "ang", "rot", "turnrate"}) ||
@@ -130,16 +176,18 @@ Quantity of_body(const Name& name) {
 }  // namespace
 
 NameMeaning meaning_of(const Stream& stream, const Channel& channel) {
-  Name name{NameWords(channel.name), false, NamedSide::none, {}};
+  Name name{.words = NameWords(channel.name)};
   if (name.words.empty()) return {};
   // Transforms and the covariances beside a pose say nothing by their topic.
   const std::string topic = stream.name.substr(0, stream.name.find(':'));
   name.unit = channel.unit.empty() ? name.words.take_unit() : channel.unit;
   if (name.unit == "in") name.unit = "inch";  // a word of many names, but a unit where the file states one
   if (const auto standard = unit_by_spelling(name.unit); !standard.empty()) name.unit = standard;
-  name.side = side_of(name.words);
-  name.is_command = is_command_name(name.words) || is_command_name(NameWords(topic));
+  name.side = side_of(name.words, stream);
+  name.is_command = is_command_name(name.words) || is_controller_reference(name.words, name.side) ||
+                    channel.name.find('*') != std::string::npos || is_command_name(NameWords(topic));
   if (name.words.empty()) return {};
+  name.dir_is_a_side = is_portuguese(stream);
 
   NameMeaning meaning{Quantity::unknown, name.side, name.unit};
   if (const auto known = time_or_pose(name)) {

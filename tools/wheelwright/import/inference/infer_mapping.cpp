@@ -46,7 +46,7 @@ void add_doubts(const DriveColumns& columns, const Mapping& mapping, std::vector
     doubts.push_back(
         "the " + side +
         " wheel counts backwards against its command; if the encoder is mounted so: --set wheels.reversed=" +
-        side);
+        side + ", if the motor is: --set command.reversed=" + side);
   }
 }
 
@@ -92,6 +92,7 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
   Inference inference;
   const std::string name = recordings.empty() ? std::string("the log") : recordings.front().name;
   Mapping mapping = to_mapping(given.entries(), name);
+  set_kind_of_stated_wheels(recordings, given, mapping);
   map_by_names(recordings, mapping, inference.findings);
   map_metadata(recordings, mapping, inference.doubts);
   set_time_unit(recordings, given, mapping, inference.findings);

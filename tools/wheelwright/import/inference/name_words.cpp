@@ -108,7 +108,7 @@ std::string NameWords::take_unit() {
       return ending;
     }
     const string_view unit = unit_by_spelling(ending);
-    if (unit.empty()) continue;
+    if (unit.empty() || unit == "turn") continue;  // "joy_turn" is no unit
     if (words_.size() > count) words_.resize(words_.size() - count);
     return std::string(unit);
   }

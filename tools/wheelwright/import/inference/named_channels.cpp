@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tools/wheelwright/import/inference/name_words.hpp"
+#include "tools/wheelwright/import/inference/unused_columns.hpp"
 
 namespace wheelwright::import {
 
@@ -21,10 +22,11 @@ int words_apart(const std::string& one, const std::string& other) {
 
 }  // namespace
 
-NamedChannels::NamedChannels(std::span<const Recording> recordings) {
+NamedChannels::NamedChannels(std::span<const Recording> recordings, const Mapping& mapping) {
   for (const auto& recording : recordings) {
     for (const auto& stream : recording.streams) {
       for (const auto& channel : stream.channels) {
+        if (is_used(mapping, stream, channel)) continue;
         const NameMeaning meaning = meaning_of(stream, channel);
         if (meaning.quantity != Quantity::unknown) named_.push_back({&stream, &channel, meaning});
       }

@@ -27,7 +27,8 @@ struct NamedPair {
 
 class NamedChannels {
  public:
-  explicit NamedChannels(std::span<const Recording> recordings);
+  // But for those that `mapping` uses already.
+  NamedChannels(std::span<const Recording> recordings, const Mapping& mapping);
 
   const std::vector<Named>& list() const { return named_; }
   std::vector<Named> all(Quantity quantity, NamedSide side) const;

@@ -7,6 +7,7 @@
 
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
 #include "tools/wheelwright/import/inference/column_shapes.hpp"
+#include "tools/wheelwright/import/inference/gain_units.hpp"
 #include "tools/wheelwright/import/inference/name_words.hpp"
 #include "tools/wheelwright/import/inference/named_channels.hpp"
 #include "tools/wheelwright/import/inference/named_reference.hpp"
@@ -18,7 +19,7 @@ namespace {
 class ByNames {
  public:
   ByNames(std::span<const Recording> recordings, Mapping& mapping, std::vector<std::string>& findings)
-      : recordings_(recordings), named_(recordings), mapping_(mapping), findings_(findings) {}
+      : recordings_(recordings), named_(recordings, mapping), mapping_(mapping), findings_(findings) {}
 
   void run() {
     if (!mapping_.wheels) find_wheels();
@@ -60,6 +61,12 @@ class ByNames {
         .has_any({"delta", "diff", "inc", "increment", "increments", "dticks"});
   }
 
+  // Of a wheel: an omega that is faster than any robot in m/s.
+  static bool is_turn_rate(const Named& named) {
+    return NameWords(named.channel->name).has_any({"omega", "w"}) &&
+           largest(named.channel->values) > fastest_m_s;
+  }
+
   void take_wheels(WheelKind kind, const Named& left, const std::optional<Named>& right) {
     WheelMapping wheels;
     wheels.kind = kind;
@@ -74,8 +81,9 @@ class ByNames {
                                         : wheels.kind == WheelKind::distance ? distance_units()
                                                                              : angle_units();
     if (wheels.kind != WheelKind::counts && !find_unit(units, wheels.unit)) {
-      wheels.unit = units.front().name;
-      wheels.unit_assumed = true;
+      const bool turns = wheels.kind == WheelKind::speed && is_turn_rate(left);
+      wheels.unit = turns ? "rad/s" : units.front().name;
+      wheels.unit_assumed = !turns;
     }
     mapping_.wheels = wheels;
   }
@@ -156,8 +164,11 @@ class ByNames {
     command.kind = kind;
     command.first = first.name();
     if (second) command.second = second->name();
-    if (!first.meaning.unit.empty() && find_unit(speed_units(), first.meaning.unit))
+    if (!first.meaning.unit.empty() && find_unit(speed_units(), first.meaning.unit)) {
       command.unit = first.meaning.unit;
+    } else if (kind == CommandKind::wheels && is_turn_rate(first)) {
+      command.unit = "rad/s";
+    }
     if (kind == CommandKind::twist && second && find_unit(angular_units(), second->meaning.unit)) {
       command.angular_unit = second->meaning.unit;
     }
@@ -208,6 +219,27 @@ class ByNames {
 };
 
 }  // namespace
+
+void set_kind_of_stated_wheels(std::span<const Recording> recordings, const GivenMapping& given,
+                               Mapping& mapping) {
+  if (!mapping.wheels || given.says("wheels.kind") || mapping.wheels->kind != WheelKind::counts) return;
+  const FoundChannel found = find_channel(recordings, mapping.wheels->left);
+  if (found.channel == nullptr) return;
+  const NameMeaning meaning = meaning_of(*found.stream, *found.channel);
+  const auto take = [&](WheelKind kind, std::span<const Unit> units) {
+    mapping.wheels->kind = kind;
+    if (given.says("wheels.unit")) return;
+    mapping.wheels->unit_assumed = !find_unit(units, meaning.unit);
+    mapping.wheels->unit = mapping.wheels->unit_assumed ? std::string(units.front().name) : meaning.unit;
+  };
+  if (meaning.quantity == Quantity::speed || meaning.quantity == Quantity::command) {
+    take(WheelKind::speed, speed_units());
+  } else if (meaning.quantity == Quantity::angle) {
+    take(WheelKind::angle, angle_units());
+  } else if (meaning.quantity == Quantity::distance) {
+    take(WheelKind::distance, distance_units());
+  }
+}
 
 void map_by_names(std::span<const Recording> recordings, Mapping& mapping,
                   std::vector<std::string>& findings) {

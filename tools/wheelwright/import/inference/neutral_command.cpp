@@ -133,10 +133,12 @@ void infer_neutral(DriveColumns& columns, const GivenMapping& given, Mapping& ma
                    std::vector<std::string>& findings) {
   if (!mapping.command || !mapping.wheels || given.says("command.neutral") || mapping.command->direction[0])
     return;
+  reverse_commands(columns, *mapping.command);  // as the file has them
   const auto found = find_neutral(columns, mapping);
+  if (found) subtract_neutral(columns, found->neutral);
+  reverse_commands(columns, *mapping.command);
   if (!found || found->neutral == 0.0) return;
   mapping.command->neutral = found->neutral;
-  subtract_neutral(columns, found->neutral);
   findings.push_back("the wheels rest at a command of " + config::plain_number(found->neutral) +
                      " (log-likelihood gain over 0: " + config::fixed_number(found->nats, 0) + ")");
 }

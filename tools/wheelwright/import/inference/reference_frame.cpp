@@ -31,6 +31,11 @@ double wrapped(double angle, double turn) {
   return angle - turn * std::round(angle / turn);
 }
 
+// Zero of a reference that tells headings alone.
+std::complex<double> place_of(const DriveColumns& columns, std::size_t row) {
+  return columns.x.empty() ? 0.0 : std::complex<double>(columns.x[row], columns.y[row]);
+}
+
 std::vector<Window> windows_of(const DriveColumns& columns, const Mapping& mapping,
                                const std::array<double, 2>& directions, double turn) {
   std::vector<Window> windows;
@@ -40,18 +45,16 @@ std::vector<Window> windows_of(const DriveColumns& columns, const Mapping& mappi
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const std::size_t row = rows[i];
       const double difference = directions[1] * travel.values[1][i] - directions[0] * travel.values[0][i];
-      if (!std::isfinite(columns.x[row]) || !std::isfinite(columns.y[row]) ||
-          !std::isfinite(columns.theta_rad[row]) || !std::isfinite(difference))
+      if (!std::isfinite(std::abs(place_of(columns, row))) || !std::isfinite(columns.theta_rad[row]) ||
+          !std::isfinite(difference))
         continue;
       if (from < rows.size() && columns.t_s[row] - columns.t_s[rows[from]] < frame_window_s) continue;
       if (from < rows.size()) {
         const std::size_t start = rows[from];
         const double before = directions[1] * travel.values[1][from] - directions[0] * travel.values[0][from];
         const double turned = wrapped(columns.theta_rad[row] - columns.theta_rad[start], turn);
-        windows.push_back({{columns.x[row] - columns.x[start], columns.y[row] - columns.y[start]},
-                           columns.theta_rad[start] + 0.5 * turned,
-                           turned,
-                           difference - before});
+        windows.push_back({place_of(columns, row) - place_of(columns, start),
+                           columns.theta_rad[start] + 0.5 * turned, turned, difference - before});
       }
       from = i;
     }
@@ -85,8 +88,10 @@ Sense sense_of(const std::vector<Window>& windows, double unit) {
     turns += window.turned * window.turned;
     wheels += window.turn_of_wheels * window.turn_of_wheels;
   }
-  if (!(squares > 0.0) || !(turns > 0.0) || !(wheels > 0.0)) return {};
-  return {std::abs(with) / squares, std::abs(against) / squares, products / std::sqrt(turns * wheels)};
+  if (!(turns > 0.0) || !(wheels > 0.0)) return {};
+  const double correlation = products / std::sqrt(turns * wheels);
+  if (!(squares > 0.0)) return {0.0, 0.0, correlation};
+  return {std::abs(with) / squares, std::abs(against) / squares, correlation};
 }
 
 // That of radians or of degrees, whichever the motion follows more closely.
@@ -97,14 +102,16 @@ Sense find_sense(const DriveColumns& columns, const GivenMapping& given, const M
       mapping.reference->angle_unit != "rad")
     return as_read;
   const Sense degrees = sense_of(windows_of(columns, mapping, directions, 360.0), pi / 180.0);
-  const auto best = [](const Sense& sense) { return std::max(sense.with, sense.against); };
+  const auto best = [&columns](const Sense& sense) {
+    return columns.x.empty() ? std::abs(sense.wheels) : std::max(sense.with, sense.against);
+  };
   return best(degrees) > best(as_read) ? degrees : as_read;
 }
 
 bool can_be_judged(const DriveColumns& columns, const GivenMapping& given, const Mapping& mapping) {
   return mapping.reference && mapping.wheels && mapping.wheels->right && !mapping.wheels->body_motion &&
          mapping.wheels->kind != WheelKind::speed && !given.says("reference.heading") &&
-         !given.says("reference.y_axis") && !columns.x.empty() && !columns.y.empty() &&
+         !given.says("reference.y_axis") && columns.x.empty() == columns.y.empty() &&
          !columns.theta_rad.empty() && !columns.wheel[1].empty();
 }
 
@@ -125,6 +132,11 @@ bool infer_reference_frame(const DriveColumns& columns, const GivenMapping& give
   const bool with_motion = sense.with > sure && sense.with > clear * sense.against;
   const bool against_motion = sense.against > sure && sense.against > clear * sense.with;
   const bool with_wheels = sense.wheels > 0.0;
+  if (columns.x.empty() && !with_wheels) {
+    mapping.reference->clockwise = true;
+    findings.emplace_back("headings are clockwise: they turn against the wheels");
+    return true;
+  }
   if (against_motion && !with_wheels) {
     mapping.reference->clockwise = true;
     findings.emplace_back("headings are clockwise: x and y turn as the wheels do, and headings against them");

@@ -75,7 +75,27 @@ class UnitFinder {
 
   bool unit_is_said() const { return given_.says("command.unit"); }
 
+  // Whole numbers of commands and wheels alike, which no one gives a unit, and which are too large for
+  // others.
+  void take_both_for_millimetres() {
+    constexpr double fastest_cm_s = 100.0;
+    constexpr double fastest_mm_s = 3000.0;
+    WheelMapping& wheels = *mapping_.wheels;
+    CommandMapping& command = *mapping_.command;
+    const double most = largest(columns_.command[0]);
+    const bool are_named = wheels.unit_assumed && command.kind == CommandKind::wheels &&
+                           command.unit == "m/s" && !unit_is_said() && !given_.says("wheels.unit");
+    if (wheels.kind != WheelKind::speed || !are_named || !is_near(std::abs(gain_), 1.0) ||
+        !are_whole(columns_.command[0]) || most <= fastest_cm_s || most > fastest_mm_s)
+      return;
+    wheels.unit = command.unit = "mm/s";
+    wheels.unit_assumed = false;
+    doubts_.push_back("commands and wheel speeds of up to " + plain_number(most) +
+                      " are taken for mm/s; say it otherwise: --set command.unit, --set wheels.unit");
+  }
+
   void by_gain() {
+    take_both_for_millimetres();
     if (mapping_.wheels->kind == WheelKind::speed && !given_.says("wheels.unit")) {
       speed_unit();
     }

@@ -1,10 +1,12 @@
 #include "tools/wheelwright/import/inference/unused_columns.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
+#include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/inference/assignment.hpp"
 #include "tools/wheelwright/import/inference/column_shapes.hpp"
 
@@ -28,8 +30,13 @@ const Stream* table_of(std::span<const Recording> recordings, const Mapping& map
 }  // namespace
 
 bool is_used(const Mapping& mapping, const Stream& stream, const Channel& channel) {
+  constexpr std::array columns{
+      "column",          "left", "right", "linear", "angular", "throttle", "steering", "left_direction",
+      "right_direction", "x",    "y",     "theta",  "qx",      "qy",       "qz",       "qw"};
   return std::ranges::any_of(mapping_entries(mapping), [&](const MappingEntry& entry) {
-    return entry.value == channel.name || entry.value == stream.name + ":" + channel.name;
+    const std::string key = entry.key.substr(entry.key.find('.') + 1);
+    return std::ranges::find(columns, key) != columns.end() &&
+           channel_of(stream, channel_name(entry.value)) == &channel;
   });
 }
 

@@ -40,6 +40,10 @@ void add_time(Entries& entries, const TimeMapping& time) {
   entries.add("time.period_s", time.period_s);
 }
 
+void add_reversed(Entries& entries, const std::string& key, bool left, bool right) {
+  if (left || right) entries.add(key, left && right ? "both" : left ? "left" : "right");
+}
+
 void add_command(Entries& entries, const CommandMapping& command) {
   const bool is_twist = command.kind == CommandKind::twist;
   entries.add("command.kind", name_of(command_kind_names, command.kind));
@@ -56,6 +60,7 @@ void add_command(Entries& entries, const CommandMapping& command) {
   entries.add("command.right_direction", command.direction[1]);
   if (command.direction[0]) entries.add("command.forward", command.forward);
   if (command.neutral != 0.0) entries.add("command.neutral", command.neutral);
+  add_reversed(entries, "command.reversed", command.left_reversed, command.right_reversed);
   if (is_throttle) entries.add("command.steering_gain", command.steering_gain);
   if (command.is_duty()) {
     entries.add("command.full_scale", command.full_scale);
@@ -80,11 +85,7 @@ void add_wheels(Entries& entries, const WheelMapping& wheels) {
   entries.add("wheels.counts_per_turn", wheels.counts_per_turn);
   entries.add("wheels.wheel_radius_m", wheels.wheel_radius_m);
   if (!wheels.scale_from.empty()) entries.add("wheels.scale_from", wheels.scale_from);
-  if (wheels.left_reversed || wheels.right_reversed) {
-    entries.add("wheels.reversed", wheels.left_reversed && wheels.right_reversed ? "both"
-                                   : wheels.left_reversed                        ? "left"
-                                                                                 : "right");
-  }
+  add_reversed(entries, "wheels.reversed", wheels.left_reversed, wheels.right_reversed);
 }
 
 void add_reference(Entries& entries, const ReferenceMapping& reference) {

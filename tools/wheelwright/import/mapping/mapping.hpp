@@ -47,6 +47,8 @@ struct CommandMapping {
   double steering_gain = 1.0;  // left = throttle - gain * steering, right = throttle + gain * steering
   std::array<std::optional<ChannelName>, 2> direction{};  // bits beside a duty without a sign, left and right
   double forward = 1.0;                                   // their value that is forward
+  bool left_reversed = false;                             // a positive number drives the wheel backward
+  bool right_reversed = false;
 
   bool is_of_body() const { return kind == CommandKind::twist || kind == CommandKind::throttle; }
   bool is_duty() const { return kind == CommandKind::duty || kind == CommandKind::throttle; }

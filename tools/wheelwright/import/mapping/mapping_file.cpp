@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <system_error>
+#include <utility>
 
 #include "config/load/printable_text.hpp"
 #include "config/load/text_format.hpp"
@@ -52,6 +53,13 @@ TimeMapping read_time(YamlReader& from) {
   return time;
 }
 
+// Left and right.
+std::pair<bool, bool> read_reversed(YamlReader& from) {
+  const std::string reversed = from.choice<std::string>(
+      "reversed", {{"none", "none"}, {"left", "left"}, {"right", "right"}, {"both", "both"}}, "none");
+  return {reversed == "left" || reversed == "both", reversed == "right" || reversed == "both"};
+}
+
 std::optional<CommandMapping> read_command(YamlReader& from) {
   CommandMapping command;
   const bool is_twist = from.has("linear") || from.has("angular");
@@ -76,6 +84,9 @@ std::optional<CommandMapping> read_command(YamlReader& from) {
   }
   command.direction = {channel(from, "left_direction"), channel(from, "right_direction")};
   command.forward = from.number("forward", {-1e6, 1e6}, command.forward);
+  const auto [left_reversed, right_reversed] = read_reversed(from);
+  command.left_reversed = left_reversed;
+  command.right_reversed = right_reversed;
   command.neutral = from.number("neutral", {-1e6, 1e6}, command.neutral);
   command.steering_gain = from.number("steering_gain", {-1000, 1000}, command.steering_gain);
   command.unit = unit(from, "unit", speed_units(), command.unit);
@@ -94,7 +105,7 @@ std::span<const Unit> units_of(WheelKind kind) {
 
 // Where the kind is still to be found, any unit of a wheel may be said.
 std::string read_wheel_unit(YamlReader& from, WheelKind kind) {
-  if (from.has("kind")) {
+  if (from.has("kind") || kind == WheelKind::speed) {
     if (kind == WheelKind::counts) return from.text("unit", "");
     return unit(from, "unit", units_of(kind), std::string(units_of(kind).front().name));
   }
@@ -114,6 +125,8 @@ std::optional<WheelMapping> read_wheels(YamlReader& from) {
                                         {"speed", WheelKind::speed}},
                                        wheels.kind);
   wheels.body_motion = from.has("linear") || from.has("angular");
+  if (!from.has("kind") && (wheels.body_motion || find_unit(speed_units(), from.text("unit", ""))))
+    wheels.kind = WheelKind::speed;
   const auto left = channel(from, wheels.body_motion ? "linear" : "left");
   wheels.right = channel(from, wheels.body_motion ? "angular" : "right");
   if (from.has("bits")) wheels.bits = static_cast<int>(from.integer("bits", {8, 32}));
@@ -127,10 +140,9 @@ std::optional<WheelMapping> read_wheels(YamlReader& from) {
   wheels.wheel_radius_m = number(from, "wheel_radius_m", {0.001, 2, "m"});
   wheels.scale_from = from.choice<std::string>(
       "scale_from", {{"stated", ""}, {"commands", "commands"}, {"reference", "reference"}}, "");
-  const std::string reversed = from.choice<std::string>(
-      "reversed", {{"none", "none"}, {"left", "left"}, {"right", "right"}, {"both", "both"}}, "none");
-  wheels.left_reversed = reversed == "left" || reversed == "both";
-  wheels.right_reversed = reversed == "right" || reversed == "both";
+  const auto [left_reversed, right_reversed] = read_reversed(from);
+  wheels.left_reversed = left_reversed;
+  wheels.right_reversed = right_reversed;
   if (!left) return std::nullopt;
   wheels.left = *left;
   return wheels;

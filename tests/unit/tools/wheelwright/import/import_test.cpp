@@ -286,7 +286,7 @@ TEST_CASE("Of the poses in a recording of the daemon the measured one is the ref
   const auto reference = [&] {
     std::vector<std::string> findings;
     const std::span all(&recording, 1);
-    return find_named_reference(all, NamedChannels(all), false, findings);
+    return find_named_reference(all, NamedChannels(all, {}), false, findings);
   };
   CHECK_FALSE(reference());
   recording.streams.push_back(stream("/pose/reference", "pose.position"));

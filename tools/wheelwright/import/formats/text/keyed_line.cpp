@@ -95,7 +95,10 @@ void KeyedLine::take_stamp(std::string_view& line) {
   auto prefix = stamp_prefix(line);
   if (!prefix) {
     const auto blank = std::min(line.find_first_of(" \t;"), line.size());
-    prefix = StampPrefix{line.substr(0, blank), blank};
+    const auto second = std::min(line.find_first_of(" \t;", blank + 1), line.size());
+    const bool has_clock = read_time(line.substr(0, second), DateOrder::month_first).has_value();
+    const auto length = has_clock ? second : blank;  // "2024-05-20 13:39:05.050"
+    prefix = StampPrefix{line.substr(0, length), length};
   }
   if (const auto time = read_time(prefix->stamp, DateOrder::month_first)) {
     stamp_ = time->seconds;

@@ -1,6 +1,7 @@
 #include "tools/wheelwright/import/formats/text/keyed_lines.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <set>
 #include <utility>
@@ -139,6 +140,24 @@ double share_of_keyed_lines(const TextSample& sample) {
   for (const auto& [form, lines] : forms) keyed += lines > 1 ? lines : 0;
   return sample.contents.empty() ? 0.0
                                  : static_cast<double>(keyed) / static_cast<double>(sample.contents.size());
+}
+
+bool are_assignments(const TextSample& sample) {
+  constexpr double nearly_all = 0.9;
+  const auto holds_two = [](std::string_view line) {
+    std::size_t count = 0;
+    for (std::size_t at = 1; at + 1 < line.size(); ++at) {
+      const bool behind_word = std::isalpha(static_cast<unsigned char>(line[at - 1])) != 0 ||
+                               std::isdigit(static_cast<unsigned char>(line[at - 1])) != 0 ||
+                               line[at - 1] == '_';
+      if (line[at] == '=' && behind_word &&
+          std::string_view("0123456789+-.").find(line[at + 1]) != std::string_view::npos)
+        ++count;
+    }
+    return count >= 2;
+  };
+  const auto held = static_cast<double>(std::ranges::count_if(sample.contents, holds_two));
+  return !sample.contents.empty() && held >= nearly_all * static_cast<double>(sample.contents.size());
 }
 
 std::vector<Stream> read_keyed_lines(std::string_view text, std::vector<std::string>& remarks) {

@@ -15,6 +15,9 @@ namespace wheelwright::import {
 // The share of the lines that have a form which comes again and begins with a word.
 double share_of_keyed_lines(const TextSample& sample);
 
+// Whether nearly all lines hold two words or more that are made equal to a number: "cmd_l=0.2 cmd_r=0.1".
+bool are_assignments(const TextSample& sample);
+
 // One stream for each form of line: words, and how many numbers stand behind each. Its channels have the
 // words for names, or the place behind the word where several numbers follow it ("1", "2" where the line has
 // one word; else "left.1"). Lines of another form, and forms that hardly occur, are left out with remarks.

@@ -12,6 +12,7 @@
 #include "tools/wheelwright/import/formats/text/dialect_sniffer.hpp"
 #include "tools/wheelwright/import/formats/text/json_lines.hpp"
 #include "tools/wheelwright/import/formats/text/keyed_lines.hpp"
+#include "tools/wheelwright/import/formats/text/stamp_text.hpp"
 #include "tools/wheelwright/import/formats/text/table_layout.hpp"
 #include "tools/wheelwright/import/formats/text/table_reader.hpp"
 #include "tools/wheelwright/import/formats/text/table_streams.hpp"
@@ -55,6 +56,7 @@ bool begins_with_text(const TextSample& sample, const SniffedTable& table) {
 // is a key, unless there are names above it.
 bool are_keyed(const TextSample& sample, const SniffedTable& table, const TableLayout& layout) {
   const double keyed = share_of_keyed_lines(sample);
+  if (keyed >= min_keyed_share && are_assignments(sample)) return true;
   if (keyed < min_keyed_share || keyed <= table.score()) return false;
   if (table.score() < min_table_score) return true;
   if (!begins_with_text(sample, table)) return table.share_of_rows < regular_rows && layout.header.empty();
@@ -103,6 +105,7 @@ class TextReader {
       return fail("holds nothing; a table of numbers is needed");
     }
     const char separator = take_separator_line(decoded_.text);
+    point_milliseconds(decoded_.text);
     const TextSample sample = take_sample(decoded_.text);
     if (are_json_lines(sample))
       return finish("JSON, one object a line", read_json_lines(decoded_.text, recording_.remarks));
