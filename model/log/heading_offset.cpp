@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "model/statistics/significant_digits.hpp"
@@ -18,6 +19,7 @@ constexpr double cluster_s = 5.0;
 constexpr std::size_t least_clusters = 10;  // of fewer, their scatter says too little
 constexpr double fastest_m_s = 2.0;         // a reference that jumps says nothing
 constexpr double sure = 5.0;                // standard errors
+constexpr double contradicting = 3.0;       // likewise
 constexpr double matters_rad = 0.005;       // a centimetre aside on two metres
 
 // Motion of the reference from one pose to another.
@@ -30,6 +32,7 @@ struct Window {
   double rolled_m;    // by the counts, else as commanded
   double t_s;         // since the run began, half-way
   double turned_rad;  // since then, half-way
+  std::size_t run;
   std::size_t cluster;
 };
 
@@ -52,6 +55,7 @@ std::vector<double> way_of_wheels_m(const DriveLog& run) {
 
 void add_windows(const DriveLog& run, std::vector<Window>& windows) {
   const std::vector<double> way = way_of_wheels_m(run);
+  const std::size_t run_index = windows.empty() ? 0 : windows.back().run + 1;
   const std::size_t first_cluster = windows.empty() ? 0 : windows.back().cluster + 1;
   std::optional<std::size_t> from;
   double turned = 0.0;
@@ -71,7 +75,7 @@ void add_windows(const DriveLog& run, std::vector<Window>& windows) {
         windows.push_back({pose->x_m - start.x_m, pose->y_m - start.y_m, start.theta_rad + 0.5 * turn, turn,
                            to.t_s - before.t_s, way[i] - way[*from],
                            0.5 * (to.t_s + before.t_s) - run.samples.front().t_s, turned + 0.5 * turn,
-                           cluster});
+                           run_index, cluster});
       turned += turn;
     }
     from = i;
@@ -110,7 +114,7 @@ struct Means {
   double turned_rad = 0.0;
 };
 
-Means means_of(const std::vector<Window>& windows) {
+Means means_of(std::span<const Window> windows) {
   Means sum;
   for (const Window& window : windows) {
     sum.t_s += window.t_s;
@@ -118,6 +122,20 @@ Means means_of(const std::vector<Window>& windows) {
   }
   const auto count = static_cast<double>(windows.size());
   return {sum.t_s / count, sum.turned_rad / count};
+}
+
+// About the means of each run: offsets of its own are no trend.
+std::vector<Window> centred_by_run(std::vector<Window> windows) {
+  for (auto begin = windows.begin(); begin != windows.end();) {
+    const auto end =
+        std::find_if(begin, windows.end(), [&](const Window& each) { return each.run != begin->run; });
+    const Means means = means_of(std::span(begin, end));
+    for (; begin != end; ++begin) {
+      begin->t_s -= means.t_s;
+      begin->turned_rad -= means.turned_rad;
+    }
+  }
+  return windows;
 }
 
 struct Motion {
@@ -135,6 +153,16 @@ Motion motion_of(const Window& window, const Means& means, double offset_rad) {
       window.duration_s * s, forward * (window.t_s - means.t_s),
       forward * (window.turned_rad - means.turned_rad);
   return {causes, window.dy_m * c - window.dx_m * s};
+}
+
+// The standard error of a factor by which it is as sure as it is by Student's t of so many degrees of freedom
+// (D. L. Wallace, Annals of Mathematical Statistics 30, 1959).
+double as_of_many(double factor, double standard_error, double freedom) {
+  const double t = std::abs(factor) / standard_error;
+  if (!(t > 0.0) || !std::isfinite(t)) return standard_error;
+  const double normal =
+      (8.0 * freedom + 1.0) / (8.0 * freedom + 3.0) * std::sqrt(freedom * std::log1p(t * t / freedom));
+  return std::abs(factor) / normal;
 }
 
 struct Fit {
@@ -178,9 +206,13 @@ std::optional<Fit> fit_aside(const std::vector<Window>& windows, const Means& me
     ++clusters;
   }
   if (clusters < least_clusters) return std::nullopt;
-  const double freedom = static_cast<double>(clusters) / static_cast<double>(clusters - cause_count);
+  const auto causes = static_cast<std::size_t>(with_trend ? cause_count : of_drift);
+  const double freedom = static_cast<double>(clusters) / static_cast<double>(clusters - causes);
   const Square covariance = freedom * inverse * scores * inverse;
-  fit.standard_errors = covariance.diagonal().array().max(0.0).sqrt();
+  for (Eigen::Index cause = 0; cause < cause_count; ++cause)
+    fit.standard_errors[cause] =
+        as_of_many(fit.factors[cause], std::sqrt(std::max(covariance(cause, cause), 0.0)),
+                   static_cast<double>(clusters - causes));
   return fit;
 }
 
@@ -191,12 +223,25 @@ bool is_trend(const Fit& fit, Eigen::Index cause, const std::vector<Window>& win
   return size > sure * fit.standard_errors[cause] && size * (most.*value - least.*value) > 2.0 * matters_rad;
 }
 
+// Whether the runs by themselves show a trend that all of them together have: offsets of their own may look
+// like one over all.
+bool is_within_runs(const Fit& fit, const Fit& within_runs, Eigen::Index cause) {
+  constexpr double likely = 2.0;  // standard errors
+  const double within = within_runs.factors[cause];
+  const double error = within_runs.standard_errors[cause];
+  return within * fit.factors[cause] > 0.0 && std::abs(within) > likely * error &&
+         std::abs(within - fit.factors[cause]) < contradicting * error;
+}
+
 std::optional<HeadingOffset> fine_offset(const std::vector<Window>& windows, double coarse_rad) {
   const Means means = means_of(windows);
   auto fit = fit_aside(windows, means, coarse_rad, true);
-  if (!fit) return std::nullopt;
-  const bool drifts = is_trend(*fit, of_drift, windows, &Window::t_s);
-  const bool is_scaled = is_trend(*fit, of_scale, windows, &Window::turned_rad);
+  const auto within_runs = fit_aside(centred_by_run(windows), {}, coarse_rad, true);
+  if (!fit || !within_runs) return std::nullopt;
+  const bool drifts =
+      is_trend(*fit, of_drift, windows, &Window::t_s) && is_within_runs(*fit, *within_runs, of_drift);
+  const bool is_scaled =
+      is_trend(*fit, of_scale, windows, &Window::turned_rad) && is_within_runs(*fit, *within_runs, of_scale);
   if (!drifts && !is_scaled) fit = fit_aside(windows, means, coarse_rad, false);
   const double slope = fit->factors[0];
   const double per_slope = 1.0 / (1.0 + slope * slope);
@@ -256,7 +301,8 @@ std::vector<HeadingOffset> heading_offsets(std::span<const DriveLog* const> runs
   std::vector<HeadingOffset> offsets;
   for (const DriveLog* run : runs) {
     const auto own = runs.size() > 1 ? find_heading_offset({&run, 1}) : of_all;
-    const bool contradicts = of_all && own && apart_rad(*own, *of_all) > sure * own->standard_error_rad;
+    const bool contradicts =
+        of_all && own && apart_rad(*own, *of_all) > contradicting * own->standard_error_rad;
     const auto& used = of_all && !contradicts ? of_all : own;
     offsets.push_back(used && is_turned(*used) ? *used : HeadingOffset{});
   }

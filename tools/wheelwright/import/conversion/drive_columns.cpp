@@ -9,15 +9,14 @@
 
 #include "config/load/printable_text.hpp"
 #include "config/load/text_format.hpp"
-#include "model/log/lost_poses.hpp"
 #include "tools/wheelwright/import/conversion/counts.hpp"
 #include "tools/wheelwright/import/conversion/join_streams.hpp"
 #include "tools/wheelwright/import/conversion/missing_keys.hpp"
+#include "tools/wheelwright/import/conversion/reference_poses.hpp"
 #include "tools/wheelwright/import/conversion/stamps.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/conversion/time_units.hpp"
 #include "tools/wheelwright/import/conversion/wheel_command.hpp"
-#include "tools/wheelwright/import/mapping/units.hpp"
 #include "tools/wheelwright/import/recording.hpp"
 
 namespace wheelwright::import {
@@ -78,86 +77,29 @@ class Gathering {
  private:
   std::string name() const { return recordings_.empty() ? std::string("nothing") : recordings_.front().name; }
 
-  FoundChannel find(const ChannelName& wanted) {
+  void add(const ChannelName& wanted, Column& target, Joining joining = Joining::between) {
     const FoundChannel found = find_channel(recordings_, wanted);
-    if (found.channel == nullptr) {
-      problem_ = name() + ": there is no one column '" + config::excerpt(wanted.text()) +
-                 "'; 'wheelwright inspect' lists them";
-    }
-    return found;
+    if (found.channel == nullptr) return say_missing(wanted);
+    sources_.push_back({found.stream, &found.channel->values, &target, joining});
   }
 
-  void add(const ChannelName& wanted, Column& target, Joining joining = Joining::between) {
-    const FoundChannel found = find(wanted);
-    if (found.channel != nullptr)
-      sources_.push_back({found.stream, &found.channel->values, &target, joining});
+  void say_missing(const ChannelName& wanted) {
+    problem_ = name() + ": there is no one column '" + config::excerpt(wanted.text()) +
+               "'; 'wheelwright inspect' lists them";
   }
 
   void add_reference() {
     if (!mapping_.reference) return;
-    const ReferenceMapping& reference = *mapping_.reference;
-    if (reference.x && reference.y) {
-      add_places(*reference.x, *reference.y);
-    } else {
-      if (reference.x) add(*reference.x, columns_.x);
-      if (reference.y) add(*reference.y, columns_.y);
+    auto poses = reference_poses(recordings_, *mapping_.reference);
+    if (!poses) return say_missing(poses.error());
+    reference_ = *std::move(poses);
+    if (!reference_.remark.empty()) columns_.remarks.push_back(reference_.remark);
+    for (const auto& [values, target] : {std::pair{&reference_.x, &columns_.x},
+                                         {&reference_.y, &columns_.y},
+                                         {&reference_.heading_rad, &columns_.theta_rad}}) {
+      if (values->stream != nullptr)
+        sources_.push_back({values->stream, &values->values, target, Joining::between});
     }
-    if (reference.theta) add_heading(*reference.theta);
-    if (reference.qw && reference.qz) add_quaternion(reference);
-  }
-
-  void add_places(const ChannelName& wanted_x, const ChannelName& wanted_y) {
-    const FoundChannel x = find(wanted_x);
-    const FoundChannel y = find(wanted_y);
-    if (x.channel == nullptr || y.channel == nullptr) return;
-    places_ = {x.channel->values, y.channel->values};
-    if (x.stream == y.stream) {
-      placed_ = x.stream;
-      lost_ = lost_stretches(x.channel->values, y.channel->values);
-      if (!lost_.empty()) columns_.remarks.push_back(in_words(lost_, x.channel->values));
-      for (Column& place : places_) blank(lost_, place);
-    }
-    if (mapping_.reference->y_points_right) {
-      for (double& y_value : places_[1]) y_value = -y_value;
-    }
-    sources_.push_back({x.stream, places_.data(), &columns_.x, Joining::between});
-    sources_.push_back({y.stream, &places_[1], &columns_.y, Joining::between});
-  }
-
-  // Headings counter-clockwise from x, and none where the pose of their stream is lost.
-  void put_right(const Stream* stream) {
-    const ReferenceMapping& reference = *mapping_.reference;
-    const double offset_rad = std::numbers::pi / 180.0 * reference.heading_offset_deg.value_or(0.0);
-    for (double& theta : heading_) theta = (reference.clockwise ? -theta : theta) + offset_rad;
-    if (stream == placed_) blank(lost_, heading_);
-  }
-
-  // Unwrapped, so that it may be interpolated.
-  void add_heading(const ChannelName& wanted) {
-    const FoundChannel found = find(wanted);
-    if (found.channel == nullptr) return;
-    const auto unit = find_unit(angle_units(), mapping_.reference->angle_unit);
-    heading_ = found.channel->values;
-    for (double& theta : heading_) theta *= unit ? unit->in_si : 1.0;
-    put_right(found.stream);
-    sources_.push_back({found.stream, &heading_, &columns_.theta_rad, Joining::between});
-  }
-
-  void add_quaternion(const ReferenceMapping& reference) {
-    const FoundChannel z = find(*reference.qz);
-    const FoundChannel w = find(*reference.qw);
-    const FoundChannel x = reference.qx ? find(*reference.qx) : FoundChannel{};
-    const FoundChannel y = reference.qy ? find(*reference.qy) : FoundChannel{};
-    if (z.channel == nullptr || w.channel == nullptr || z.stream != w.stream) return;
-    for (std::size_t i = 0; i < w.channel->values.size(); ++i) {
-      const double qx = x.channel == nullptr ? 0.0 : x.channel->values[i];
-      const double qy = y.channel == nullptr ? 0.0 : y.channel->values[i];
-      const double qz = z.channel->values[i];
-      const double qw = w.channel->values[i];
-      heading_.push_back(std::atan2(2.0 * (qw * qz + qx * qy), qw * qw + qx * qx - qy * qy - qz * qz));
-    }
-    put_right(w.stream);
-    sources_.push_back({w.stream, &heading_, &columns_.theta_rad, Joining::between});
   }
 
   bool merge() {
@@ -269,7 +211,7 @@ class Gathering {
     if (of_wheels == streams.end()) return unite_streams(streams, times);
     columns_.t_s = times[static_cast<std::size_t>(of_wheels - streams.begin())];
     columns_.places = wheels->places;
-    unwrap_angles(heading_);  // a heading between two is on the short way
+    unwrap_angles(reference_.heading_rad.values);  // a heading between two is on the short way
     for (const auto& source : sources_) {
       const auto at = static_cast<std::size_t>(std::ranges::find(streams, source.stream) - streams.begin());
       *source.target = source.stream == wheels
@@ -294,10 +236,7 @@ class Gathering {
   const Mapping& mapping_;
   std::size_t max_rows_;
   DriveColumns columns_;
-  std::array<Column, 2> places_;
-  const Stream* placed_ = nullptr;  // the stream of both places
-  std::vector<RowStretch> lost_;    // of its rows
-  Column heading_;
+  ReferencePoses reference_;
   std::vector<Source> sources_;
   std::string problem_;
 };

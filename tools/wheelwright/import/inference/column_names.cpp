@@ -187,7 +187,7 @@ NameMeaning meaning_of(const Stream& stream, const Channel& channel) {
   name.is_command = is_command_name(name.words) || is_controller_reference(name.words, name.side) ||
                     channel.name.find('*') != std::string::npos || is_command_name(NameWords(topic));
   if (name.words.empty()) return {};
-  name.dir_is_a_side = is_portuguese(stream);
+  name.dir_is_a_side = name.words.has("dir") && is_portuguese(stream);
 
   NameMeaning meaning{Quantity::unknown, name.side, name.unit};
   if (const auto known = time_or_pose(name)) {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <utility>
 
-#include "model/log/lost_poses.hpp"
 #include "tools/wheelwright/import/conversion/counts.hpp"
+#include "tools/wheelwright/import/inference/placed_columns.hpp"
 #include "tools/wheelwright/import/inference/quaternion_columns.hpp"
 
 namespace wheelwright::import {
@@ -17,7 +17,6 @@ namespace {
 
 constexpr double pose_explained = 0.9;
 constexpr double hole_s = 10.0;  // between runs
-constexpr std::size_t max_cleaned_columns = 12;
 
 // Rows of one run. Files that were read together each start wherever the robot was put.
 struct Rows {
@@ -215,34 +214,6 @@ std::optional<Places> find_places(const std::vector<const Channel*>& unused, con
   return places;
 }
 
-// Columns in which the poses that a tracker lost are not-a-number. Which two are x and y is not known: any
-// two that say the same number there, and whatever does not change meanwhile.
-std::vector<Channel> without_lost_poses(const std::vector<const Channel*>& columns) {
-  std::vector<Channel> cleaned;
-  for (const Channel* column : columns) cleaned.push_back(*column);
-  for (std::size_t a = 0; a < columns.size(); ++a) {
-    for (std::size_t b = a + 1; b < columns.size(); ++b) {
-      const auto& x = columns[a]->values;
-      for (const RowStretch& stretch : lost_stretches(x, columns[b]->values)) {
-        for (Channel& each : cleaned) {
-          const auto begin = each.values.begin() + static_cast<std::ptrdiff_t>(stretch.begin);
-          const auto end = each.values.begin() + static_cast<std::ptrdiff_t>(stretch.end);
-          if (std::all_of(begin, end, [&](double value) { return value == *begin; }))
-            blank({&stretch, 1}, each.values);
-        }
-      }
-    }
-  }
-  return cleaned;
-}
-
-// Not-a-number wherever a part is.
-void blank_as(const std::vector<double>& part, std::vector<double>& values) {
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!std::isfinite(part[i])) values[i] = part[i];
-  }
-}
-
 std::string in_words(const QuaternionColumns& parts) {
   return "the quaternion of columns " + parts.x->name + ", " + parts.y->name + ", " + parts.z->name +
          " and " + parts.w->name + " (x, y, z, w)";
@@ -275,17 +246,8 @@ void find_pose_columns(const Stream& stream, const std::vector<double>& t_s,
   for (std::size_t i = 0; i < counts.left.size(); ++i)
     counts.difference.push_back(counts.right[i] - counts.left[i]);
   auto quaternion = find_quaternion(stream, all_unused);
-  const std::vector<Channel> cleaned =
-      all_unused.size() <= max_cleaned_columns ? without_lost_poses(all_unused) : std::vector<Channel>{};
-  std::vector<const Channel*> unused;
-  for (std::size_t k = 0; k < all_unused.size(); ++k) {
-    const Channel* channel = cleaned.empty() ? all_unused[k] : &cleaned[k];
-    if (quaternion && quaternion->has(all_unused[k])) {
-      blank_as(channel->values, quaternion->heading_rad);
-    } else {
-      unused.push_back(channel);
-    }
-  }
+  const PlacedColumns columns = placed_columns(all_unused, quaternion);
+  const std::vector<const Channel*>& unused = columns.unused;
   const Heading heading = find_heading(unused, quaternion, counts, runs);
   if (heading.channel == nullptr) return;
   const bool of_quaternion = quaternion && quaternion->has(heading.channel);

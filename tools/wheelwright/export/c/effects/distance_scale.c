@@ -1,4 +1,4 @@
-/* distance_scale: both wheels roll more or less than counted.
+/* distance_scale: both wheels roll more or less than counted, or the reference is out of scale.
    Inverse: exact. */
 
 /* Variants: (no name), turns_as_counted. */
