@@ -134,6 +134,7 @@ GateState cleaned(const DriveLog& log, std::size_t frozen_elsewhere) {
 
 void turn_headings_back(std::vector<GateState>& states) {
   std::vector<const DriveLog*> logs;
+  logs.reserve(states.size());
   for (const GateState& state : states) logs.push_back(&state.result.log);
   const std::vector<HeadingOffset> offsets = heading_offsets(logs);
   for (std::size_t i = 0; i < states.size(); ++i) {

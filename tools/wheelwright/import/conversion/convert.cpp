@@ -64,6 +64,7 @@ DriveColumns filled(DriveColumns columns) {
 void turn_headings_back(Conversion& conversion, const Mapping& mapping) {
   if (!mapping.reference || mapping.reference->heading_offset_deg) return;
   std::vector<const DriveLog*> runs;
+  runs.reserve(conversion.runs.size());
   for (const DriveLog& run : conversion.runs) runs.push_back(&run);
   const auto offsets = heading_offsets(runs);
   for (std::size_t i = 0; i < offsets.size(); ++i) {

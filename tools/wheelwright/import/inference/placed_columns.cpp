@@ -15,6 +15,7 @@ constexpr std::size_t max_cleaned_columns = 12;
 // two that say the same number there, and whatever does not change meanwhile.
 std::vector<Channel> without_lost_poses(const std::vector<const Channel*>& columns) {
   std::vector<Channel> cleaned;
+  cleaned.reserve(columns.size());
   for (const Channel* column : columns) cleaned.push_back(*column);
   for (std::size_t a = 0; a < columns.size(); ++a) {
     for (std::size_t b = a + 1; b < columns.size(); ++b) {
