@@ -17,6 +17,19 @@ namespace {
 constexpr double motion_explained = 0.6;
 constexpr std::size_t max_motion_rows = 20'000;
 
+// Never negative, and no measured number that hardly changes, as a voltage in mV.
+bool may_have_neutral(const std::vector<double>& command) {
+  constexpr double least_range = 0.05;  // of the largest
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  for (const double value : command) {
+    if (!std::isfinite(value)) continue;
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  return least >= 0.0 && most - least > least_range * most;
+}
+
 ResponseFit fit(const std::vector<double>& speed, const Channel& command) {
   ResponseRows rows;
   const std::size_t count = std::min(speed.size(), max_motion_rows);
@@ -28,8 +41,7 @@ ResponseFit fit(const std::vector<double>& speed, const Channel& command) {
     if (std::isfinite(command.values[i])) last = command.values[i];
   }
   rows.run_ends = {count};
-  const bool is_signed = std::ranges::any_of(command.values, [](double value) { return value < 0.0; });
-  return fit_response(rows, is_signed ? Baseline::zero : Baseline::any);
+  return fit_response(rows, may_have_neutral(command.values) ? Baseline::any : Baseline::zero);
 }
 
 std::vector<double> speed_of(const Candidate& candidate, const std::vector<double>& t_s) {

@@ -128,3 +128,17 @@ TEST_CASE("A TurtleBot's bag gives its counts, its commands and the size of a co
   CHECK(log.samples.back().ticks->left == 31795);
   CHECK_THAT(log.metres_per_tick->left, WithinRel(2.0 * 3.14159265 * 0.033 / 4096.0, 0.02));
 }
+
+TEST_CASE("The battery of a real motor, in mV and nearly constant, is no command about a neutral") {
+  const auto folder = test::shared_data("robots");
+  if (!folder) return;
+  const auto understood =
+      understand({{*folder / "ev3-itmo" / "lab2_lab2.4.csv"}, std::nullopt, GivenMapping()});
+  if (!understood) FAIL(understood.error());
+  const Mapping& mapping = understood->mapping;
+  REQUIRE(mapping.command);
+  REQUIRE(mapping.wheels);
+  CHECK(mapping.command->first.channel != "4");
+  CHECK(mapping.command->kind != CommandKind::twist);
+  CHECK_FALSE(mapping.wheels->right);
+}
