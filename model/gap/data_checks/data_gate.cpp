@@ -140,7 +140,13 @@ void turn_headings_back(std::vector<GateState>& states) {
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (!is_turned(offsets[i])) continue;
     turn_headings(states[i].result.log, offsets[i]);
-    states[i].treated_fault(0, in_words(offsets[i]), "it was turned back");
+    // Of runs with the same offset the first says it for all.
+    const auto same = [&](const HeadingOffset& each) { return each.offset_rad == offsets[i].offset_rad; };
+    if (std::ranges::find_if(offsets, same) - offsets.begin() < static_cast<std::ptrdiff_t>(i)) continue;
+    const auto runs = std::ranges::count_if(offsets, same);
+    states[i].treated_fault(
+        0, in_words(offsets[i]),
+        "it was turned back" + (runs > 1 ? " in " + std::to_string(runs) + " runs" : std::string()));
   }
 }
 

@@ -96,6 +96,8 @@ TEST_CASE("The data gate turns a heading back and says so") {
   turn_all(runs, 0.1);
   const auto gated = gate_together(runs);
   CHECK(is_said(gated, "the heading of the reference is turned by 5."));
+  CHECK(is_said(gated, "it was turned back in 3 runs"));
+  CHECK(gated.back().faults.empty());
   for (std::size_t i = 0; i < runs.size(); ++i) {
     CHECK_THAT(*gated[i].log.samples.back().reference_theta_rad,
                WithinAbs(*straight[i].samples.back().reference_theta_rad, 0.01));
