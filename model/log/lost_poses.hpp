@@ -32,7 +32,7 @@ std::vector<RowStretch> held_stretches(std::span<const double> x, std::span<cons
 // Not-a-number in all rows of the stretches.
 void blank(std::span<const RowStretch> stretches, std::vector<double>& values);
 
-// "the pose is lost in 3 stretches (12 rows), where x and y are -999".
+// "the pose is lost in 12 rows (3 times), where x and y are both -999", of lost stretches.
 std::string in_words(std::span<const RowStretch> stretches, std::span<const double> x);
 
 }  // namespace wheelwright
