@@ -105,6 +105,7 @@ std::optional<double> coarse_offset(const std::vector<Window>& windows) {
 }
 
 constexpr Eigen::Index cause_count = 7;
+constexpr Eigen::Index without_trend = 5;  // causes
 constexpr Eigen::Index of_drift = 5;
 constexpr Eigen::Index of_scale = 6;
 using Row = Eigen::Matrix<double, cause_count, 1>;
@@ -177,7 +178,7 @@ std::optional<Fit> fit_aside(const std::vector<Window>& windows, const Means& me
   using Square = Eigen::Matrix<double, cause_count, cause_count>;
   const auto motion_in = [&](const Window& window) {
     Motion motion = motion_of(window, means, coarse_rad);
-    if (!with_trend) motion.causes.tail(cause_count - of_drift).setZero();
+    if (!with_trend) motion.causes.tail(cause_count - without_trend).setZero();
     return motion;
   };
   Square normal = Square::Zero();
@@ -206,7 +207,7 @@ std::optional<Fit> fit_aside(const std::vector<Window>& windows, const Means& me
     ++clusters;
   }
   if (clusters < least_clusters) return std::nullopt;
-  const auto causes = static_cast<std::size_t>(with_trend ? cause_count : of_drift);
+  const auto causes = static_cast<std::size_t>(with_trend ? cause_count : without_trend);
   const double freedom = static_cast<double>(clusters) / static_cast<double>(clusters - causes);
   const Square covariance = freedom * inverse * scores * inverse;
   for (Eigen::Index cause = 0; cause < cause_count; ++cause)

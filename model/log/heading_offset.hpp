@@ -11,7 +11,8 @@
 // by least squares: c2 is a lever arm, c3 a heading that comes late and tyres that slide outwards, c4 and c5
 // a floor on which the robot creeps sideways, c6 a drift over the time t, and c7 a scale of the angle h that
 // the heading has turned, both about their means, and only if they are sure and show within runs as well.
-// Standard errors are those of clusters of 5 s (Liang and Zeger, Biometrika 73, 1986).
+// Standard errors are those of clusters of 5 s (Liang and Zeger, Biometrika 73, 1986), made larger for few
+// clusters, so that as many of them are as sure as by Student's t.
 #pragma once
 
 #include <optional>

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
 #include "tools/wheelwright/import/conversion/counter_resets.hpp"
+#include "tools/wheelwright/import/conversion/value_range.hpp"
 
 namespace wheelwright::import {
 namespace {
@@ -40,15 +40,8 @@ bool is_at_rest(const DriveColumns& columns, std::size_t row) {
 // An angle within one turn, of radians or degrees, which starts again at each.
 bool goes_round(const Column& angles) {
   constexpr double turns[] = {2.0 * std::numbers::pi, 360.0};
-  double lowest = std::numeric_limits<double>::infinity();
-  double highest = -lowest;
-  for (const double angle : angles) {
-    if (!std::isfinite(angle)) continue;
-    lowest = std::min(lowest, angle);
-    highest = std::max(highest, angle);
-  }
-  return std::ranges::any_of(
-      turns, [&](double turn) { return highest - lowest > 0.9 * turn && highest - lowest < 1.01 * turn; });
+  const double size = range_of(angles).size();
+  return std::ranges::any_of(turns, [size](double turn) { return size > 0.9 * turn && size < 1.01 * turn; });
 }
 
 std::vector<std::size_t> resets_of(const DriveColumns& columns, const WheelMapping& wheels,

@@ -1,23 +1,18 @@
 #include "tools/wheelwright/import/conversion/stamp_columns.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "tools/wheelwright/import/inference/column_names.hpp"
+#include "tools/wheelwright/import/inference/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/name_words.hpp"
 
 namespace wheelwright::import {
 namespace {
-
-bool is_whole(const std::vector<double>& values) {
-  return std::ranges::all_of(values, [](double value) { return !(value != std::floor(value)); });
-}
 
 // The name without its last word, if that is one of `words`.
 std::optional<std::string> stem(const std::string& name, std::initializer_list<std::string_view> words) {
@@ -34,7 +29,7 @@ void join_seconds_and_nanoseconds(Stream& stream) {
   constexpr double nanosecond_s = 1e-9;
   for (Channel& seconds : stream.channels) {
     const auto first = stem(seconds.name, {"sec", "secs", "seconds", "s"});
-    if (!first || !is_whole(seconds.values)) continue;
+    if (!first || !are_whole(seconds.values)) continue;
     const auto rest = std::ranges::find_if(stream.channels, [&](const Channel& channel) {
       return stem(channel.name, {"nanosec", "nanosecs", "nsec", "nsecs", "nanoseconds"}) == first;
     });

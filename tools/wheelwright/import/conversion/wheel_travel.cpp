@@ -6,6 +6,7 @@
 
 #include "tools/wheelwright/import/conversion/counts.hpp"
 #include "tools/wheelwright/import/conversion/fast_counter.hpp"
+#include "tools/wheelwright/import/conversion/value_range.hpp"
 #include "tools/wheelwright/import/conversion/wheel_command.hpp"
 #include "tools/wheelwright/import/conversion/wheel_direction.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
@@ -26,14 +27,8 @@ void accumulate(Column& values) {
 void unwrap_wheel(Column& angles, const std::string& which, const WheelMapping& wheels,
                   const std::string& place, std::vector<std::string>& remarks) {
   const double turn = 2.0 * std::numbers::pi / in_si(angle_units(), wheels.unit);
-  double lowest = std::numeric_limits<double>::infinity();
-  double highest = -std::numeric_limits<double>::infinity();
-  for (const double angle : angles) {
-    if (!std::isfinite(angle)) continue;
-    lowest = std::min(lowest, angle);
-    highest = std::max(highest, angle);
-  }
-  if (!(highest - lowest > 0.6 * turn) || highest - lowest > 1.01 * turn) return;
+  const double size = range_of(angles).size();
+  if (!(size > 0.6 * turn) || size > 1.01 * turn) return;
   std::size_t wraps = 0;
   double last = std::numeric_limits<double>::quiet_NaN();
   double offset = 0.0;

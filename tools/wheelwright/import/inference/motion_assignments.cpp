@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "tools/wheelwright/import/conversion/counts.hpp"
+#include "tools/wheelwright/import/conversion/value_range.hpp"
 #include "tools/wheelwright/import/inference/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/response_fit.hpp"
 
@@ -20,14 +21,8 @@ constexpr std::size_t max_motion_rows = 20'000;
 // Never negative, and no measured number that hardly changes, as a voltage in mV.
 bool may_have_neutral(const std::vector<double>& command) {
   constexpr double least_range = 0.05;  // of the largest
-  double least = std::numeric_limits<double>::infinity();
-  double most = -least;
-  for (const double value : command) {
-    if (!std::isfinite(value)) continue;
-    least = std::min(least, value);
-    most = std::max(most, value);
-  }
-  return least >= 0.0 && most - least > least_range * most;
+  const ValueRange range = range_of(command);
+  return range.least >= 0.0 && range.size() > least_range * range.most;
 }
 
 ResponseFit fit(const std::vector<double>& speed, const Channel& command) {

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "config/load/text_format.hpp"
+#include "tools/wheelwright/import/conversion/value_range.hpp"
 #include "tools/wheelwright/import/conversion/wheel_command.hpp"
 #include "tools/wheelwright/import/inference/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/response_fit.hpp"
@@ -27,22 +28,10 @@ struct Evidence {
   double nats = 0.0;  // over a response alone
 };
 
-struct Range {
-  double least;
-  double most;
-  double size() const { return most - least; }
-};
-
-Range range_of(const std::array<Column, 2>& commands) {
-  Range range{1e300, -1e300};
-  for (const Column& column : commands) {
-    for (const double value : column) {
-      if (!std::isfinite(value)) continue;
-      range.least = std::min(range.least, value);
-      range.most = std::max(range.most, value);
-    }
-  }
-  return range;
+ValueRange range_of_both(const std::array<Column, 2>& commands) {
+  const ValueRange first = range_of(commands[0]);
+  const ValueRange second = range_of(commands[1]);
+  return {std::min(first.least, second.least), std::max(first.most, second.most)};
 }
 
 bool are_all_whole(const std::array<Column, 2>& commands) {
@@ -106,7 +95,7 @@ double likely_neutral(double estimate, double near, bool is_whole) {
 }
 
 std::optional<Evidence> find_neutral(const DriveColumns& columns, const Mapping& mapping) {
-  const Range range = range_of(columns.command);
+  const ValueRange range = range_of_both(columns.command);
   if (!(range.least >= 0.0) || !(range.size() > 0.0)) return std::nullopt;
   const auto both = response_rows(columns, mapping);
   const bool is_one = columns.command[1].empty() && columns.wheel[1].empty();

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
 #include "tools/wheelwright/import/conversion/counts.hpp"
+#include "tools/wheelwright/import/conversion/value_range.hpp"
 #include "tools/wheelwright/import/inference/placed_columns.hpp"
 #include "tools/wheelwright/import/inference/quaternion_columns.hpp"
 
@@ -132,15 +132,9 @@ struct Heading {
 
 // A heading in a range of one turn, of radians or degrees, as one that goes on.
 std::vector<double> without_wraps(std::vector<double> values) {
-  double least = std::numeric_limits<double>::infinity();
-  double largest = -least;
-  for (const double value : values) {
-    if (!std::isfinite(value)) continue;
-    least = std::min(least, value);
-    largest = std::max(largest, value);
-  }
-  const double turn = largest - least > 7.0 ? 360.0 : 2.0 * std::acos(-1.0);
-  if (!(largest - least <= 1.01 * turn)) return values;
+  const double size = range_of(values).size();
+  const double turn = size > 7.0 ? 360.0 : 2.0 * std::acos(-1.0);
+  if (!(size <= 1.01 * turn)) return values;
   double added = 0.0;
   std::optional<double> last;
   for (double& value : values) {

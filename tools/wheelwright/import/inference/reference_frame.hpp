@@ -10,7 +10,7 @@
 namespace wheelwright::import {
 
 // Sets `reference.heading` or `reference.y_axis` of a mapping with headings and both wheels, unless one of
-// them is given; true if it did, so that `columns` have to be gathered anew.
+// them is given; true if it did, so that `columns` have to be gathered again.
 //
 // The sense of the headings is compared with that of the motion (whose direction turns as the heading does,
 // or against it) and with that of the wheels. Headings against both are clockwise, and so are

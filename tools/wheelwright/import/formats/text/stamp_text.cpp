@@ -28,6 +28,7 @@ std::optional<std::size_t> comma_of_milliseconds(std::string_view line) {
 
 void point_milliseconds(std::string& text) {
   constexpr double most = 0.5;
+  constexpr double enough_lines = 200.0;  // without one: it is no such log
   std::vector<std::size_t> commas;
   double lines = 0.0;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -35,6 +36,7 @@ void point_milliseconds(std::string& text) {
     const std::string_view line(text.data() + begin, end - begin);
     if (!line.empty()) lines += 1.0;
     if (const auto comma = comma_of_milliseconds(line)) commas.push_back(begin + *comma);
+    if (commas.empty() && lines > enough_lines) return;
     begin = end + 1;
   }
   if (static_cast<double>(commas.size()) <= most * lines) return;

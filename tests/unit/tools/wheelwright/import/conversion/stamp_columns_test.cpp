@@ -40,16 +40,20 @@ TEST_CASE("Seconds and nanoseconds in two columns are one time") {
   }
 }
 
-TEST_CASE("A column of steps of time is summed") {
+TEST_CASE("A column of steps of time is summed, in its unit") {
   const auto drive = foreign_drive();
-  const auto outcome = import_text(foreign_text(drive, "dt,cmd_left,cmd_right,enc_left,enc_right",
-                                                [&](const ForeignRow& row) {
-                                                  std::string line = number(drive.period_s);
-                                                  line += ",";
-                                                  return line + motion_of(row);
-                                                }),
-                                   base_only);
-  check_same(outcome, drive);
+  for (const auto& [name, unit] : {std::pair{"dt", 1.0}, {"dt_ms", 1000.0}}) {
+    INFO(name);
+    const auto outcome =
+        import_text(foreign_text(drive, std::string(name) + ",cmd_left,cmd_right,enc_left,enc_right",
+                                 [&](const ForeignRow& row) {
+                                   std::string line = number(unit * drive.period_s);
+                                   line += ",";
+                                   return line + motion_of(row);
+                                 }),
+                    base_only);
+    check_same(outcome, drive);
+  }
 }
 
 TEST_CASE("Lines of Python's logging are read, with their milliseconds behind a comma") {

@@ -123,6 +123,7 @@ TEST_CASE("A stated neutral is taken off, also where the motion would not show i
   const auto outcome = import_about(drive, "t,rc_left,rc_right,enc_left,enc_right", 1500.0, 800.0, settings);
   REQUIRE(outcome.conversion);
   CHECK(neutral_of(outcome) == 1490.0);
+  CHECK(outcome.conversion->runs.front().samples.front().command_m_s.right > 0.0);  // 10 us beyond it
   CHECK_FALSE(outcome.found("the wheels rest"));
 }
 
