@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "model/geometry/pose.hpp"
+#include "model/log/delay_kernel.hpp"
 
 namespace wheelwright {
 
@@ -55,6 +56,8 @@ struct DriveLog {
   std::optional<WheelPair> metres_per_tick;  // present where there are ticks
   WheelPair initial_travel_m;                // tells the angle at which the wheels stood at the start
   double references_late_s = 0.0;            // behind the counts, where that has been found
+  ReferenceResponse reference_response;      // likewise, where a delay alone does not describe it
+  bool reference_scaled_by_counts = false;   // how far a count goes cannot be judged by it
   std::vector<std::pair<std::string, std::string>> other_metadata;
   std::vector<DriveSample> samples;  // times strictly rising
   std::vector<ExtraColumn> extra_columns;

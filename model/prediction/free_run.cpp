@@ -35,11 +35,14 @@ Pose pose_at(const std::vector<PredictedMotion>& motion, double t_s) {
   return compose(before.pose, {share * step.x_m, share * step.y_m, share * step.theta_rad});
 }
 
-// Each row holds the pose that a late reference tells then.
-void tell_late(std::vector<PredictedMotion>& motion, double late_s) {
-  if (late_s == 0.0) return;
+// Each row holds the pose that a late reference, or one that smooths, shows then.
+void show_late(std::vector<PredictedMotion>& motion, const DriveLog& log) {
+  if (log.references_late_s == 0.0 && log.reference_response.is_immediate()) return;
   const std::vector<PredictedMotion> in_time = motion;
-  for (auto& row : motion) row.pose = pose_at(in_time, row.t_s - late_s);
+  for (auto& row : motion) {
+    row.pose = shown_at(log.reference_response, row.t_s - log.references_late_s,
+                        [&](double t_s) { return pose_at(in_time, t_s); });
+  }
 }
 
 // How far the wheels have rolled by their counts, from where a run of the model stood when they began.
@@ -116,7 +119,8 @@ std::vector<PredictedMotion> free_run(const LinearModel& linear_part, std::span<
       const double t = sample.t_s;
       const WheelPair rolled_m = counted.at(sample, later(simulation.distance_m(), now.wheel_m_s, t - to));
       if (told != reset_rows.end() && *told == row) {
-        tell(simulation, sample, rolled_m, log.references_late_s, to - t);
+        tell(simulation, sample, rolled_m, log.references_late_s + log.reference_response.position.mean_s(),
+             to - t);
         told_s = t;
         ++told;
       }
@@ -127,7 +131,7 @@ std::vector<PredictedMotion> free_run(const LinearModel& linear_part, std::span<
     axle = move_along_arc(axle, now.twist, period);
     travelled_m = later(travelled_m, now.wheel_m_s, period);
   }
-  tell_late(motion, log.references_late_s);
+  show_late(motion, log);
   return motion;
 }
 

@@ -28,7 +28,8 @@ struct Contents {
   bool reference = false;
   bool place = false;
   bool gyro = false;
-  std::string scale_from;  // of the counts; empty where it is stated
+  std::string scale_from;         // of the counts; empty where it is stated
+  bool scaled_by_counts = false;  // the reference
   Excitation excitation;
   TravelDirections directions;
   double lowest_v = std::numeric_limits<double>::infinity();
@@ -41,6 +42,7 @@ Contents contents_of(std::span<const DriveLog> logs) {
     if (log.has_ticks()) contents.counts = true;
     if (log.has_ticks() && has_gyro(log)) contents.gyro = true;
     contents.directions.add(log);
+    contents.scaled_by_counts = contents.scaled_by_counts || log.reference_scaled_by_counts;
     for (const auto& [key, value] : log.other_metadata) {
       if (key == scale_from_key) contents.scale_from = value;
     }
@@ -80,6 +82,8 @@ std::string missing_for(const EffectInfo& info, const Contents& contents) {
     return "how far a count goes was found from the " + contents.scale_from +
            "; give wheels.metres_per_count as its maker states it";
   }
+  if (needs.scale && contents.scaled_by_counts)
+    return "the reference's metre was made that of the counts, since it is not the same in all directions";
   if (needs.battery && !(contents.highest_v > 0.0)) return "the logs hold no battery voltage";
   if (needs.battery && contents.highest_v < (1.0 + min_voltage_change) * contents.lowest_v) {
     return "the battery voltage does not change in these logs";

@@ -15,7 +15,9 @@
 #include "model/gap/data_checks/held_reference.hpp"
 #include "model/gap/data_checks/wrong_poses.hpp"
 #include "model/identification/run_scales.hpp"
+#include "model/log/anisotropic_scale.hpp"
 #include "model/log/heading_offset.hpp"
+#include "model/log/reference_response.hpp"
 #include "model/prediction/segments.hpp"
 #include "model/statistics/significant_digits.hpp"
 
@@ -150,6 +152,36 @@ void turn_headings_back(std::vector<GateState>& states) {
   }
 }
 
+std::vector<const DriveLog*> logs_of(const std::vector<GatedLog>& gated) {
+  std::vector<const DriveLog*> logs;
+  logs.reserve(gated.size());
+  for (const GatedLog& each : gated) logs.push_back(&each.log);
+  return logs;
+}
+
+// What is true of the tracker of all runs, the first one says.
+void say_for_all(std::vector<GatedLog>& gated, const std::string& what, const std::string& treatment) {
+  const DriveLog& first = gated.front().log;
+  const std::string where =
+      gated.size() > 1 ? " in " + std::to_string(gated.size()) + " runs" : std::string();
+  gated.front().faults.push_back(
+      {first.name, first.first_line, what, false, false, false, treatment + where});
+}
+
+void undo_anisotropic_scale(std::vector<GatedLog>& gated) {
+  const auto scale = find_anisotropic_scale(logs_of(gated));
+  if (!scale) return;
+  for (GatedLog& each : gated) wheelwright::undo_anisotropic_scale(each.log, *scale);
+  say_for_all(gated, in_words(*scale), "it was made that of the counts");
+}
+
+void note_smoothing(std::vector<GatedLog>& gated) {
+  const auto response = find_reference_response(logs_of(gated));
+  if (!response) return;
+  for (GatedLog& each : gated) each.log.reference_response = *response;
+  say_for_all(gated, in_words(*response), "predictions are compared as such a reference shows them");
+}
+
 void find_other_scale(std::span<const DriveLog> logs, std::vector<GatedLog>& gated) {
   const auto outlier = find_scale_outlier(logs);
   if (!outlier) return;
@@ -188,6 +220,8 @@ std::vector<GatedLog> gate_together(std::span<const DriveLog> logs) {
     mark_counter_reset(state.result);
     gated.push_back(std::move(state.result));
   }
+  note_smoothing(gated);
+  undo_anisotropic_scale(gated);
   if (logs.size() > 1) find_other_scale(logs, gated);
   return gated;
 }

@@ -233,6 +233,8 @@ DriveLog cut_out(const DriveLog& log, const Segment& segment) {
   part.period_s = log.period_s;
   part.metres_per_tick = log.metres_per_tick;
   part.references_late_s = log.references_late_s;
+  part.reference_response = log.reference_response;
+  part.reference_scaled_by_counts = log.reference_scaled_by_counts;
   part.other_metadata = log.other_metadata;
   part.first_line = log.first_line + segment.first;
   const auto begin = log.samples.begin();

@@ -118,17 +118,60 @@ void wheel_errors(const GapRun& run, const Path& path, Channel channel, std::vec
   for (std::size_t i = 0; i < series.at.size(); ++i) errors.push_back(series.value[i] - travel(series.at[i]));
 }
 
+// The steps of a run as the poses that its references show, at each grid point.
+std::vector<Pose> shown_path(const GapRun& run, const std::vector<OdometryStep>& steps,
+                             const ModelSimulation* measured_by) {
+  std::vector<Pose> poses;
+  poses.reserve(steps.size() + 1);
+  Pose pose;
+  const auto add = [&] { poses.push_back(measured_by == nullptr ? pose : measured_by->observed(pose)); };
+  add();
+  for (const OdometryStep& step : steps) {
+    pose = move_along_arc(pose, {step.forward_m, step.turn_rad}, 1.0);
+    add();
+  }
+  return shown_by(run.reference_response, poses, run.period_s);
+}
+
+// How a path moves from one grid time to another.
+class PathMotion {
+ public:
+  PathMotion(const GapRun& run, const std::vector<OdometryStep>& steps,
+             const ModelSimulation* measured_by = nullptr)
+      : steps_(steps), measured_by_(measured_by) {
+    if (!run.reference_response.is_immediate()) shown_ = shown_path(run, steps, measured_by);
+  }
+  Increment increment(const GridTime& from, const GridTime& to) const {
+    if (!shown_.empty()) return wheelwright::gap::increment(shown_at(from), shown_at(to));
+    const Pose motion = passed(steps_, from, to);
+    if (measured_by_ == nullptr) return wheelwright::gap::increment({}, motion);
+    return wheelwright::gap::increment(measured_by_->observed({}), measured_by_->observed(motion));
+  }
+
+ private:
+  Pose shown_at(const GridTime& when) const {
+    const Pose& a = shown_[std::min(when.period, shown_.size() - 1)];
+    const Pose& b = shown_[std::min(when.period + 1, shown_.size() - 1)];
+    return {between(a.x_m, b.x_m, when.share), between(a.y_m, b.y_m, when.share),
+            between(a.theta_rad, b.theta_rad, when.share)};
+  }
+
+  const std::vector<OdometryStep>& steps_;
+  const ModelSimulation* measured_by_;
+  std::vector<Pose> shown_;  // empty where the references show the robot at once
+};
+
 void motion_errors(const GapRun& run, const ModelSimulation& simulation, const Path& path, double lag_s,
                    RunErrors& errors) {
   const auto& at = run[Channel::turn].at;
-  const Pose at_first = simulation.observed({});
+  const PathMotion body(run, path.body, &simulation);
+  const PathMotion odometry(run, path.odometry);
   Increment sum;
   for (std::size_t i = 0; i < at.size(); ++i) {
     if (i > 0) {
-      const Pose body = passed(path.body, earlier(run, at[i - 1], lag_s), earlier(run, at[i], lag_s));
-      Increment step = increment(at_first, simulation.observed(body));
+      Increment step = body.increment(earlier(run, at[i - 1], lag_s), earlier(run, at[i], lag_s));
       if (run.has_counts) {
-        const Increment counted = increment({}, passed(path.odometry, at[i - 1], at[i]));
+        const Increment counted = odometry.increment(at[i - 1], at[i]);
         step = {step.forward - counted.forward, step.aside - counted.aside, step.turn - counted.turn};
       }
       sum = {sum.forward + step.forward, sum.aside + step.aside, sum.turn + step.turn};
@@ -197,13 +240,13 @@ SegmentError segment_error(const GapRun& run, const ModelSimulation& simulation,
 
 void measure_motion(GapRun& run) {
   if (run.sparse) return;
+  const PathMotion odometry(run, run.odometry);
   Increment sum;
   for (std::size_t i = 0; i < run.references.size(); ++i) {
     if (i > 0) {
       Increment step = increment(run.references[i - 1].pose, run.references[i].pose);
       if (run.has_counts) {
-        const Increment counted =
-            increment({}, passed(run.odometry, run.references[i - 1].at, run.references[i].at));
+        const Increment counted = odometry.increment(run.references[i - 1].at, run.references[i].at);
         step = {step.forward - counted.forward, step.aside - counted.aside, step.turn - counted.turn};
       }
       sum = {sum.forward + step.forward, sum.aside + step.aside, sum.turn + step.turn};

@@ -224,6 +224,7 @@ GapRun make_gap_run(const DriveLog& log, const RowFlags& flags, double period_s)
   collect_references(log, flags, run);
   run.sparse = far_apart(run);
   if (!run.sparse) {
+    if (run.has_counts) run.reference_response = log.reference_response;
     lay_passed(run);
     for (const Channel channel : {Channel::forward, Channel::aside, Channel::turn}) {
       if (run.heading_alone && channel != Channel::turn) continue;

@@ -1,0 +1,70 @@
+// References that a tracker has smoothed, and such as a camera sees at a slant.
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "model/gap/analysis.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gap_plant/gap_case.hpp"
+#include "tests/support/smoothed_reference.hpp"
+
+using namespace wheelwright;
+using namespace wheelwright::gap;
+
+namespace {
+
+GapAnalysis analysed_after(const std::string& hidden, const std::function<void(DriveLog&)>& change) {
+  test::GapCaseSpec spec;
+  spec.name = hidden;
+  spec.channels = test::Channels::ticks_ref;
+  spec.runs = 3;
+  spec.seconds = 40.0;
+  auto logs = test::make_gap_case(spec).runs;
+  for (DriveLog& log : logs) change(log);
+  auto analysis = analyse_gap(std::span(logs).first(2), std::span(logs).last(1), {}, serial_for,
+                              [](const std::string&, double) {});
+  REQUIRE(analysis);
+  return std::move(*analysis);
+}
+
+std::vector<std::string> names_of(const GapAnalysis& analysis) {
+  std::vector<std::string> names;
+  for (const auto& finding : analysis.found) names.push_back(finding.setting.name);
+  return names;
+}
+
+void smooth(DriveLog& log) {
+  test::filter_reference(log, test::low_pass(0.2), test::low_pass(0.2));
+}
+
+void shorten_x(DriveLog& log) {
+  for (DriveSample& sample : log.samples) *sample.reference_x_m *= 0.97;
+}
+
+}  // namespace
+
+TEST_CASE("A tracker that smooths is nothing that the robot's model lacks") {
+  const auto analysis = analysed_after("clean", smooth);
+  CHECK(analysis.verdict == Verdict::nothing_missing);
+  CHECK(names_of(analysis).empty());
+}
+
+TEST_CASE("What the floor does is named through a tracker that smooths") {
+  CHECK(names_of(analysed_after("turn_scrub", smooth)) == std::vector<std::string>{"turn_scrub"});
+}
+
+TEST_CASE("Figures of a smoothed reference are those of one that is not: predictions are smoothed likewise") {
+  const auto smoothed = analysed_after("clean", smooth).test.after;
+  const auto plain = analysed_after("clean", [](DriveLog&) {}).test.after;
+  CHECK(smoothed.position_rms_m->value < 1.2 * plain.position_rms_m->value);
+  CHECK(smoothed.heading_rms_rad->value < 1.2 * plain.heading_rms_rad->value);
+}
+
+TEST_CASE("A camera that looks at a slant is no scale of the counts, which is not tested then") {
+  const auto analysis = analysed_after("clean", shorten_x);
+  CHECK(analysis.verdict == Verdict::nothing_missing);
+  const auto untested = std::ranges::find(analysis.not_testable, "distance_scale", &Untestable::effect);
+  REQUIRE(untested != analysis.not_testable.end());
+  CHECK(untested->why.find("metre was made that of the counts") != std::string::npos);
+}
