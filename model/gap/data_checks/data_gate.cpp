@@ -13,6 +13,7 @@
 #include "model/gap/data_checks/frozen_reference.hpp"
 #include "model/gap/data_checks/gate_state.hpp"
 #include "model/gap/data_checks/held_reference.hpp"
+#include "model/gap/data_checks/reference_steps.hpp"
 #include "model/gap/data_checks/wrong_poses.hpp"
 #include "model/identification/run_scales.hpp"
 #include "model/log/anisotropic_scale.hpp"
@@ -131,6 +132,7 @@ GateState cleaned(const DriveLog& log, std::size_t frozen_elsewhere) {
   leave_out_repeated_poses(state);
   leave_out_wrong_poses(state);
   remove_reference_jumps(state);
+  say_reference_steps(state);
   return state;
 }
 

@@ -1,0 +1,102 @@
+#include "model/gap/data_checks/reference_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/geometry/pose.hpp"
+#include "model/statistics/order_statistics.hpp"
+#include "model/statistics/significant_digits.hpp"
+
+namespace wheelwright::gap {
+namespace {
+
+constexpr double over_usual = 8.0;
+constexpr double faster_m_s = 0.5;  // than the wheels ever turned: no floor moves a robot like that
+constexpr double faster_rad_s = 5.0;
+constexpr std::size_t least_steps = 2;
+
+// From one pose of the reference to the next.
+struct Motion {
+  std::size_t row;
+  double beyond_m;  // what the counts do not show
+  double beyond_rad;
+  double speed_m_s;
+  double turn_rate_rad_s;
+  double counted_m_s;
+  double counted_rad_s;
+};
+
+// Nothing where counts are missing in between.
+std::optional<Pose> counted(const GateState& gate, std::size_t from, std::size_t to) {
+  const auto& samples = gate.result.log.samples;
+  Pose pose;
+  for (std::size_t i = from + 1; i <= to; ++i) {
+    if (!samples[i].ticks || !samples[i - 1].ticks || gate.result.flags.restart[i] != 0) return std::nullopt;
+    const WheelPair rolled{gate.travel(i, true) - gate.travel(i - 1, true),
+                           gate.travel(i, false) - gate.travel(i - 1, false)};
+    pose = move_along_arc(pose, twist_of_wheels(rolled, gate.result.log.wheel_base_m), 1.0);
+  }
+  return pose;
+}
+
+std::vector<Motion> motions(const GateState& gate) {
+  const auto& samples = gate.result.log.samples;
+  std::vector<Motion> all;
+  std::optional<std::size_t> before;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const auto pose = samples[i].reference_pose();
+    if (!pose) continue;
+    const auto by_counts = before ? counted(gate, *before, i) : std::nullopt;
+    if (by_counts) {
+      const double duration_s = samples[i].t_s - samples[*before].t_s;
+      const Pose moved = between(*samples[*before].reference_pose(), *pose);
+      const double turned_rad = wrap_angle(moved.theta_rad);
+      all.push_back({i, distance_between_m(moved, *by_counts),
+                     std::abs(wrap_angle(turned_rad - by_counts->theta_rad)),
+                     std::hypot(moved.x_m, moved.y_m) / duration_s, std::abs(turned_rad) / duration_s,
+                     std::hypot(by_counts->x_m, by_counts->y_m) / duration_s,
+                     std::abs(by_counts->theta_rad) / duration_s});
+    }
+    before = i;
+  }
+  return all;
+}
+
+double usual(const std::vector<Motion>& all, double Motion::*what) {
+  std::vector<double> sizes;
+  sizes.reserve(all.size());
+  for (const Motion& each : all) sizes.push_back(each.*what);
+  return median(std::move(sizes));
+}
+
+double largest(const std::vector<Motion>& all, double Motion::*what) {
+  return (*std::ranges::max_element(all, {}, what)).*what;
+}
+
+}  // namespace
+
+void say_reference_steps(GateState& gate) {
+  if (!gate.result.log.has_ticks()) return;
+  const std::vector<Motion> all = motions(gate);
+  if (all.empty()) return;
+  const double impossible_m_s = largest(all, &Motion::counted_m_s) + faster_m_s;
+  const double impossible_rad_s = largest(all, &Motion::counted_rad_s) + faster_rad_s;
+  const double large_m = over_usual * usual(all, &Motion::beyond_m);
+  const double large_rad = over_usual * usual(all, &Motion::beyond_rad);
+  std::vector<Motion> steps;
+  std::ranges::copy_if(all, std::back_inserter(steps), [&](const Motion& each) {
+    return (each.beyond_m > large_m && each.speed_m_s > impossible_m_s) ||
+           (each.beyond_rad > large_rad && each.turn_rate_rad_s > impossible_rad_s);
+  });
+  if (steps.size() < least_steps) return;
+  gate.fault(steps.front().row, "the reference steps " + std::to_string(steps.size()) + " times by up to " +
+                                    in_digits(largest(steps, &Motion::beyond_m), 2) + " m and " +
+                                    in_digits(largest(steps, &Motion::beyond_rad), 2) +
+                                    " rad where the wheels do not, as where a map is matched again");
+}
+
+}  // namespace wheelwright::gap
