@@ -133,6 +133,7 @@ bool join_upper_names(const std::vector<std::string>& upper, std::vector<std::st
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (!upper[i].empty()) group = upper[i];
     if (!group.empty() && !names[i].empty()) joined[i] = group + "." + names[i];
+    if (names[i].empty()) joined[i] = upper[i];
   }
   names = joined;
   return true;

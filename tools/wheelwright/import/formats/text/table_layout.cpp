@@ -141,12 +141,41 @@ class Head {
       layout_.header = above;
       layout_.has_units_row = true;
       --at;
-    } else if (at > 0 && !above.empty()) {
-      if (join_upper_names(above, layout_.header)) --at;
+    } else {
+      at = join_names_above(at);
     }
     layout_.header_is_comment = is_comment(sample_.head[at].text);
     say_that_a_name_is_missing(sample_.head[at]);
     return at;
+  }
+
+  // Rows of names above others that occur more than once, up to where each occurs once. Those of a motion
+  // capture system begin with what they hold: "Name", and beside it "Type" and "ID", which tell no more.
+  std::size_t join_names_above(std::size_t at) {
+    constexpr std::size_t max_rows = 6;
+    for (std::size_t row = 0; row < max_rows && at > 0; ++row) {
+      Cells cells;
+      split_row(sample_.head[at - 1].text, table_.dialect, cells);
+      cells.resize(width_of(cells, table_.width));
+      const auto label = std::ranges::find_if(cells, [](std::string_view cell) { return !cell.empty(); });
+      const bool is_labelled = label != cells.end() && label - cells.begin() < 2;
+      if (is_labelled && has_names_above(at) && (*label == "Type" || *label == "ID" || *label == "Parent")) {
+        --at;
+        continue;
+      }
+      std::vector<std::string> above = header_cells(sample_.head[at - 1]);
+      if (above.empty()) break;
+      if (is_labelled && *label == "Name") above[static_cast<std::size_t>(label - cells.begin())].clear();
+      if (!join_upper_names(above, layout_.header)) break;
+      --at;
+    }
+    return at;
+  }
+
+  // Whether names still occur more than once, so that the rows above are asked.
+  bool has_names_above(std::size_t at) const {
+    std::vector<std::string> names = layout_.header;
+    return at > 1 && join_upper_names(std::vector<std::string>(names.size()), names);
   }
 
   void take_line_above(const Line& line) {
@@ -165,16 +194,29 @@ class Head {
     }
   }
 
-  // "robot,Rover" above a wider table.
+  // "robot,Rover" above a wider table; several of these pairs in a line, with a number among the values.
   bool take_pair(std::string_view line) {
     Dialect dialect = table_.dialect;
     dialect.rows_are_stamped = false;
     Cells cells;
     split_row(line, dialect, cells);
-    if (dialect.separator == ' ' || table_.width == 2 || width_of(cells, 2) != 2 || cells[0].empty())
-      return false;
-    layout_.metadata.emplace_back(std::string(cells[0]), std::string(cells[1]));
+    if (dialect.separator == ' ' || table_.width == 2) return false;
+    cells.resize(width_of(cells, 2));
+    const bool is_one = cells.size() == 2 && !cells[0].empty();
+    if (!is_one && !are_pairs(cells)) return false;
+    for (std::size_t i = 0; i + 1 < cells.size(); i += 2)
+      layout_.metadata.emplace_back(std::string(cells[i]), std::string(cells[i + 1]));
     return true;
+  }
+
+  bool are_pairs(const Cells& cells) const {
+    std::size_t numbers = 0;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const auto kind = kind_of(cells[i], table_.dialect);
+      if (i % 2 == 0 && kind != ColumnKind::text) return false;
+      if (i % 2 == 1 && kind == ColumnKind::number) ++numbers;
+    }
+    return cells.size() >= 4 && cells.size() % 2 == 0 && numbers > 0;
   }
 
   static std::vector<std::string> as_strings(const Cells& cells) {
