@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -91,6 +93,33 @@ DateOrder find_date_order(const Lines& lines, const Dialect& dialect) {
   return DateOrder::month_first;
 }
 
+// Whether the sign that is not the decimal one stands between groups of three digits wherever it stands, and
+// in all numbers from 1000 on of the columns that have it: it is no decimal sign then.
+bool are_grouped(const Lines& lines, const Dialect& dialect) {
+  constexpr std::size_t min_grouped = 3;
+  constexpr double thousand = 1000.0;
+  std::map<std::size_t, std::size_t> grouped;
+  std::set<std::size_t> with_plain_thousands;
+  Cells cells;
+  for (const std::string_view line : lines) {
+    split_row(line, dialect, cells);
+    for (std::size_t i = dialect.rows_are_stamped ? 1 : 0; i < cells.size(); ++i) {
+      const Grouping grouping = grouping_of(cells[i], dialect.decimal);
+      if (grouping == Grouping::other) return false;
+      if (grouping == Grouping::grouped) ++grouped[i];
+      if (grouping == Grouping::none &&
+          std::abs(read_number(cells[i], dialect.decimal).value_or(0.0)) >= thousand)
+        with_plain_thousands.insert(i);
+    }
+  }
+  std::size_t count = 0;
+  for (const auto& [column, cells_of_it] : grouped) {
+    if (with_plain_thousands.contains(column)) return false;
+    count += cells_of_it;
+  }
+  return count >= min_grouped;
+}
+
 }  // namespace
 
 std::size_t width_of(const std::vector<std::string_view>& cells, std::size_t width) {
@@ -118,6 +147,7 @@ SniffedTable sniff_table(const TextSample& sample, char given_separator) {
     }
   }
   best.dialect.date_order = find_date_order(lines, best.dialect);
+  best.dialect.has_groups = are_grouped(lines, best.dialect);
   return best;
 }
 
@@ -137,6 +167,8 @@ std::string in_words(const Dialect& dialect) {
       words = std::string("'") + dialect.separator + "' between fields";
   }
   if (dialect.decimal == ',') words += ", decimal comma";
+  if (dialect.has_groups)
+    words += std::string(", '") + (dialect.decimal == '.' ? ',' : '.') + "' between thousands";
   if (dialect.rows_are_quoted) words += ", whole rows in quotes";
   if (dialect.rows_are_stamped) words += ", a stamp before each row";
   return words;

@@ -76,14 +76,35 @@ bool has_groups(std::string_view whole, char separator) {
   return (whole.size() - first) % 4 == 0;
 }
 
+// "1'234.5" and "1 234,5" without the signs between their groups; empty where there are none, or where they
+// stand elsewhere.
+std::string without_group_signs(std::string_view cell, char decimal) {
+  constexpr std::array<std::string_view, 6> signs{
+      "'", " ", "\xc2\xa0", "\xe2\x80\xaf", "\xe2\x80\x89", "\xe2\x80\x99"};
+  for (const std::string_view sign : signs) {
+    if (cell.find(sign) == std::string_view::npos) continue;
+    std::string text(cell);
+    for (std::size_t at = 0; (at = text.find(sign, at)) != std::string::npos; ++at)
+      text.replace(at, sign.size(), 1, '\'');
+    const std::size_t begin = text.starts_with('-') ? 1 : 0;
+    const std::string_view whole = std::string_view(text).substr(begin, text.find(decimal) - begin);
+    if (!has_groups(whole, '\'')) return {};
+    std::erase(text, '\'');
+    return text;
+  }
+  return {};
+}
+
 // The number without its thousands separators and with a decimal point; empty where it has other characters.
-std::string_view plain_form(std::string_view cell, char decimal, std::array<char, longest_number>& buffer) {
+std::string_view plain_form(std::string_view cell, char decimal, bool grouped,
+                            std::array<char, longest_number>& buffer) {
   if (cell.size() > buffer.size()) return {};
   const char separator = decimal == '.' ? ',' : '.';
   const std::string_view unsigned_part = cell.front() == '-' ? cell.substr(1) : cell;
   const std::string_view whole = unsigned_part.substr(0, unsigned_part.find(decimal));
   const bool has_separators = whole.find(separator) != std::string_view::npos;
-  const bool is_unambiguous = whole.size() < unsigned_part.size() || std::ranges::count(whole, separator) > 1;
+  const bool is_unambiguous =
+      grouped || whole.size() < unsigned_part.size() || std::ranges::count(whole, separator) > 1;
   if (has_separators && !(is_unambiguous && has_groups(whole, separator))) return {};
   std::size_t length = 0;
   for (std::size_t i = 0; i < cell.size(); ++i) {
@@ -105,7 +126,7 @@ std::optional<double> read_truth(std::string_view cell) {
 
 }  // namespace
 
-std::optional<double> read_number(std::string_view cell, char decimal) {
+std::optional<double> read_number(std::string_view cell, char decimal, bool grouped) {
   if (cell.empty()) return std::nullopt;
   if (cell.front() == '+') {
     cell.remove_prefix(1);
@@ -119,8 +140,19 @@ std::optional<double> read_number(std::string_view cell, char decimal) {
     if (const auto number = read_plain(cell)) return number;
   }
   std::array<char, longest_number> buffer;
-  const std::string_view plain = plain_form(cell, decimal, buffer);
+  if (const std::string joined = without_group_signs(cell, decimal); !joined.empty())
+    return read_number(joined, decimal);
+  const std::string_view plain = plain_form(cell, decimal, grouped, buffer);
   return plain.empty() ? std::nullopt : read_plain(plain);
+}
+
+Grouping grouping_of(std::string_view cell, char decimal) {
+  const char separator = decimal == '.' ? ',' : '.';
+  if (cell.find(separator) == std::string_view::npos) return Grouping::none;
+  if (cell.find_first_not_of("0123456789,.-") != std::string_view::npos) return Grouping::none;
+  if (cell.starts_with('-')) cell.remove_prefix(1);
+  const std::string_view whole = cell.substr(0, cell.find(decimal));
+  return !whole.starts_with('0') && has_groups(whole, separator) ? Grouping::grouped : Grouping::other;
 }
 
 bool is_missing(std::string_view cell) {

@@ -13,6 +13,7 @@ namespace wheelwright::import {
 struct Dialect {
   char separator = ',';           // ' ' for runs of blanks and tabulators, '\0' for one column
   char decimal = '.';             // or ','
+  bool has_groups = false;        // of three digits each: "1,234" is more than a thousand
   bool rows_are_quoted = false;   // "10, 0.5, 3"
   bool rows_are_stamped = false;  // 12:34:56.789 -> 10,0.5,3; the stamp is the first cell
   DateOrder date_order = DateOrder::day_first;

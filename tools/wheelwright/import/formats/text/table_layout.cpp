@@ -19,7 +19,7 @@ constexpr std::size_t kind_count = 5;
 
 std::optional<ColumnKind> kind_of(std::string_view cell, const Dialect& dialect) {
   if (is_missing(cell)) return std::nullopt;
-  if (read_number(cell, dialect.decimal)) return ColumnKind::number;
+  if (read_number(cell, dialect.decimal, dialect.has_groups)) return ColumnKind::number;
   const auto time = read_time(cell, dialect.date_order);
   if (!time) return ColumnKind::text;
   if (time->form == TimeForm::clock) return ColumnKind::clock;

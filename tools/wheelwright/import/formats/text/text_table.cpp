@@ -17,7 +17,7 @@ bool fits(TimeForm form, ColumnKind kind) {
 }
 
 std::optional<double> read_cell(std::string_view cell, ColumnKind kind, const Dialect& dialect) {
-  if (kind == ColumnKind::number) return read_number(cell, dialect.decimal);
+  if (kind == ColumnKind::number) return read_number(cell, dialect.decimal, dialect.has_groups);
   const auto time = read_time(cell, dialect.date_order);
   return time && fits(time->form, kind) ? std::optional(time->seconds) : std::nullopt;
 }
