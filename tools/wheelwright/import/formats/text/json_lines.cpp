@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "tools/wheelwright/import/formats/text/line_tally.hpp"
+#include "tools/wheelwright/import/formats/text/python_literal.hpp"
 #include "tools/wheelwright/import/recording.hpp"
 
 namespace wheelwright::import {
@@ -110,8 +111,11 @@ std::vector<Stream> read_json_lines(std::string_view text, std::vector<std::stri
   while (cursor.next_filled(line)) {
     Flattener flattener;
     if (!parse(trim(line.text), flattener)) {
-      unread.add(line);
-      continue;
+      flattener = {};
+      if (!parse(json_of_python(trim(line.text)), flattener)) {
+        unread.add(line);
+        continue;
+      }
     }
     std::string form;
     for (const auto& [name, value] : flattener.numbers()) form += name + '\n';

@@ -10,6 +10,7 @@
 #include "config/load/printable_text.hpp"
 #include "tools/wheelwright/import/formats/text/decimal_comma.hpp"
 #include "tools/wheelwright/import/formats/text/dialect_sniffer.hpp"
+#include "tools/wheelwright/import/formats/text/json_document.hpp"
 #include "tools/wheelwright/import/formats/text/json_lines.hpp"
 #include "tools/wheelwright/import/formats/text/keyed_lines.hpp"
 #include "tools/wheelwright/import/formats/text/stamp_text.hpp"
@@ -107,6 +108,11 @@ class TextReader {
     const char separator = take_separator_line(decoded_.text);
     point_milliseconds(decoded_.text);
     const TextSample sample = take_sample(decoded_.text);
+    const bool may_be_json = sample.contents.size() < 2 || !are_json_lines(sample);
+    if (auto document = may_be_json ? read_json_document(decoded_.text) : std::nullopt) {
+      recording_.metadata = std::move(document->metadata);
+      return finish("JSON", std::move(document->streams));
+    }
     if (are_json_lines(sample))
       return finish("JSON, one object a line", read_json_lines(decoded_.text, recording_.remarks));
     SniffedTable table = sniff_table(sample, separator);
