@@ -37,7 +37,8 @@ void append_runs(std::vector<Recording>& recordings) {
     Stream& all = recordings.front().streams.front();
     const Stream& next = recordings[i].streams.front();
     if (all.run_starts.empty()) all.run_starts.push_back(0);
-    all.run_starts.push_back(all.rows);
+    if (next.run_starts.empty()) all.run_starts.push_back(all.rows);
+    for (const std::size_t start : next.run_starts) all.run_starts.push_back(all.rows + start);
     for (std::size_t c = 0; c < all.channels.size(); ++c) {
       auto& values = all.channels[c].values;
       values.insert(values.end(), next.channels[c].values.begin(), next.channels[c].values.end());

@@ -10,6 +10,7 @@
 
 #include "config/load/printable_text.hpp"
 #include "tools/wheelwright/import/formats/text/direction_words.hpp"
+#include "tools/wheelwright/import/formats/text/run_column.hpp"
 
 namespace wheelwright::import {
 namespace {
@@ -104,6 +105,7 @@ std::size_t count_changes(const std::vector<double>& labels) {
 bool parts_rows(const TextTable& table, std::size_t column) {
   const std::size_t labels = table.labels[column].names().size();
   if (table.columns[column].kind != ColumnKind::text || table.labels[column].are_too_many()) return false;
+  if (names_a_run(table.columns[column].name) && are_stretches(table.values[column])) return false;
   if (labels < 2 || labels > max_table_streams || 2 * labels > table.rows()) return false;
   return names_a_kind(table.columns[column].name) || 5 * count_changes(table.values[column]) > table.rows();
 }
@@ -124,6 +126,18 @@ std::string describe_texts(const Labels& labels) {
   for (std::size_t i = 0; i < std::min(labels.names().size(), labels_in_remark); ++i)
     words += (i > 0 ? ", " : "") + in_quotes(labels.names()[i]);
   return labels.names().size() > labels_in_remark ? words + " ..." : words;
+}
+
+// The texts of a column that tells runs apart become numbers.
+void number_runs(TextTable& table, std::vector<std::string>& remarks) {
+  for (std::size_t i = 0; i < table.width(); ++i) {
+    if (table.columns[i].kind != ColumnKind::text || table.labels[i].are_too_many() ||
+        !names_a_run(table.columns[i].name) || !are_stretches(table.values[i]))
+      continue;
+    table.columns[i].kind = ColumnKind::number;
+    remarks.push_back("column " + in_quotes(table.columns[i].name) + " holds text (" +
+                      describe_texts(table.labels[i]) + "): numbered from 0");
+  }
 }
 
 void drop_text_columns(TextTable& table, std::vector<std::string>& remarks) {
@@ -196,6 +210,7 @@ std::vector<Stream> make_streams(TextTable table, const std::string& name,
     labels = std::move(table.labels[*column]);
     erase_column(table, *column);
   }
+  number_runs(table, remarks);
   drop_text_columns(table, remarks);
   std::vector<Stream> streams;
   if (label_of_row.empty()) {

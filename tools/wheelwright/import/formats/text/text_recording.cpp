@@ -13,6 +13,7 @@
 #include "tools/wheelwright/import/formats/text/json_document.hpp"
 #include "tools/wheelwright/import/formats/text/json_lines.hpp"
 #include "tools/wheelwright/import/formats/text/keyed_lines.hpp"
+#include "tools/wheelwright/import/formats/text/run_column.hpp"
 #include "tools/wheelwright/import/formats/text/stamp_text.hpp"
 #include "tools/wheelwright/import/formats/text/table_layout.hpp"
 #include "tools/wheelwright/import/formats/text/table_reader.hpp"
@@ -163,6 +164,7 @@ class TextReader {
   ReadResult finish(std::string format, std::vector<Stream> streams) {
     std::erase_if(streams, [](const Stream& stream) { return stream.channels.empty(); });
     if (streams.empty()) return fail("holds no numbers; a table of numbers is needed");
+    for (Stream& stream : streams) find_runs(stream, recording_.remarks);
     recording_.format = std::move(format);
     if (!decoded_.encoding.empty()) recording_.format += "; " + decoded_.encoding;
     recording_.streams = std::move(streams);
