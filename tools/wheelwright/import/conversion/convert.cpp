@@ -50,7 +50,7 @@ bool is_out_of_order(const TimeRepair& time) {
 // A log that writes counts only where they changed writes every column so.
 bool is_written_on_change(const DriveColumns& columns) {
   const std::array<const Column*, 3> references{&columns.x, &columns.y, &columns.theta_rad};
-  return std::ranges::any_of(columns.wheel, is_log_on_change) &&
+  return !columns.has_misread_counts && std::ranges::any_of(columns.wheel, is_log_on_change) &&
          std::ranges::any_of(references, [](const Column* column) { return is_log_on_change(*column); });
 }
 

@@ -11,6 +11,7 @@
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/counts.hpp"
 #include "tools/wheelwright/import/conversion/join_streams.hpp"
+#include "tools/wheelwright/import/conversion/misread_counts.hpp"
 #include "tools/wheelwright/import/conversion/missing_keys.hpp"
 #include "tools/wheelwright/import/conversion/reference_poses.hpp"
 #include "tools/wheelwright/import/conversion/stamps.hpp"
@@ -66,6 +67,7 @@ class Gathering {
     if (!problem_.empty()) return tl::unexpected(problem_);
     if (sources_.empty()) return tl::unexpected(name() + ": " + what_is_missing(mapping_));
     if (!merge()) return tl::unexpected(problem_);
+    if (mapping_.wheels) leave_out_misread_counts(columns_, *mapping_.wheels);
     if (mapping_.command) {
       subtract_neutral(columns_, mapping_.command->neutral);
       apply_directions(columns_, mapping_.command->forward);

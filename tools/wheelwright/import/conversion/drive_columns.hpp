@@ -28,6 +28,7 @@ struct DriveColumns {
   Column theta_rad;  // of a quaternion, or of the column in its unit
   Column gyro;
   Column battery;
+  bool has_misread_counts = false;      // of which some rows were left out
   std::vector<std::size_t> run_starts;  // rows at which a run begins for sure
   std::vector<std::string> remarks;     // what was done to the time of streams before they were merged
 

@@ -119,7 +119,7 @@ class TravelReader {
   }
 
   void unwrap_counts(Column& values, std::size_t side, const std::string& which) {
-    if (is_log_on_change(values)) {
+    if (!columns_.has_misread_counts && is_log_on_change(values)) {
       fill_down(values);
       if (side == 0)
         say("counts are written only where they changed; a blank is taken for the count above it");
