@@ -113,7 +113,10 @@ class Gathering {
     for (const Stream* stream : streams) {
       times.push_back(stream_times(*stream, mapping_.time));
       if (times.back().empty()) {
-        problem_ = name() + ": has no time; say how far its rows are apart: --set time.period_s=0.05";
+        problem_ = name() + (mapping_.time.unit == TimeUnit::frame
+                                 ? ": its time is a number of frames, and their rate is not known: --set "
+                                   "time.rate_hz=30"
+                                 : ": has no time; say how far its rows are apart: --set time.period_s=0.05");
         return false;
       }
     }

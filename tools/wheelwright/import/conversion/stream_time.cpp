@@ -9,6 +9,7 @@
 #include "model/statistics/order_statistics.hpp"
 #include "tools/wheelwright/import/conversion/time_units.hpp"
 #include "tools/wheelwright/import/inference/column_names.hpp"
+#include "tools/wheelwright/import/inference/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/name_words.hpp"
 #include "tools/wheelwright/import/recording.hpp"
 
@@ -51,6 +52,12 @@ std::vector<double> in_seconds(std::vector<double> values, TimeUnit unit) {
   for (double& t : values) t *= seconds_in(unit);
   if (unit == TimeUnit::hms) unwrap_midnight(values);
   return values;
+}
+
+std::vector<double> frames_in_seconds(std::vector<double> frames, std::optional<double> period_s) {
+  if (!period_s) return {};
+  for (double& frame : frames) frame *= *period_s;
+  return frames;
 }
 
 const Channel* own_time(const Stream& stream) {
@@ -101,7 +108,18 @@ std::optional<TimeUnit> time_unit_stated_for(const Stream& stream, const Channel
   return words.last().size() > 2 ? stated_time_unit(words.last()) : std::nullopt;
 }
 
+bool counts_frames(const Channel& channel) {
+  const NameWords words(channel.name);
+  const bool names_frames = !words.empty() && std::ranges::all_of(words.words(), [](const std::string& word) {
+    return NameWords(word).has_any({"frame", "frames", "sample", "samples", "image", "video", "no", "number",
+                                    "nr", "num", "id", "idx", "index", "count", "counter"});
+  }) && words.has_any({"frame", "frames", "sample", "samples"});
+  return names_frames && are_whole(channel.values) && std::ranges::is_sorted(channel.values) &&
+         channel.values.size() > 1 && channel.values.front() < channel.values.back();
+}
+
 TimeUnit time_unit_of(const Stream& stream, const Channel& channel, std::optional<double> period_s) {
+  if (counts_frames(channel)) return TimeUnit::frame;
   if (channel.unit == "hms") return TimeUnit::hms;
   if (channel.unit == "iso") return TimeUnit::iso;
   const TimeUnit by_numbers = time_unit(channel.values, period_s);
@@ -120,7 +138,8 @@ const Channel* time_channel(const Stream& stream, const TimeMapping& time) {
 std::vector<double> stream_times(const Stream& stream, const TimeMapping& time) {
   if (time.column) {
     if (const Channel* channel = channel_of(stream, *time.column)) {
-      return in_seconds(channel->values, time.unit);
+      if (time.unit != TimeUnit::frame) return in_seconds(channel->values, time.unit);
+      return frames_in_seconds(channel->values, time.period_s);
     }
   }
   if (!stream.received_s.empty()) {

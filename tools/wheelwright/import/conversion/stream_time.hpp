@@ -12,6 +12,8 @@ namespace wheelwright::import {
 // The unit of a time column: as the file states it, where that gives a rate at which robots are logged, else
 // by its numbers (time_units.hpp).
 TimeUnit time_unit_of(const Stream& stream, const Channel& channel, std::optional<double> period_s);
+// Whether a channel is the number of the frame or sample of each row, by its name and its values.
+bool counts_frames(const Channel& channel);
 std::optional<TimeUnit> time_unit_stated_for(const Stream& stream, const Channel& channel);
 
 // The column that holds the time of a stream: the mapped one, else one that is named so; nullptr where the

@@ -87,6 +87,7 @@ double seconds_in(TimeUnit unit) {
     case TimeUnit::day:
       return 86400.0;
     case TimeUnit::s:
+    case TimeUnit::frame:
     case TimeUnit::hms:
     case TimeUnit::iso:
       break;
@@ -95,9 +96,9 @@ double seconds_in(TimeUnit unit) {
 }
 
 std::string_view in_words(TimeUnit unit) {
-  constexpr std::array<std::string_view, 8> names{
+  constexpr std::array<std::string_view, 9> names{
       "seconds", "milliseconds",           "microseconds", "nanoseconds", "hours, minutes and seconds",
-      "dates",   "hundredths of a second", "days"};
+      "dates",   "hundredths of a second", "days",         "frames"};
   return names.at(static_cast<std::size_t>(unit));
 }
 

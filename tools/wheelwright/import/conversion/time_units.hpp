@@ -10,7 +10,7 @@
 
 namespace wheelwright::import {
 
-// How many seconds one unit of a time is.
+// How many seconds one unit of a time is; 1 of frames, whose rate is stated elsewhere.
 double seconds_in(TimeUnit unit);
 
 // "milliseconds".

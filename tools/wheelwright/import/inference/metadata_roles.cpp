@@ -8,6 +8,11 @@
 #include <system_error>
 
 #include "config/load/text_format.hpp"
+#include "tools/wheelwright/import/conversion/drive_columns.hpp"
+#include "tools/wheelwright/import/conversion/stream_time.hpp"
+#include "tools/wheelwright/import/conversion/value_range.hpp"
+#include "tools/wheelwright/import/inference/name_words.hpp"
+#include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {
 namespace {
@@ -70,6 +75,62 @@ class Metadata {
   std::vector<std::string>& doubts_;
 };
 
+// "Length Units" of a motion capture system, of the places in the same file whose columns state none.
+void map_length_unit(std::span<const Recording> recordings, const Recording& recording, Mapping& mapping) {
+  if (!mapping.reference || !mapping.reference->x || mapping.reference->unit != "m") return;
+  const FoundChannel x = find_channel(recordings, *mapping.reference->x);
+  const bool is_here =
+      std::ranges::any_of(recording.streams, [&](const Stream& stream) { return &stream == x.stream; });
+  if (!is_here) return;
+  for (const auto& [key, text] : recording.metadata) {
+    const NameWords words(key);
+    const bool is_unit =
+        words.has_any({"unit", "units"}) && words.has_any({"length", "distance", "position"});
+    const auto unit = is_unit ? find_unit(distance_units(), text) : std::nullopt;
+    if (unit) mapping.reference->unit = unit->name;
+  }
+}
+
+// Of frames or samples, and not of a filter or a motor.
+bool names_a_rate(const std::string& name) {
+  const NameWords words(name);
+  if (words.has_any({"cutoff", "pwm", "filter", "baud", "capture", "control"})) return false;
+  const bool of_rows = words.has_any({"frame", "frames", "sample", "sampling", "log", "logging", "hz"});
+  return words.has_any({"fps", "framerate", "samplerate"}) ||
+         (words.has_any({"rate", "frequency", "freq"}) && of_rows);
+}
+
+constexpr double fastest_hz = 10'000.0;
+constexpr double slowest_hz = 0.1;
+
+// "fps: 30", "Frame Rate (Hz): 30", "sample_rate = 50 Hz", or a column "fps" of one number.
+std::optional<double> stated_rate_hz(const Recording& recording) {
+  for (const auto& [key, text] : recording.metadata) {
+    if (!names_a_rate(key)) continue;
+    const std::string number = text.substr(0, text.find_first_not_of("0123456789."));
+    if (const auto rate = number_between(number, slowest_hz, fastest_hz)) return rate;
+  }
+  for (const Stream& stream : recording.streams) {
+    for (const Channel& channel : stream.channels) {
+      const ValueRange range = range_of(channel.values);
+      if (names_a_rate(channel.name) && range.size() == 0.0 && range.least >= slowest_hz &&
+          range.most <= fastest_hz)
+        return range.least;
+    }
+  }
+  return std::nullopt;
+}
+
+// A clock of the rows says more than a rate.
+bool takes_rate(std::span<const Recording> recordings, const Recording& recording, const Mapping& mapping) {
+  const bool is_stamped =
+      std::ranges::any_of(recording.streams, [](const Stream& stream) { return !stream.received_s.empty(); });
+  if (is_stamped) return false;
+  if (!mapping.time.column) return true;
+  const FoundChannel time = find_channel(recordings, *mapping.time.column);
+  return time.channel != nullptr && counts_frames(*time.channel);
+}
+
 }  // namespace
 
 void map_metadata(std::span<const Recording> recordings, Mapping& mapping, std::vector<std::string>& doubts) {
@@ -79,6 +140,10 @@ void map_metadata(std::span<const Recording> recordings, Mapping& mapping, std::
       if (key == "robot" && mapping.robot.empty()) mapping.robot = text;
     if (!mapping.wheel_base_m) mapping.wheel_base_m = metadata.number(wheel_base);
     if (!mapping.time.period_s) mapping.time.period_s = metadata.number(period);
+    if (!mapping.time.period_s && takes_rate(recordings, recording, mapping)) {
+      if (const auto rate_hz = stated_rate_hz(recording)) mapping.time.period_s = 1.0 / *rate_hz;
+    }
+    map_length_unit(recordings, recording, mapping);
     if (!mapping.wheels) continue;
     if (!mapping.wheels->metres_per_count) mapping.wheels->metres_per_count = metadata.number(left_scale);
     const auto right = metadata.number(right_scale);

@@ -10,7 +10,9 @@
 
 namespace wheelwright::import {
 
-// The wheel base, period, scales and name that metadata state ("# wheel_base_m: 0.235").
+// The wheel base, period, scales and name that metadata state ("# wheel_base_m: 0.235"), the unit of lengths
+// of a motion capture system, and the rate of rows that have no clock ("fps: 30"), also as a column of one
+// number.
 void map_metadata(std::span<const Recording> recordings, Mapping& mapping, std::vector<std::string>& doubts);
 
 }  // namespace wheelwright::import

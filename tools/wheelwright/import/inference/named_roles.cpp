@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
+#include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/inference/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/gain_units.hpp"
 #include "tools/wheelwright/import/inference/name_words.hpp"
@@ -210,6 +211,9 @@ class ByNames {
       mapping_.time.column = ChannelName{"", named.channel->name};
       return;
     }
+    if (stream == nullptr || !stream->received_s.empty()) return;
+    const auto frames = std::ranges::find_if(stream->channels, counts_frames);
+    if (frames != stream->channels.end()) mapping_.time.column = ChannelName{"", frames->name};
   }
 
   std::span<const Recording> recordings_;

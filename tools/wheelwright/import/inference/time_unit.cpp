@@ -65,6 +65,12 @@ void set_time_unit(std::span<const Recording> recordings, const GivenMapping& gi
   const auto time = mapped_time(recordings, mapping);
   if (!time || given.says("time.unit")) return;
   mapping.time.unit = time_unit_of(*time->stream, *time->channel, mapping.time.period_s);
+  if (mapping.time.unit == TimeUnit::frame) {
+    if (mapping.time.period_s)
+      findings.push_back("time is the number of the frame, " + plain_number(*mapping.time.period_s) +
+                         " s each");
+    return;
+  }
   const bool is_text = mapping.time.unit == TimeUnit::hms || mapping.time.unit == TimeUnit::iso;
   const auto stated = time_unit_stated_for(*time->stream, *time->channel);
   if (is_text || stated == mapping.time.unit || (mapping.time.unit == TimeUnit::s && !stated)) return;

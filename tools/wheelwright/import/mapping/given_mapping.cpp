@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "config/load/printable_text.hpp"
+#include "config/load/text_format.hpp"
 #include "config/load/yaml_reader.hpp"
 #include "tools/wheelwright/import/mapping/mapping_file.hpp"
 
@@ -15,6 +16,7 @@ using config::YamlReader;
 constexpr std::string_view known_keys[] = {"time.column",
                                            "time.unit",
                                            "time.period_s",
+                                           "time.rate_hz",
                                            "command.kind",
                                            "command.left",
                                            "command.right",
@@ -99,16 +101,25 @@ MappingEntry parse_setting(const std::string& setting) {
   return {key, setting.substr(equals + 1), "--set " + config::excerpt(setting)};
 }
 
+// A rate is the inverse of a period, which has a key of its own.
+void as_period(MappingEntry& entry) {
+  if (entry.key != "time.rate_hz") return;
+  entry.value = config::plain_number(*to_mapping({entry}, entry.source).time.period_s);
+  entry.key = "time.period_s";
+}
+
 }  // namespace
 
 GivenMapping::GivenMapping(const std::filesystem::path& file, const std::vector<std::string>& settings) {
   if (!file.empty()) {
     check_mapping_file(file);
     entries_ = said_in(YamlReader::load(file), file.string());
+    std::ranges::for_each(entries_, as_period);
   }
   for (const auto& setting : settings) {
-    const MappingEntry entry = parse_setting(setting);
+    MappingEntry entry = parse_setting(setting);
     to_mapping({entry}, entry.source);
+    as_period(entry);
     std::erase_if(entries_, [&](const MappingEntry& before) { return before.key == entry.key; });
     entries_.push_back(entry);
   }

@@ -10,7 +10,8 @@ namespace {
 
 using config::plain_number;
 
-constexpr std::array<std::string_view, 8> time_unit_names{"s", "ms", "us", "ns", "hms", "iso", "cs", "day"};
+constexpr std::array<std::string_view, 9> time_unit_names{"s",   "ms", "us",  "ns",   "hms",
+                                                          "iso", "cs", "day", "frame"};
 constexpr std::array<std::string_view, 4> command_kind_names{"wheels", "twist", "duty", "throttle"};
 constexpr std::array<std::string_view, 4> wheel_kind_names{"counts", "angle", "distance", "speed"};
 

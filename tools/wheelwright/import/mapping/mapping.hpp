@@ -25,7 +25,8 @@ struct ChannelName {
 
 ChannelName channel_name(std::string_view text);
 
-enum class TimeUnit : std::uint8_t { s, ms, us, ns, hms, iso, cs, day };
+// A frame is one period of the time mapping.
+enum class TimeUnit : std::uint8_t { s, ms, us, ns, hms, iso, cs, day, frame };
 
 struct TimeMapping {
   std::optional<ChannelName> column;  // absent: the time of recording, or rows that are `period_s` apart

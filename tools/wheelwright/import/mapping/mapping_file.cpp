@@ -47,9 +47,12 @@ TimeMapping read_time(YamlReader& from) {
                                      {"ns", TimeUnit::ns},
                                      {"hms", TimeUnit::hms},
                                      {"day", TimeUnit::day},
+                                     {"frame", TimeUnit::frame},
                                      {"iso", TimeUnit::iso}},
                                     time.unit);
   time.period_s = number(from, "period_s", {0.0001, 10, "s"});
+  const auto rate_hz = number(from, "rate_hz", {0.1, 10'000, "Hz"});
+  if (rate_hz) time.period_s = 1.0 / *rate_hz;
   return time;
 }
 
