@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "config/load/text_format.hpp"
-#include "model/log/lost_poses.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
+#include "tools/wheelwright/import/conversion/reference_poses.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
 
@@ -53,22 +53,19 @@ void add_point(std::vector<double>& t_s, std::vector<double>& way, double t, dou
 }
 
 Speeds reference_speeds(std::span<const Recording> recordings, const Mapping& mapping, double step_s) {
-  const FoundChannel x = find_channel(recordings, *mapping.reference->x);
-  const FoundChannel y = find_channel(recordings, *mapping.reference->y);
-  if (x.channel == nullptr || y.channel == nullptr || x.stream != y.stream) return {};
-  const auto t_s = stream_times(*x.stream, mapping.time);
-  Column xs = x.channel->values;
-  blank(lost_stretches(xs, y.channel->values), xs);
+  const auto poses = reference_poses(recordings, *mapping.reference);
+  if (!poses || poses->x.stream == nullptr || poses->x.stream != poses->y.stream) return {};
+  const auto t_s = stream_times(*poses->x.stream, mapping.time);
+  const Column& xs = poses->x.values;
+  const Column& ys = poses->y.values;
   std::vector<double> times;
   std::vector<double> way;
   std::size_t last = 0;
   for (std::size_t i = 0; i < t_s.size(); ++i) {
-    if (!std::isfinite(t_s[i]) || !std::isfinite(xs[i]) || !std::isfinite(y.channel->values[i])) continue;
+    if (!std::isfinite(t_s[i]) || !std::isfinite(xs[i]) || !std::isfinite(ys[i])) continue;
     // Noise adds to a way that is summed over short steps.
     if (!times.empty() && t_s[i] < times.back() + 0.5 * step_s) continue;
-    add_point(
-        times, way, t_s[i],
-        times.empty() ? 0.0 : std::hypot(xs[i] - xs[last], y.channel->values[i] - y.channel->values[last]));
+    add_point(times, way, t_s[i], times.empty() ? 0.0 : std::hypot(xs[i] - xs[last], ys[i] - ys[last]));
     last = i;
   }
   return on_grid(times, way, step_s);

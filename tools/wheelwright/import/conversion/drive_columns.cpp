@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "config/load/printable_text.hpp"
@@ -17,6 +18,7 @@
 #include "tools/wheelwright/import/conversion/stamps.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/conversion/time_units.hpp"
+#include "tools/wheelwright/import/conversion/value_range.hpp"
 #include "tools/wheelwright/import/conversion/wheel_command.hpp"
 #include "tools/wheelwright/import/recording.hpp"
 
@@ -31,12 +33,26 @@ struct Source {
   Joining joining;
 };
 
+// The turn after which the angles start again: of radians, or of degrees that nobody has said to be such yet.
+// Nothing of angles that go on.
+std::optional<double> turn_of(const Column& angles) {
+  constexpr double turn_rad = 2.0 * std::numbers::pi;
+  constexpr double turn_deg = 360.0;
+  const double size = range_of(angles).size();
+  if (size <= 1.01 * turn_rad) return turn_rad;
+  const bool jumps = std::ranges::adjacent_find(angles, [](double a, double b) {
+                       return std::abs(b - a) > 0.5 * turn_deg;
+                     }) != angles.end();
+  return jumps && size <= 1.01 * turn_deg ? std::optional(turn_deg) : std::nullopt;
+}
+
 void unwrap_angles(Column& angles) {
-  constexpr double turn = 2.0 * std::numbers::pi;
+  const auto turn = turn_of(angles);
+  if (!turn) return;
   double last = nothing;
   for (double& angle : angles) {
     if (!std::isfinite(angle)) continue;
-    if (std::isfinite(last)) angle -= turn * std::round((angle - last) / turn);
+    if (std::isfinite(last)) angle -= *turn * std::round((angle - last) / *turn);
     last = angle;
   }
 }

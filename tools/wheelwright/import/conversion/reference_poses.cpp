@@ -4,10 +4,12 @@
 #include <cstddef>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "model/log/lost_poses.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
+#include "tools/wheelwright/import/conversion/local_metres.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {
@@ -25,6 +27,7 @@ class PoseReader {
     if (reference_.qw && reference_.qz) read_quaternion();
     if (missing_) return tl::unexpected(*missing_);
     leave_out_lost();
+    if (reference_.unit == geographic_unit) to_local_metres();
     put_frame_right();
     return std::move(poses_);
   }
@@ -44,6 +47,13 @@ class PoseReader {
     poses_.heading_rad = column(reference_.theta);
     const double unit_rad = in_si(angle_units(), reference_.angle_unit);
     for (double& theta : poses_.heading_rad.values) theta *= unit_rad;
+    if (!reference_.roll) return;
+    const StreamValues roll = column(reference_.roll);
+    if (roll.stream != poses_.heading_rad.stream) return;
+    for (std::size_t i = 0; i < roll.values.size(); ++i) {
+      double& theta = poses_.heading_rad.values[i];
+      if (std::cos(unit_rad * roll.values[i]) < 0.0) theta = std::numbers::pi - theta;
+    }
   }
 
   void read_quaternion() {
@@ -81,6 +91,19 @@ class PoseReader {
     if (poses_.heading_rad.stream == poses_.x.stream) blank(lost, poses_.heading_rad.values);
   }
 
+  // About the first fix, on the ellipsoid of WGS 84. A receiver without a fix says 0 for both.
+  void to_local_metres() {
+    Column& east = poses_.x.values;
+    Column& north = poses_.y.values;
+    if (poses_.x.stream != poses_.y.stream) return;
+    const LocalMetres metres = local_metres(east, north);
+    east = metres.east;
+    north = metres.north;
+    if (metres.without_fix > 0)
+      poses_.remark += (poses_.remark.empty() ? "" : ", and ") + std::to_string(metres.without_fix) +
+                       " rows hold latitude and longitude 0: no fix, left out";
+  }
+
   std::span<const Recording> recordings_;
   const ReferenceMapping& reference_;
   ReferencePoses poses_;
@@ -88,6 +111,11 @@ class PoseReader {
 };
 
 }  // namespace
+
+double place_in_m(const ReferenceMapping& reference) {
+  if (reference.unit == pixel_unit) return reference.metres_per_pixel.value_or(1.0);
+  return reference.unit == geographic_unit ? 1.0 : in_si(distance_units(), reference.unit);
+}
 
 tl::expected<ReferencePoses, ChannelName> reference_poses(std::span<const Recording> recordings,
                                                           const ReferenceMapping& reference) {

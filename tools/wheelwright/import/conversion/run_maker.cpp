@@ -7,6 +7,7 @@
 
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/missing_keys.hpp"
+#include "tools/wheelwright/import/conversion/reference_poses.hpp"
 #include "tools/wheelwright/import/conversion/stamps.hpp"
 #include "tools/wheelwright/import/conversion/wheel_command.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
@@ -179,7 +180,7 @@ class RunMaker {
     result.t_s = t_s;
     result.command_m_s = command_m_s;
     if (mapping_.reference) {
-      const double metres = in_si(distance_units(), mapping_.reference->unit);
+      const double metres = place_in_m(*mapping_.reference);
       if (const auto x = value(columns_.x, row)) result.reference_x_m = metres * *x;
       if (const auto y = value(columns_.y, row)) result.reference_y_m = metres * *y;
       result.reference_theta_rad = value(columns_.theta_rad, row);

@@ -6,7 +6,9 @@
 #include <string>
 #include <string_view>
 
+#include "config/load/ascii_text.hpp"
 #include "tools/wheelwright/import/inference/name_words.hpp"
+#include "tools/wheelwright/import/inference/pose_names.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {
@@ -73,33 +75,14 @@ bool is_controller_reference(const NameWords& words, NamedSide side) {
           words.has_any({"v", "w", "vel", "velocity", "speed", "omega", "lin", "linear", "ang", "angular"}));
 }
 
-std::optional<Quantity> time_or_pose(const Name& name) {
+bool is_time(const Name& name) {
   const NameWords& words = name.words;
   const auto last = words.last();
-  if (name.side == NamedSide::none && !words.has_any({"period", "delay"}) &&
-      (words.has_any({"time",     "timestamp", "stamp", "t",       "ts",     "zeit",      "temps",
-                      "tiempo",   "sec",       "secs",  "seconds", "millis", "micros",    "nsec",
-                      "datetime", "date",      "epoch", "elapsed", "clock",  "timestamps"}) ||
-       (words.words().size() == 1 && (last == "ms" || last == "us" || last == "ns" || last == "s")))) {
-    return Quantity::time;
-  }
-  const bool is_rotation = words.has_any({"orientation", "rotation", "quaternion", "quat", "q"});
-  if (last == "qx" || (is_rotation && last == "x")) return Quantity::qx;
-  if (last == "qy" || (is_rotation && last == "y")) return Quantity::qy;
-  if (last == "qz" || (is_rotation && last == "z")) return Quantity::qz;
-  if (last == "qw" || (is_rotation && last == "w")) return Quantity::qw;
-  const bool is_rate = words.has_any({"linear", "angular", "twist", "velocity", "vel", "speed", "rate", "acc",
-                                      "accel", "acceleration", "force", "gyro", "mag", "dot"});
-  if (is_rate || name.is_command || name.side != NamedSide::none) return std::nullopt;
-  const bool of_source = words.words().size() == 2;  // "x_odom", "y_ref"
-  if (of_source && words.words().front() == "x") return Quantity::x;
-  if (of_source && words.words().front() == "y") return Quantity::y;
-  if (last == "x" || last == "px" || last == "tx" || last == "posx" || last == "xpos") return Quantity::x;
-  if (last == "y" || last == "py" || last == "ty" || last == "posy" || last == "ypos") return Quantity::y;
-  if (words.has_any({"north", "northing"})) return Quantity::x;
-  if (words.has_any({"east", "easting"})) return Quantity::y;
-  if (words.has_any({"theta", "yaw", "heading", "psi", "th", "orientation"})) return Quantity::heading;
-  return std::nullopt;
+  return name.side == NamedSide::none && !words.has_any({"period", "delay"}) &&
+         (words.has_any({"time",     "timestamp", "stamp", "t",       "ts",     "zeit",      "temps",
+                         "tiempo",   "sec",       "secs",  "seconds", "millis", "micros",    "nsec",
+                         "datetime", "date",      "epoch", "elapsed", "clock",  "timestamps"}) ||
+          (words.words().size() == 1 && (last == "ms" || last == "us" || last == "ns" || last == "s")));
 }
 
 Quantity of_wheel(const Name& name) {
@@ -169,8 +152,34 @@ Quantity of_body(const Name& name) {
                          find_unit(speed_units(), name.unit);
   if (is_linear) return name.is_command ? Quantity::linear_command : Quantity::linear_speed;
   if (words.has_any({"pwm", "duty", "throttle", "power"})) return Quantity::duty;
+  if (words.has("radius") && !words.has_any({"wheel", "wheels"})) return Quantity::radius;
   if (words.has_any({"encoder", "enc", "ticks", "counts", "tick", "count"})) return Quantity::count;
   return name.is_command ? Quantity::command : Quantity::unknown;
+}
+
+// "joy_x", "left_stick_y", "axes[1]"; not an axis of a drive or of a sensor ("axis0.vel_estimate").
+bool is_axis_of_a_stick(const NameWords& words) {
+  if (words.has_any({"button", "buttons", "btn", "pressed", "gyro", "acc", "accel", "imu"})) return false;
+  if (words.has_any({"joy", "joystick", "gamepad", "joypad", "thumbstick"})) return true;
+  return words.has_any({"axis", "axes", "stick"}) &&
+         std::ranges::all_of(words.words(), [](const std::string& word) {
+           return config::is_digit(word.front()) ||
+                  NameWords(word).has_any({"axis", "axes", "stick", "left", "right", "l", "r", "x", "y",
+                                           "linear", "angular", "turn", "steer", "steering", "vertical",
+                                           "horizontal", "throttle", "forward"});
+         });
+}
+
+Quantity quantity_of(const Name& name, const Stream& stream) {
+  if (is_time(name)) return Quantity::time;
+  if (is_axis_of_a_stick(name.words)) return Quantity::stick;
+  if (name.side != NamedSide::none) return of_wheel(name);
+  if (const auto pose = pose_quantity(name.words, name.is_command, stream)) return *pose;
+  const Quantity quantity = of_body(name);
+  const auto last = name.words.last();
+  const bool is_height = quantity == Quantity::unknown && !is_other_axis(name.words) &&
+                         (last == "z" || last == "pz" || last == "tz" || last == "posz" || last == "zpos");
+  return is_height ? Quantity::z : quantity;
 }
 
 }  // namespace
@@ -190,11 +199,7 @@ NameMeaning meaning_of(const Stream& stream, const Channel& channel) {
   name.dir_is_a_side = name.words.has("dir") && is_portuguese(stream);
 
   NameMeaning meaning{Quantity::unknown, name.side, name.unit};
-  if (const auto known = time_or_pose(name)) {
-    meaning.quantity = *known;
-  } else {
-    meaning.quantity = name.side == NamedSide::none ? of_body(name) : of_wheel(name);
-  }
+  meaning.quantity = quantity_of(name, stream);
   // The positions of joints are angles.
   if (meaning.quantity == Quantity::count && stream.type.find("JointState") != std::string::npos) {
     meaning.quantity = Quantity::angle;

@@ -23,17 +23,23 @@ enum class Quantity : std::uint8_t {
   direction,  // a bit beside a duty
   throttle,
   steering,
+  stick,   // an axis of a joystick
+  radius,  // of a turn
   linear_command,
   angular_command,
   linear_speed,
   angular_speed,
   x,
   y,
+  z,
+  latitude,
+  longitude,
   heading,
-  qx,
+  qx,  // of a quaternion; without a part w beside it, the turn about the axis
   qy,
   qz,
   qw,
+  wanted,  // a place or heading to go to
   gyro,
   battery,
 };

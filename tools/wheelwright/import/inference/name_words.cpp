@@ -109,6 +109,7 @@ std::string NameWords::take_unit() {
     }
     const string_view unit = unit_by_spelling(ending);
     if (unit.empty() || unit == "turn") continue;  // "joy_turn" is no unit
+    if (unit == pixel_unit && !has_any({"x", "y", "cx", "cy", "pos", "width"})) continue;  // "pose_px"
     if (words_.size() > count) words_.resize(words_.size() - count);
     return std::string(unit);
   }

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "tools/wheelwright/import/conversion/reference_poses.hpp"
 #include "tools/wheelwright/import/conversion/run_repair.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
-#include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {
 namespace {
@@ -71,7 +71,7 @@ class PathSlope {
   }
 
   void add_run(const std::vector<std::size_t>& rows, double angle_in_rad, FittedSlope& slope) const {
-    const double place_in_m = in_si(distance_units(), mapping_.reference->unit);
+    const double unit_m = place_in_m(*mapping_.reference);
     const WheelTravel travel = wheel_travel(columns_, rows, mapping_);
     Plane path, places;
     double last_way = 0.0;
@@ -88,7 +88,7 @@ class PathSlope {
       }
       path.push_back(path.empty() ? std::complex<double>()
                                   : path.back() + std::polar(1.0, heading - 0.5 * turn) * (way - last_way));
-      places.push_back(place_in_m * std::complex<double>(columns_.x[rows[i]], columns_.y[rows[i]]));
+      places.push_back(unit_m * std::complex<double>(columns_.x[rows[i]], columns_.y[rows[i]]));
       last_way = way;
       last_heading = heading;
     }

@@ -30,9 +30,25 @@ const Stream* table_of(std::span<const Recording> recordings, const Mapping& map
 }  // namespace
 
 bool is_used(const Mapping& mapping, const Stream& stream, const Channel& channel) {
-  constexpr std::array columns{
-      "column",          "left", "right", "linear", "angular", "throttle", "steering", "left_direction",
-      "right_direction", "x",    "y",     "theta",  "qx",      "qy",       "qz",       "qw"};
+  constexpr std::array columns{"column",
+                               "left",
+                               "right",
+                               "linear",
+                               "angular",
+                               "throttle",
+                               "steering",
+                               "left_direction",
+                               "right_direction",
+                               "x",
+                               "y",
+                               "theta",
+                               "roll",
+                               "qx",
+                               "qy",
+                               "qz",
+                               "qw",
+                               "velocity",
+                               "radius"};
   return std::ranges::any_of(mapping_entries(mapping), [&](const MappingEntry& entry) {
     const std::string key = entry.key.substr(entry.key.find('.') + 1);
     return std::ranges::find(columns, key) != columns.end() &&

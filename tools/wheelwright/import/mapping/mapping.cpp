@@ -93,11 +93,14 @@ void add_reference(Entries& entries, const ReferenceMapping& reference) {
   entries.add("reference.x", reference.x);
   entries.add("reference.y", reference.y);
   entries.add("reference.theta", reference.theta);
+  entries.add("reference.roll", reference.roll);
   entries.add("reference.qx", reference.qx);
   entries.add("reference.qy", reference.qy);
   entries.add("reference.qz", reference.qz);
   entries.add("reference.qw", reference.qw);
   entries.add("reference.unit", reference.unit);
+  entries.add("reference.metres_per_pixel", reference.metres_per_pixel);
+  if (reference.scale_from_robot) entries.add("reference.scale_from", "robot");
   if (reference.theta) entries.add("reference.angle_unit", reference.angle_unit);
   if (reference.clockwise) entries.add("reference.heading", "clockwise");
   if (reference.y_points_right) entries.add("reference.y_axis", "right");

@@ -83,8 +83,11 @@ struct ReferenceMapping {
   std::optional<ChannelName> x;
   std::optional<ChannelName> y;
   std::optional<ChannelName> theta;
+  std::optional<ChannelName> roll;            // beside theta, where Euler angles fold it at a quarter turn
   std::optional<ChannelName> qx, qy, qz, qw;  // in place of theta
-  std::string unit = "m";
+  std::string unit = "m";  // or of places that are no distances, see units.hpp: geographic_unit, pixel_unit
+  std::optional<double> metres_per_pixel;
+  bool scale_from_robot = false;  // metres_per_pixel was found by how far the robot goes
   std::string angle_unit = "rad";
   bool clockwise = false;                    // headings grow clockwise
   bool y_points_right = false;               // of x

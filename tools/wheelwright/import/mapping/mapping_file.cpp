@@ -151,6 +151,13 @@ std::optional<WheelMapping> read_wheels(YamlReader& from) {
   return wheels;
 }
 
+// Places on the globe and in an image are in no unit of distance.
+std::string read_place_unit(YamlReader& from) {
+  const std::string name = from.text("unit", "m");
+  if (name == geographic_unit || name == pixel_unit) return name;
+  return unit(from, "unit", distance_units(), "m");
+}
+
 std::optional<ReferenceMapping> read_reference(YamlReader& from) {
   ReferenceMapping reference;
   reference.x = channel(from, "x");
@@ -160,7 +167,10 @@ std::optional<ReferenceMapping> read_reference(YamlReader& from) {
   reference.qy = channel(from, "qy");
   reference.qz = channel(from, "qz");
   reference.qw = channel(from, "qw");
-  reference.unit = unit(from, "unit", distance_units(), reference.unit);
+  reference.roll = channel(from, "roll");
+  reference.unit = read_place_unit(from);
+  reference.scale_from_robot = from.choice<bool>("scale_from", {{"stated", false}, {"robot", true}}, false);
+  reference.metres_per_pixel = number(from, "metres_per_pixel", {1e-6, 10, "m"});
   reference.angle_unit = unit(from, "angle_unit", angle_units(), reference.angle_unit);
   reference.clock = from.choice<ReferenceClock>(
       "clock", {{"same", ReferenceClock::same}, {"shifted", ReferenceClock::shifted}}, reference.clock);

@@ -41,7 +41,7 @@ constexpr std::array angle_table{Unit{"rad", 1.0}, Unit{"deg", pi / 180.0}, Unit
 constexpr std::array voltage_table{Unit{"V", 1.0}, Unit{"mV", 1e-3}};
 
 // Lower case, without blanks; how a unit is written beside its standard form.
-constexpr std::array<Spelling, 92> spellings{{{"m/s", "m/s"},
+constexpr std::array<Spelling, 99> spellings{{{"m/s", "m/s"},
                                               {"counts/s", "counts/s"},
                                               {"count/s", "counts/s"},
                                               {"counts_per_s", "counts/s"},
@@ -132,7 +132,14 @@ constexpr std::array<Spelling, 92> spellings{{{"m/s", "m/s"},
                                               {"volts", "V"},
                                               {"mv", "mV"},
                                               {"millivolts", "mV"},
-                                              {"km/hr", "km/h"}}};
+                                              {"km/hr", "km/h"},
+                                              {"millimetres", "mm"},
+                                              {"centimeters", "cm"},
+                                              {"centimetres", "cm"},
+                                              {"px", "px"},
+                                              {"pixel", "px"},
+                                              {"pixels", "px"},
+                                              {"0.229rpm", "0.229rpm"}}};
 
 std::string lower_without_blanks(std::string_view text) {
   std::string result;

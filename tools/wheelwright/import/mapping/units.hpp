@@ -10,6 +10,10 @@ namespace wheelwright::import {
 // Of a gyro: the numbers of its registers.
 inline constexpr std::string_view raw_unit = "LSB";
 
+// Of the places of a reference: degrees of longitude (x) and latitude (y), and of an image.
+inline constexpr std::string_view geographic_unit = "deg";
+inline constexpr std::string_view pixel_unit = "px";
+
 struct Unit {
   std::string_view name;
   double in_si;              // how many m, m/s, rad, rad/s, s or V one of it is
