@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/clock_shift.hpp"
 #include "tools/wheelwright/import/mapping/mapping_file.hpp"
 #include "tools/wheelwright/import/open_recording.hpp"
@@ -88,7 +89,11 @@ tl::expected<Understood, std::string> understand(const ImportRequest& request) {
       !result.mapping.reference->shift_s) {
     const auto shift = find_clock_shift(result.recordings, result.mapping);
     if (!shift) return tl::unexpected(result.name + ": " + shift.error());
-    result.mapping.reference->shift_s = shift->seconds;
+    // What a reference shows is seen once its clock is that of the robot.
+    const GivenMapping shifted = request.given.with("reference.clock", "shifted")
+                                     .with("reference.shift_s", config::plain_number(shift->seconds));
+    result.inference = infer_mapping(result.recordings, shifted);
+    result.mapping = to_mapping(result.inference.entries, result.name);
     result.inference.findings.push_back(shift->evidence);
   }
   result.inference.entries = mapping_entries(result.mapping);

@@ -112,7 +112,7 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
       infer_steering(*columns, given, mapping, inference.findings, inference.doubts);
       set_duty(*columns, given, mapping);
       if (!states_its_frame(recordings) &&
-          infer_reference_frame(*columns, given, mapping, inference.findings, inference.doubts))
+          infer_reference_frame(recordings, *columns, given, mapping, inference.findings, inference.doubts))
         columns = gather_sample(recordings, mapping);
       set_units(*columns, given, mapping, inference.findings, inference.doubts);
       set_step_scale(*columns, given, mapping, inference.findings);

@@ -2,159 +2,190 @@
 
 #include <array>
 #include <cmath>
-#include <complex>
-#include <cstddef>
-#include <numbers>
 
-#include "tools/wheelwright/import/conversion/run_repair.hpp"
-#include "tools/wheelwright/import/conversion/wheel_travel.hpp"
+#include "tools/wheelwright/import/conversion/stream_time.hpp"
+#include "tools/wheelwright/import/inference/column_names.hpp"
 #include "tools/wheelwright/import/inference/response_fit.hpp"
 #include "tools/wheelwright/import/inference/response_rows.hpp"
+#include "tools/wheelwright/import/inference/turning_sense.hpp"
 #include "tools/wheelwright/import/inference/wheel_directions.hpp"
+#include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {
 namespace {
 
-using std::numbers::pi;
+constexpr double sure = 0.5;  // of a correlation, and of 1
 
-constexpr double frame_window_s = 0.5;
+class FrameFinder {
+ public:
+  FrameFinder(std::span<const Recording> recordings, const DriveColumns& columns, const GivenMapping& given,
+              Mapping& mapping, std::vector<std::string>& findings, std::vector<std::string>& doubts)
+      : recordings_(recordings),
+        columns_(columns),
+        mapping_(mapping),
+        reference_(*mapping.reference),
+        findings_(findings),
+        doubts_(doubts) {
+    if (mapping.command && has_turning_wheels(columns, mapping)) {
+      const auto rows = response_rows(columns, mapping);
+      fits_ = {fit_response(rows[0]), fit_response(rows[1])};
+      directions_ = wheel_directions(mapping, fits_);
+    } else if (mapping.wheels) {
+      directions_ = wheel_directions(mapping, fits_);
+    }
+    const bool unit_is_known =
+        !reference_.theta || given.says("reference.angle_unit") || reference_.angle_unit != "rad";
+    sense_ = turning_sense(columns, mapping, directions_, unit_is_known);
+    robot_ = has_turning_wheels(columns, mapping) ? "the wheels" : "the commands";
+  }
 
-// What the reference and the wheels did between two poses.
-struct Window {
-  std::complex<double> moved;
-  double heading = 0.0;  // half-way, in the unit of the column taken for radians
-  double turned = 0.0;   // the same
-  double turn_of_wheels = 0.0;
-};
+  bool run() {
+    if (columns_.x.empty()) return judge_headings_alone();
+    if (reference_.unit == geographic_unit || reference_.y_points_right) return judge_known_places();
+    return columns_.theta_rad.empty() ? judge_places_alone() : judge_poses();
+  }
 
-double wrapped(double angle, double turn) {
-  return angle - turn * std::round(angle / turn);
-}
+ private:
+  static bool is_clear(double one, double other) {
+    constexpr double clear = 1.5;  // times the other sense
+    return one > sure && one > clear * other;
+  }
+  bool with_motion() const { return is_clear(sense_.with, sense_.against); }
+  bool against_motion() const { return is_clear(sense_.against, sense_.with); }
 
-// Zero of a reference that tells headings alone.
-std::complex<double> place_of(const DriveColumns& columns, std::size_t row) {
-  return columns.x.empty() ? 0.0 : std::complex<double>(columns.x[row], columns.y[row]);
-}
+  bool judge_headings_alone() {
+    if (sense_.headings > -sure) return false;
+    reference_.clockwise = true;
+    findings_.push_back("headings are clockwise: they turn against " + robot_);
+    return true;
+  }
 
-std::vector<Window> windows_of(const DriveColumns& columns, const Mapping& mapping,
-                               const std::array<double, 2>& directions, double turn) {
-  std::vector<Window> windows;
-  for (const auto& rows : repair_runs(columns, mapping).runs) {
-    const WheelTravel travel = wheel_travel(columns, rows, mapping);
-    std::size_t from = rows.size();
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      const std::size_t row = rows[i];
-      const double difference = directions[1] * travel.values[1][i] - directions[0] * travel.values[0][i];
-      if (!std::isfinite(std::abs(place_of(columns, row))) || !std::isfinite(columns.theta_rad[row]) ||
-          !std::isfinite(difference))
-        continue;
-      if (from < rows.size() && columns.t_s[row] - columns.t_s[rows[from]] < frame_window_s) continue;
-      if (from < rows.size()) {
-        const std::size_t start = rows[from];
-        const double before = directions[1] * travel.values[1][from] - directions[0] * travel.values[0][from];
-        const double turned = wrapped(columns.theta_rad[row] - columns.theta_rad[start], turn);
-        windows.push_back({place_of(columns, row) - place_of(columns, start),
-                           columns.theta_rad[start] + 0.5 * turned, turned, difference - before});
-      }
-      from = i;
+  // The file says where they are: what turns against them is wrong.
+  bool judge_known_places() {
+    const double turn_with_robot = !columns_.theta_rad.empty() && std::abs(sense_.headings) > sure
+                                       ? (against_motion() ? -1.0
+                                          : with_motion()  ? 1.0
+                                                           : 0.0) *
+                                             sense_.headings
+                                       : sense_.places;
+    if (turn_with_robot < -sure)
+      doubts_.push_back("the places of the reference turn right where " + robot_ +
+                        " turn left: left and right are exchanged, or the reference is mirrored (--set "
+                        "reference.y_axis)");
+    if (!against_motion()) return false;
+    reference_.clockwise = true;
+    findings_.emplace_back("headings are clockwise: they turn against the places of the reference");
+    return true;
+  }
+
+  bool judge_places_alone() {
+    if (sense_.places > -sure) return false;
+    if (!is_mirrored()) {
+      doubt_sides("x and y", "y points right of x (--set reference.y_axis=right)");
+      return false;
+    }
+    reference_.y_points_right = true;
+    findings_.push_back("the places are mirrored, so that y points right of x: they turn against " + robot_);
+    return true;
+  }
+
+  // Two that agree are right.
+  void doubt_sides(const std::string& what, const std::string& frame) {
+    const std::string turn = what + " turn right where " + robot_ + " turn left";
+    if (twist_sense() < 0.0) {
+      doubts_.push_back(turn +
+                        ", and so does the angular command: the left and the right wheel are exchanged; "
+                        "exchange wheels.left and wheels.right");
+    } else {
+      doubts_.push_back(turn + ": " + frame + ", or left and right are exchanged");
     }
   }
-  return windows;
-}
 
-// How the headings go, in one unit of theirs.
-struct Sense {
-  double with = 0.0;     // 0 to 1: the direction of the motion turns as the heading does
-  double against = 0.0;  // or against it
-  double wheels = 0.0;   // correlation of the turns with those of the wheels
+  bool judge_poses() {
+    if (std::abs(sense_.headings) < sure) return false;
+    const bool with_robot = sense_.headings > 0.0;
+    if (against_motion() && !with_robot) {
+      reference_.clockwise = true;
+      findings_.push_back("headings are clockwise: x and y turn as " + robot_ +
+                          " do, and headings against them");
+      return true;
+    }
+    if (against_motion()) {
+      reference_.y_points_right = true;
+      findings_.push_back(
+          "the places are mirrored, so that y points right or x and y are exchanged: headings turn as " +
+          robot_ + " do, and x and y against them");
+      return true;
+    }
+    return with_motion() && !with_robot && judge_frame_below();
+  }
+
+  bool judge_frame_below() {
+    if (!is_mirrored()) {
+      doubt_sides("x, y and heading",
+                  "in a frame whose z points down, --set reference.heading=clockwise --set "
+                  "reference.y_axis=right");
+      return false;
+    }
+    reference_.y_points_right = true;
+    reference_.clockwise = true;
+    findings_.push_back(
+        "the reference is mirrored, as in a frame whose z points down: x, y and heading turn "
+        "against " +
+        robot_);
+    return true;
+  }
+
+  // 1 where the wheels turn as an angular command says, -1 against it, 0 where neither is sure.
+  double twist_sense() const {
+    const bool has_twist = mapping_.command && mapping_.command->kind == CommandKind::twist &&
+                           has_turning_wheels(columns_, mapping_);
+    return has_twist && fits_[1].explained >= unit_explained ? std::copysign(1.0, fits_[1].gain) : 0.0;
+  }
+
+  // Whether the reference is wrong, and not the sides of the robot.
+  bool is_mirrored() const {
+    if (reference_.unit == pixel_unit || x_is_depth()) return true;
+    if (twist_sense() > 0.0) return true;
+    return gyro_sense(columns_, mapping_, directions_) > sure;
+  }
+
+  // Of a frame whose y points up no one says whether it is right-handed.
+  bool x_is_depth() const {
+    const FoundChannel x = find_channel(recordings_, *reference_.x);
+    if (x.channel == nullptr) return false;
+    return is_tum(*x.stream) ? x.channel == &x.stream->channels[3]
+                             : meaning_of(*x.stream, *x.channel).quantity == Quantity::z;
+  }
+
+  std::span<const Recording> recordings_;
+  const DriveColumns& columns_;
+  Mapping& mapping_;
+  ReferenceMapping& reference_;
+  std::vector<std::string>& findings_;
+  std::vector<std::string>& doubts_;
+  std::array<ResponseFit, 2> fits_;
+  std::array<double, 2> directions_{1.0, 1.0};
+  TurningSense sense_;
+  std::string robot_;
 };
 
-Sense sense_of(const std::vector<Window>& windows, double unit) {
-  constexpr double longest_turn_rad = 1.0;
-  std::complex<double> with = 0.0;
-  std::complex<double> against = 0.0;
-  double squares = 0.0;
-  double products = 0.0;
-  double turns = 0.0;
-  double wheels = 0.0;
-  for (const Window& window : windows) {
-    if (std::abs(unit * window.turned) > longest_turn_rad) continue;
-    // Twice the angle: a robot that drives backward moves against its heading.
-    const double twice = 2.0 * unit * window.heading;
-    with += window.moved * window.moved * std::polar(1.0, -twice);
-    against += window.moved * window.moved * std::polar(1.0, twice);
-    squares += std::norm(window.moved);
-    products += window.turned * window.turn_of_wheels;
-    turns += window.turned * window.turned;
-    wheels += window.turn_of_wheels * window.turn_of_wheels;
-  }
-  if (!(turns > 0.0) || !(wheels > 0.0)) return {};
-  const double correlation = products / std::sqrt(turns * wheels);
-  if (!(squares > 0.0)) return {0.0, 0.0, correlation};
-  return {std::abs(with) / squares, std::abs(against) / squares, correlation};
-}
-
-// That of radians or of degrees, whichever the motion follows more closely.
-Sense find_sense(const DriveColumns& columns, const GivenMapping& given, const Mapping& mapping,
-                 const std::array<double, 2>& directions) {
-  const Sense as_read = sense_of(windows_of(columns, mapping, directions, 2.0 * pi), 1.0);
-  if (!mapping.reference->theta || given.says("reference.angle_unit") ||
-      mapping.reference->angle_unit != "rad")
-    return as_read;
-  const Sense degrees = sense_of(windows_of(columns, mapping, directions, 360.0), pi / 180.0);
-  const auto best = [&columns](const Sense& sense) {
-    return columns.x.empty() ? std::abs(sense.wheels) : std::max(sense.with, sense.against);
-  };
-  return best(degrees) > best(as_read) ? degrees : as_read;
-}
-
 bool can_be_judged(const DriveColumns& columns, const GivenMapping& given, const Mapping& mapping) {
-  return mapping.reference && mapping.wheels && mapping.wheels->right && !mapping.wheels->body_motion &&
-         mapping.wheels->kind != WheelKind::speed && !given.says("reference.heading") &&
-         !given.says("reference.y_axis") && columns.x.empty() == columns.y.empty() &&
-         !columns.theta_rad.empty() && !columns.wheel[1].empty();
+  const bool has_commands = mapping.command && mapping.command->second && !columns.command[1].empty() &&
+                            mapping.command->kind != CommandKind::throttle;
+  const bool has_both = columns.x.empty() == columns.y.empty();
+  return mapping.reference && (has_turning_wheels(columns, mapping) || has_commands) &&
+         !given.says("reference.heading") && !given.says("reference.y_axis") && has_both &&
+         (!columns.x.empty() || !columns.theta_rad.empty());
 }
 
 }  // namespace
 
-bool infer_reference_frame(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
-                           std::vector<std::string>& findings, std::vector<std::string>& doubts) {
-  constexpr double sure = 0.5;   // of 1
-  constexpr double clear = 1.5;  // times the other sense
+bool infer_reference_frame(std::span<const Recording> recordings, const DriveColumns& columns,
+                           const GivenMapping& given, Mapping& mapping, std::vector<std::string>& findings,
+                           std::vector<std::string>& doubts) {
   if (!can_be_judged(columns, given, mapping)) return false;
-  std::array<ResponseFit, 2> fits;
-  if (mapping.command) {
-    const auto rows = response_rows(columns, mapping);
-    fits = {fit_response(rows[0]), fit_response(rows[1])};
-  }
-  const Sense sense = find_sense(columns, given, mapping, wheel_directions(mapping, fits));
-  if (std::abs(sense.wheels) < sure) return false;
-  const bool with_motion = sense.with > sure && sense.with > clear * sense.against;
-  const bool against_motion = sense.against > sure && sense.against > clear * sense.with;
-  const bool with_wheels = sense.wheels > 0.0;
-  if (columns.x.empty() && !with_wheels) {
-    mapping.reference->clockwise = true;
-    findings.emplace_back("headings are clockwise: they turn against the wheels");
-    return true;
-  }
-  if (against_motion && !with_wheels) {
-    mapping.reference->clockwise = true;
-    findings.emplace_back("headings are clockwise: x and y turn as the wheels do, and headings against them");
-    return true;
-  }
-  if (against_motion) {
-    mapping.reference->y_points_right = true;
-    findings.emplace_back(
-        "the places are mirrored, so that y points right or x and y are exchanged: headings turn as the "
-        "wheels do, and x and y against them");
-    return true;
-  }
-  if (with_motion && !with_wheels) {
-    doubts.emplace_back(
-        "x, y and heading turn right where the wheels turn left: in a frame whose z points down, --set "
-        "reference.heading=clockwise --set reference.y_axis=right; else left and right are exchanged");
-  }
-  return false;
+  return FrameFinder(recordings, columns, given, mapping, findings, doubts).run();
 }
 
 }  // namespace wheelwright::import

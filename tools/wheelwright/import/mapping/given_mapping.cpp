@@ -128,6 +128,13 @@ GivenMapping::GivenMapping(const std::filesystem::path& file, const std::vector<
   }
 }
 
+GivenMapping GivenMapping::with(std::string_view key, const std::string& value) const {
+  GivenMapping result = *this;
+  std::erase_if(result.entries_, [key](const MappingEntry& before) { return before.key == key; });
+  result.entries_.push_back({std::string(key), value});
+  return result;
+}
+
 const std::string* GivenMapping::find(std::string_view key) const {
   const auto at = std::ranges::find(entries_, key, &MappingEntry::key);
   return at == entries_.end() ? nullptr : &at->value;

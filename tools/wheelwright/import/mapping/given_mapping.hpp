@@ -19,6 +19,9 @@ class GivenMapping {
   // and for a setting that is not KEY=VALUE.
   GivenMapping(const std::filesystem::path& file, const std::vector<std::string>& settings);
 
+  // The same, and a key that was found.
+  GivenMapping with(std::string_view key, const std::string& value) const;
+
   const std::vector<MappingEntry>& entries() const { return entries_; }
   // The value of a key such as "time.unit", or nothing.
   const std::string* find(std::string_view key) const;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/unit/tools/wheelwright/import/import_text.hpp"
+#include "tests/unit/tools/wheelwright/import/seen_pose.hpp"
 
 using namespace wheelwright;
 using namespace wheelwright::test;
@@ -26,7 +26,7 @@ ImportOutcome import_seen_as(
                                   [&](const ForeignRow& row) {
                                     const TrackerPose pose = seen(row);
                                     std::string line = number(row.t_s) + "," + number(row.command_left) +
-                                                       "," + number(row.command_right) + "," + counts(row);
+                                                       field(row.command_right) + "," + counts(row);
                                     for (const double value : {pose.x, pose.y, pose.heading}) {
                                       line += ",";
                                       line += number(value);
@@ -127,4 +127,90 @@ TEST_CASE("A heading that is turned on the robot is turned back, unless the offs
       drive, seen, "t,cmd_left,cmd_right,enc_left,enc_right,mocap_x,mocap_y,mocap_yaw", settings);
   REQUIRE(stated.conversion);
   CHECK_THAT(*stated.conversion->runs.front().samples.front().reference_theta_rad, WithinAbs(0.1, 1e-6));
+}
+
+TEST_CASE(
+    "A frame whose z points down is turned round where an angular command or a gyro agrees with the wheels") {
+  const auto drive = foreign_drive();
+  const auto below = [](const ForeignRow& row) {
+    std::string line;
+    for (const double value : {row.x, -row.y, -row.theta}) {
+      line += ",";
+      line += number(value);
+    }
+    return line;
+  };
+  const auto twist = import_text(foreign_text(drive, "t,v_cmd,w_cmd,enc_left,enc_right,x,y,yaw",
+                                              [&](const ForeignRow& row) {
+                                                return number(row.t_s) + "," + number(row.linear()) + "," +
+                                                       number(row.angular(ForeignDrive::base_m)) + "," +
+                                                       counts(row) + below(row);
+                                              }),
+                                 frame_settings);
+  check_frame(twist, drive);
+  CHECK(twist.found("the reference is mirrored, as in a frame whose z points down"));
+  double last = 0.0;
+  const auto gyro = import_text(foreign_text(drive, "t,cmd_left,cmd_right,enc_left,enc_right,gyro_z,x,y,yaw",
+                                             [&](const ForeignRow& row) {
+                                               const double rate = (row.theta - last) / drive.period_s;
+                                               last = row.theta;
+                                               return number(row.t_s) + "," + number(row.command_left) + "," +
+                                                      number(row.command_right) + "," + counts(row) + "," +
+                                                      number(rate) + below(row);
+                                             }),
+                                frame_settings);
+  check_frame(gyro, drive);
+}
+
+TEST_CASE("Where wheels turn against their angular command it is not the reference that is turned round") {
+  const auto outcome = import_text(
+      foreign_text(foreign_drive(), "t,v_cmd,w_cmd,enc_left,enc_right,x,y,yaw",
+                   [](const ForeignRow& row) {
+                     return number(row.t_s) + "," + number(row.linear()) + "," +
+                            number(row.angular(ForeignDrive::base_m)) + "," +
+                            std::to_string(row.counts_right) + "," + std::to_string(row.counts_left) + "," +
+                            number(row.x) + "," + number(row.y) + "," + number(row.theta);
+                   }),
+      frame_settings);
+  CHECK_FALSE(outcome.understood.mapping.reference->y_points_right);
+  CHECK(outcome.doubts("and so does the angular command: the left and the right wheel are exchanged"));
+}
+
+TEST_CASE("Places to the north and east are in a known frame, with headings from north and without") {
+  const auto drive = foreign_drive();
+  for (const char* names : {"north,east,heading", "pos_n,pos_e,psi", "northing,easting"}) {
+    INFO(names);
+    const bool has_heading = !std::string(names).starts_with("northing");
+    const auto outcome = import_text(
+        foreign_text(drive, std::string("t,cmd_left,cmd_right,enc_left,enc_right,") + names,
+                     [&](const ForeignRow& row) {
+                       return number(row.t_s) + "," + number(row.command_left) + "," +
+                              number(row.command_right) + "," + counts(row) + "," + number(row.x) + "," +
+                              number(-row.y) + (has_heading ? field(-row.theta) : "");
+                     }),
+        frame_settings);
+    REQUIRE(outcome.conversion);
+    CHECK(outcome.understood.mapping.reference->y_points_right);
+    CHECK(outcome.understood.inference.doubts.empty());
+    CHECK_THAT(*outcome.conversion->runs.front().samples.back().reference_y_m,
+               WithinAbs(drive.rows.back().y, 1e-4));
+    if (has_heading) check_frame(outcome, drive);
+  }
+}
+
+TEST_CASE("Places without headings that turn against the wheels or the commands are doubted") {
+  const auto drive = foreign_drive();
+  for (const char* names : {"t,cmd_left,cmd_right,enc_left,enc_right,x,y", "t,cmd_left,cmd_right,x,y"}) {
+    INFO(names);
+    const bool has_counts = std::string(names).find("enc") != std::string::npos;
+    const auto outcome = import_text(foreign_text(drive, names,
+                                                  [&](const ForeignRow& row) {
+                                                    return number(row.t_s) + "," + number(row.command_left) +
+                                                           field(row.command_right) + "," +
+                                                           (has_counts ? counts(row) + "," : "") +
+                                                           number(row.x) + "," + number(-row.y);
+                                                  }),
+                                     frame_settings);
+    CHECK(outcome.doubts("y points right of x"));
+  }
 }
