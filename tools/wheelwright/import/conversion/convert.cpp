@@ -60,6 +60,14 @@ DriveColumns filled(DriveColumns columns) {
   return columns;
 }
 
+// Where distances of wheels and reference cannot be compared: the scale of one was found from the other, or
+// from the commands.
+std::string scale_found_from(const Mapping& mapping) {
+  if (mapping.wheels && !mapping.wheels->scale_from.empty()) return mapping.wheels->scale_from;
+  const bool by_robot = mapping.reference && mapping.reference->scale_from_robot;
+  return by_robot ? "reference" : "";
+}
+
 // A tracker does not know where the robot's front is; its motion shows it.
 void turn_headings_back(Conversion& conversion, const Mapping& mapping) {
   if (!mapping.reference || mapping.reference->heading_offset_deg) return;
@@ -101,8 +109,8 @@ tl::expected<Conversion, std::string> convert(const DriveColumns& columns, const
     }
     doubt_period(log, conversion.remarks);
     if (is_one_wheel(mapping)) log.other_metadata.emplace_back("one_wheel", "left");
-    if (mapping.wheels && !mapping.wheels->scale_from.empty())
-      log.other_metadata.emplace_back(scale_from_key, mapping.wheels->scale_from);
+    if (const std::string scale_from = scale_found_from(mapping); !scale_from.empty())
+      log.other_metadata.emplace_back(scale_from_key, scale_from);
     if (!mapping.robot.empty()) log.other_metadata.emplace_back("robot", mapping.robot);
     for (const auto& entry : mapping_entries(mapping)) {
       log.other_metadata.emplace_back("mapping." + entry.key, entry.value);

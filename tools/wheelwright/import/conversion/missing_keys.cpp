@@ -42,6 +42,8 @@ std::vector<MissingKey> missing_keys(const Mapping& mapping) {
   if (!mapping.wheel_base_m && !one_wheel)
     missing.push_back({"the distance between the wheels", "robot.wheel_base_m=0.235"});
   if (mapping.wheels) add_wheel_keys(*mapping.wheels, missing);
+  if (mapping.reference && mapping.reference->unit == pixel_unit && !mapping.reference->metres_per_pixel)
+    missing.push_back({"how far a pixel is on the floor", "reference.metres_per_pixel=0.003"});
   if (mapping.command && mapping.command->is_duty() && !mapping.command->full_scale_m_s)
     missing.push_back({"the speed that the largest duty leads to", "command.full_scale_m_s=0.5"});
   return missing;

@@ -14,6 +14,7 @@
 #include "tools/wheelwright/import/inference/named_roles.hpp"
 #include "tools/wheelwright/import/inference/neutral_command.hpp"
 #include "tools/wheelwright/import/inference/numbered_roles.hpp"
+#include "tools/wheelwright/import/inference/pixel_scale.hpp"
 #include "tools/wheelwright/import/inference/reference_frame.hpp"
 #include "tools/wheelwright/import/inference/response_rows.hpp"
 #include "tools/wheelwright/import/inference/step_response.hpp"
@@ -115,6 +116,7 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
           infer_reference_frame(recordings, *columns, given, mapping, inference.findings, inference.doubts))
         columns = gather_sample(recordings, mapping);
       set_units(*columns, given, mapping, inference.findings, inference.doubts);
+      infer_pixel_scale(*columns, given, mapping, inference.findings, inference.doubts);
       set_step_scale(*columns, given, mapping, inference.findings);
       set_gyro_unit(*columns, given, mapping, inference.findings, inference.doubts);
       add_doubts(*columns, mapping, inference.doubts);
