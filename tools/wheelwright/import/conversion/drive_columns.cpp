@@ -85,6 +85,7 @@ class Gathering {
     if (!merge()) return tl::unexpected(problem_);
     if (mapping_.wheels) leave_out_misread_counts(columns_, *mapping_.wheels);
     if (mapping_.command) {
+      if (mapping_.command->by_radius && mapping_.command->second) turn_by_radius(columns_, mapping_);
       subtract_neutral(columns_, mapping_.command->neutral);
       apply_directions(columns_, mapping_.command->forward);
       reverse_commands(columns_, *mapping_.command);

@@ -5,6 +5,7 @@
 
 #include "config/load/ascii_text.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
+#include "tools/wheelwright/import/inference/register_units.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {
@@ -12,7 +13,9 @@ namespace {
 
 void add_wheel_keys(const WheelMapping& wheels, std::vector<MissingKey>& missing) {
   if (wheels.kind == WheelKind::speed && wheels.unit.empty()) {
-    missing.push_back({"the unit of the wheel speeds", "wheels.unit=mm/s"});
+    missing.push_back({"the unit of the wheel speeds", names_a_register(wheels.left)
+                                                           ? "command.unit=0.229rpm wheels.unit=0.229rpm"
+                                                           : "wheels.unit=mm/s"});
     return;
   }
   if (wheel_scale(wheels)) return;

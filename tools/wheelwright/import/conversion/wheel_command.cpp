@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
@@ -71,6 +72,47 @@ void reverse_commands(DriveColumns& columns, const CommandMapping& command) {
   for (std::size_t side = 0; side < 2; ++side) {
     if (!reversed[side]) continue;
     for (double& value : columns.command[side]) value = -value;
+  }
+}
+
+namespace {
+
+double with_sign(double value) {
+  constexpr double of_16_bits = 65536.0;
+  return value > 0.5 * of_16_bits ? value - of_16_bits : value;
+}
+
+// Of whole millimetres.
+std::optional<WheelPair> special_arc(double velocity, double radius) {
+  constexpr double straight = 32767.0;
+  if (std::abs(radius) >= straight) return WheelPair{velocity, velocity};
+  if (radius == 1.0) return WheelPair{-velocity, velocity};
+  if (radius == -1.0) return WheelPair{velocity, -velocity};
+  return std::nullopt;
+}
+
+WheelPair on_arc(double velocity, double radius, double half_base) {
+  const double share = half_base / radius;
+  return {velocity * (1.0 - share), velocity * (1.0 + share)};
+}
+
+}  // namespace
+
+void turn_by_radius(DriveColumns& columns, const Mapping& mapping) {
+  const double unit_m = in_si(speed_units(), mapping.command->unit);
+  const bool in_millimetres = mapping.command->unit == "mm/s";
+  const double half_base = mapping.wheel_base_m ? 0.5 * *mapping.wheel_base_m / unit_m : 0.0;
+  for (std::size_t row = 0; row < columns.command[0].size(); ++row) {
+    double& left = columns.command[0][row];
+    double& right = columns.command[1][row];
+    if (in_millimetres) {
+      left = with_sign(left);
+      right = with_sign(right);
+    }
+    const auto special = in_millimetres ? special_arc(left, right) : std::nullopt;
+    const WheelPair wheels = special.value_or(on_arc(left, right, half_base));
+    left = wheels.left;
+    right = wheels.right;
   }
 }
 

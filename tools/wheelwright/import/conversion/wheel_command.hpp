@@ -23,6 +23,12 @@ std::array<Column, 2> wheel_commands(const DriveColumns& columns, std::span<cons
 // others, by more than half of `neutral`, is that of a receiver that heard no pulse, and rest.
 void subtract_neutral(DriveColumns& columns, double neutral);
 
+// Commands of a Create are a velocity and the radius of the turn: they become those of the left and the right
+// wheel, in the same unit. In millimetres a radius of 32767 or 32768 is straight ahead, of 1 and -1 a turn on
+// the spot, to the left and to the right. Numbers of 16 bits without a sign get it. Without a wheel base all
+// go straight.
+void turn_by_radius(DriveColumns& columns, const Mapping& mapping);
+
 // A duty is negative where the bit beside it is not that of forward.
 void apply_directions(DriveColumns& columns, double forward);
 

@@ -18,6 +18,7 @@
 #include "tools/wheelwright/import/inference/reference_frame.hpp"
 #include "tools/wheelwright/import/inference/response_rows.hpp"
 #include "tools/wheelwright/import/inference/step_response.hpp"
+#include "tools/wheelwright/import/inference/stick_commands.hpp"
 #include "tools/wheelwright/import/inference/time_unit.hpp"
 #include "tools/wheelwright/import/inference/units_by_motion.hpp"
 #include "tools/wheelwright/import/inference/unused_columns.hpp"
@@ -65,6 +66,17 @@ std::vector<MappingEntry> overlaid(const Mapping& mapping, const GivenMapping& g
   return entries;
 }
 
+// Positions without a unit, of wheels of which a person says how far a count goes, are counts.
+void count_positions(const GivenMapping& given, Mapping& mapping) {
+  const bool are_counted = given.says("wheels.metres_per_count") || given.says("wheels.counts_per_turn");
+  if (!mapping.wheels || !are_counted || given.says("wheels.kind") || given.says("wheels.unit") ||
+      mapping.wheels->kind != WheelKind::angle || !mapping.wheels->unit_assumed)
+    return;
+  mapping.wheels->kind = WheelKind::counts;
+  mapping.wheels->unit.clear();
+  mapping.wheels->unit_assumed = false;
+}
+
 // Who states the speed of the largest duty states that commands are one. What number stands for it does not
 // depend on that.
 void set_duty(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping) {
@@ -97,8 +109,10 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
   map_by_names(recordings, mapping, inference.findings);
   map_metadata(recordings, mapping, inference.doubts);
   set_time_unit(recordings, given, mapping, inference.findings);
+  find_stick_commands(recordings, mapping, inference.findings, inference.doubts);
   map_by_numbers(recordings, given, mapping, inference.findings);
   map_metadata(recordings, mapping, inference.doubts);
+  count_positions(given, mapping);
   const bool unit_assumed = mapping.wheels && mapping.wheels->unit_assumed && !given.says("wheels.unit");
   const bool gyro_is_stated = !mapping.gyro || mapping.gyro->unit_is_stated;
   mapping = to_mapping(overlaid(mapping, given), name);

@@ -90,6 +90,7 @@ class ByNames {
   }
 
   void find_command() {
+    if (take_radius()) return;
     if (const auto found = named_.sides(Quantity::command, findings_))
       return take_signed(CommandKind::wheels, found->first, found->second);
     if (const auto found = named_.sides(Quantity::duty, findings_))
@@ -147,6 +148,24 @@ class ByNames {
       other = value;
     }
     return other != 1.0 && std::abs(other) <= 2.0;
+  }
+
+  // A velocity and the radius of the turn, in whole millimetres, as a Create takes them.
+  bool take_radius() {
+    constexpr double smallest_mm = 100.0;
+    const auto radii = named_.all(Quantity::radius, NamedSide::none);
+    auto velocities = named_.all(Quantity::linear_command, NamedSide::none);
+    for (const auto& speed : named_.all(Quantity::linear_speed, NamedSide::none)) velocities.push_back(speed);
+    const auto found = NamedChannels::pair(velocities, radii, findings_);
+    if (!found || !are_whole(found->second.channel->values) || !are_whole(found->first.channel->values) ||
+        largest(found->second.channel->values) < smallest_mm)
+      return false;
+    take_command(CommandKind::wheels, found->first, found->second);
+    mapping_.command->by_radius = true;
+    mapping_.command->unit = "mm/s";
+    findings_.push_back("commands are a velocity and the radius of the turn, in mm/s and mm: " +
+                        found->first.name().text() + " and " + found->second.name().text());
+    return true;
   }
 
   // Throttle and steering of a remote control, mixed to the two wheels by the robot.

@@ -12,6 +12,7 @@
 #include "tools/wheelwright/import/inference/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/gain_units.hpp"
 #include "tools/wheelwright/import/inference/reference_units.hpp"
+#include "tools/wheelwright/import/inference/register_units.hpp"
 #include "tools/wheelwright/import/inference/response_rows.hpp"
 #include "tools/wheelwright/import/inference/wheel_directions.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
@@ -25,14 +26,6 @@ using std::numbers::pi;
 
 constexpr double min_unit_explained = 0.1;
 constexpr double unit_nats = 50.0;
-
-std::optional<Unit> unit_of_gain(double gain, const std::optional<WheelMapping>& wheels) {
-  for (const Unit& unit : speed_units()) {
-    const auto m_s = speed_in_m_s(unit, wheels);
-    if (m_s && unit.name != "km/h" && !unit.is_imperial && is_near(gain, *m_s)) return unit;
-  }
-  return std::nullopt;
-}
 
 class UnitFinder {
  public:
@@ -78,6 +71,7 @@ class UnitFinder {
   // Whole numbers of commands and wheels alike, which no one gives a unit, and which are too large for
   // others.
   void take_both_for_millimetres() {
+    if (are_registers(columns_, given_, mapping_, findings_)) return;
     constexpr double fastest_cm_s = 100.0;
     constexpr double fastest_mm_s = 3000.0;
     WheelMapping& wheels = *mapping_.wheels;
@@ -128,7 +122,9 @@ class UnitFinder {
     if (largest(columns_.command[0]) * command_in_si() <= fastest_m_s && gain_m_s > command_in_si() / 3.0 &&
         gain_m_s < command_in_si() * 3.0)
       return;
-    if (const auto unit = unit_of_gain(gain_m_s, mapping_.wheels)) {
+    const bool is_register = names_a_register(command.first) && are_whole(columns_.command[0]);
+    if (const auto unit = is_register ? register_unit(gain_m_s, mapping_.wheels)
+                                      : unit_of_gain(gain_m_s, mapping_.wheels)) {
       if (unit->name == command.unit) return;
       command.unit = unit->name;
       findings_.push_back("commands are in " + command.unit + ": the wheels reach " +
@@ -217,7 +213,7 @@ class UnitFinder {
     if (gain > 1.0 / 3.0 && gain < 3.0) return;
     for (const Unit& unit : speed_units()) {
       const auto m_s = speed_in_m_s(unit, mapping_.wheels);
-      if (!m_s || unit.is_imperial || !is_near(gain, 1.0 / *m_s)) continue;
+      if (!m_s || !unit.is_found_by_motion() || !is_near(gain, 1.0 / *m_s)) continue;
       wheels.unit = unit.name;
       findings_.push_back("wheel speeds are in " + wheels.unit + evidence());
       return;
@@ -236,7 +232,7 @@ class UnitFinder {
       return take_travel_unit(WheelKind::angle, unit);
     }
     for (const Unit& unit : distance_units()) {
-      if (!unit.is_imperial && is_near(metres, unit.in_si))
+      if (unit.is_found_by_motion() && is_near(metres, unit.in_si))
         return take_travel_unit(WheelKind::distance, unit);
     }
     if (wheels.kind == WheelKind::distance) take_travel_unit(WheelKind::angle, angle_units().front());

@@ -49,13 +49,15 @@ void add_command(Entries& entries, const CommandMapping& command) {
   const bool is_twist = command.kind == CommandKind::twist;
   entries.add("command.kind", name_of(command_kind_names, command.kind));
   const bool is_throttle = command.kind == CommandKind::throttle;
-  entries.add(is_twist      ? "command.linear"
-              : is_throttle ? "command.throttle"
-                            : "command.left",
+  entries.add(is_twist            ? "command.linear"
+              : is_throttle       ? "command.throttle"
+              : command.by_radius ? "command.velocity"
+                                  : "command.left",
               command.first.text());
-  entries.add(is_twist      ? "command.angular"
-              : is_throttle ? "command.steering"
-                            : "command.right",
+  entries.add(is_twist            ? "command.angular"
+              : is_throttle       ? "command.steering"
+              : command.by_radius ? "command.radius"
+                                  : "command.right",
               command.second);
   entries.add("command.left_direction", command.direction[0]);
   entries.add("command.right_direction", command.direction[1]);

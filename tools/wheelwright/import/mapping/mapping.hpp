@@ -51,6 +51,8 @@ struct CommandMapping {
   bool left_reversed = false;                             // a positive number drives the wheel backward
   bool right_reversed = false;
 
+  bool by_radius = false;  // the two channels are a velocity and the radius of the turn
+
   bool is_of_body() const { return kind == CommandKind::twist || kind == CommandKind::throttle; }
   bool is_duty() const { return kind == CommandKind::duty || kind == CommandKind::throttle; }
 };

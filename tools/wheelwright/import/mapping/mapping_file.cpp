@@ -75,8 +75,15 @@ std::optional<CommandMapping> read_command(YamlReader& from) {
                                           is_twist      ? CommandKind::twist
                                           : is_throttle ? CommandKind::throttle
                                                         : CommandKind::wheels);
-  const auto first = channel(from, is_twist ? "linear" : is_throttle ? "throttle" : "left");
-  command.second = channel(from, is_twist ? "angular" : is_throttle ? "steering" : "right");
+  command.by_radius = from.has("velocity") || from.has("radius");
+  const auto first = channel(from, is_twist            ? "linear"
+                                   : is_throttle       ? "throttle"
+                                   : command.by_radius ? "velocity"
+                                                       : "left");
+  command.second = channel(from, is_twist            ? "angular"
+                                 : is_throttle       ? "steering"
+                                 : command.by_radius ? "radius"
+                                                     : "right");
   if ((is_twist != (command.kind == CommandKind::twist) ||
        is_throttle != (command.kind == CommandKind::throttle)) &&
       first) {
@@ -92,7 +99,7 @@ std::optional<CommandMapping> read_command(YamlReader& from) {
   command.right_reversed = right_reversed;
   command.neutral = from.number("neutral", {-1e6, 1e6}, command.neutral);
   command.steering_gain = from.number("steering_gain", {-1000, 1000}, command.steering_gain);
-  command.unit = unit(from, "unit", speed_units(), command.unit);
+  command.unit = unit(from, "unit", speed_units(), command.by_radius ? "mm/s" : command.unit);
   command.angular_unit = unit(from, "angular_unit", angular_units(), command.angular_unit);
   command.full_scale = from.number("full_scale", {1e-6, 1e9}, command.full_scale);
   command.full_scale_m_s = number(from, "full_scale_m_s", {0.001, 100, "m/s"});

@@ -21,6 +21,10 @@ constexpr Unit imperial(std::string_view name, double in_si) {
   return {name, in_si, false, false, true};
 }
 
+constexpr Unit raw_speed(std::string_view name, double in_si) {
+  return {name, in_si, true, false, false, true};
+}
+
 constexpr std::array speed_table{Unit{"m/s", 1.0},
                                  Unit{"mm/s", 1e-3},
                                  Unit{"cm/s", 1e-2},
@@ -31,7 +35,8 @@ constexpr std::array speed_table{Unit{"m/s", 1.0},
                                  Unit{"deg/s", pi / 180.0, true},
                                  Unit{"rpm", pi / 30.0, true},
                                  Unit{"turn/s", 2.0 * pi, true},
-                                 Unit{"counts/s", 1.0, false, true}};
+                                 Unit{"counts/s", 1.0, false, true},
+                                 raw_speed("0.229rpm", 0.229 * pi / 30.0)};
 constexpr std::array angular_table{Unit{"rad/s", 1.0}, Unit{"deg/s", pi / 180.0}, Unit{"rpm", pi / 30.0},
                                    Unit{"mrad/s", 1e-3}};
 constexpr std::array distance_table{Unit{"m", 1.0},  Unit{"mm", 1e-3},       Unit{"cm", 1e-2},

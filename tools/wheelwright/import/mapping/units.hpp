@@ -20,9 +20,12 @@ struct Unit {
   bool of_wheel = false;     // an angle of the wheel: times the wheel radius it is a distance
   bool of_count = false;     // counts of the encoder: times the distance of one it is a distance
   bool is_imperial = false;  // not inferred from motion alone: a wrong scale looks the same
+  bool is_raw = false;       // of the registers of a servo; likewise
+
+  bool is_found_by_motion() const { return !is_imperial && !is_raw; }
 };
 
-// m/s mm/s cm/s km/h ft/s inch/s, of a wheel rad/s deg/s rpm turn/s, counts/s
+// m/s mm/s cm/s km/h ft/s inch/s, of a wheel rad/s deg/s rpm turn/s, counts/s, 0.229rpm (Dynamixel)
 std::span<const Unit> speed_units();
 std::span<const Unit> angular_units();   // rad/s deg/s
 std::span<const Unit> distance_units();  // m mm cm km ft inch

@@ -1,0 +1,49 @@
+#include "tools/wheelwright/import/inference/register_units.hpp"
+
+#include <cmath>
+
+#include "tools/wheelwright/import/conversion/wheel_travel.hpp"
+#include "tools/wheelwright/import/inference/column_shapes.hpp"
+#include "tools/wheelwright/import/inference/gain_units.hpp"
+#include "tools/wheelwright/import/inference/name_words.hpp"
+
+namespace wheelwright::import {
+
+std::optional<Unit> unit_of_gain(double gain, const std::optional<WheelMapping>& wheels) {
+  for (const Unit& unit : speed_units()) {
+    const auto m_s = speed_in_m_s(unit, wheels);
+    if (m_s && unit.name != "km/h" && unit.is_found_by_motion() && is_near(gain, *m_s)) return unit;
+  }
+  return std::nullopt;
+}
+
+bool names_a_register(const ChannelName& channel) {
+  const NameWords words(channel.channel);
+  return words.has_any({"goal", "present", "moving"}) && words.has_any({"velocity", "speed"});
+}
+
+std::optional<Unit> register_unit(double gain, const std::optional<WheelMapping>& wheels) {
+  constexpr double near = 1.1;
+  for (const Unit& unit : speed_units()) {
+    const auto m_s = speed_in_m_s(unit, wheels);
+    if (unit.is_raw && m_s && std::abs(std::log(gain / *m_s)) < std::log(near)) return unit;
+  }
+  return std::nullopt;
+}
+
+bool are_registers(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
+                   std::vector<std::string>& findings) {
+  const ChannelName& command = mapping.command->first;
+  WheelMapping& wheels = *mapping.wheels;
+  if (!names_a_register(command) || !names_a_register(wheels.left) || !are_whole(columns.command[0]))
+    return false;
+  if (!wheels.unit_assumed || given.says("wheels.unit")) return true;
+  wheels.unit.clear();
+  wheels.unit_assumed = false;
+  findings.push_back("'" + command.text() + "' and '" + wheels.left.text() +
+                     "' are registers of a servo; of a Dynamixel X: --set command.unit=0.229rpm --set "
+                     "wheels.unit=0.229rpm");
+  return true;
+}
+
+}  // namespace wheelwright::import

@@ -1,0 +1,29 @@
+// The unit of a speed by what one of it is in m/s at the wheel.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/wheelwright/import/conversion/drive_columns.hpp"
+#include "tools/wheelwright/import/mapping/given_mapping.hpp"
+#include "tools/wheelwright/import/mapping/mapping.hpp"
+#include "tools/wheelwright/import/mapping/units.hpp"
+
+namespace wheelwright::import {
+
+// That of people.
+std::optional<Unit> unit_of_gain(double gain, const std::optional<WheelMapping>& wheels);
+
+// That of the registers of a servo, within a tenth: others are near it.
+std::optional<Unit> register_unit(double gain, const std::optional<WheelMapping>& wheels);
+
+// Whether a name is that of such a register: "goal_velocity", "present_speed".
+bool names_a_register(const ChannelName& channel);
+
+// Whether commands and wheel speeds are both such registers. Their unit is that of the servo, which nothing
+// in the log shows: unless it is given it becomes unknown, with a line in `findings`.
+bool are_registers(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
+                   std::vector<std::string>& findings);
+
+}  // namespace wheelwright::import
