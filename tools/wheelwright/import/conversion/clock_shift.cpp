@@ -153,6 +153,10 @@ tl::expected<ClockShift, std::string> find_clock_shift(std::span<const Recording
   if (!mapping.reference->x || !mapping.reference->y)
     return tl::unexpected(std::string(
         "a reference without places has no clock to compare; give its shift: --set reference.shift_s=0"));
+  const FoundChannel x = find_channel(recordings, *mapping.reference->x);
+  if (x.stream != nullptr && stream_times(*x.stream, mapping.time).empty())
+    return tl::unexpected(std::string(
+        "the reference has no time; say how far its rows or frames are apart: --set time.rate_hz=100"));
   const Speeds robot = robot_speeds(recordings, mapping, grid_s);
   const Speeds reference = reference_speeds(recordings, mapping, grid_s);
   if (static_cast<double>(std::min(robot.values.size(), reference.values.size())) * grid_s < min_overlap_s) {

@@ -150,6 +150,8 @@ std::vector<double> stream_times(const Stream& stream, const TimeMapping& time) 
     return in_seconds(channel->values, time_unit_of(stream, *channel, time.period_s));
   }
   if (!time.period_s) return {};
+  const auto frames = std::ranges::find_if(stream.channels, counts_frames);
+  if (frames != stream.channels.end()) return frames_in_seconds(frames->values, time.period_s);
   std::vector<double> t_s(stream.rows);
   for (std::size_t i = 0; i < t_s.size(); ++i) t_s[i] = *time.period_s * static_cast<double>(i);
   return t_s;

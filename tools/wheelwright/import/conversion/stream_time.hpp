@@ -22,7 +22,7 @@ const Channel* time_channel(const Stream& stream, const TimeMapping& time);
 
 // When each row of a stream was measured, in seconds: by the mapped column, else by stamps of its own that
 // agree with the time of recording, else by that time, else by a column of its own that is named as a time,
-// else by rows that are `period_s` apart. Empty where there is none.
+// else by frames or rows that are `period_s` apart. Empty where there is none.
 std::vector<double> stream_times(const Stream& stream, const TimeMapping& time);
 
 // A channel of a stream by its name, or by its number from 1; nullptr where it is none of the stream.

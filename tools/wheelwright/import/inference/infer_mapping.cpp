@@ -130,7 +130,7 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
           infer_reference_frame(recordings, *columns, given, mapping, inference.findings, inference.doubts))
         columns = gather_sample(recordings, mapping);
       set_units(*columns, given, mapping, inference.findings, inference.doubts);
-      infer_pixel_scale(*columns, given, mapping, inference.findings, inference.doubts);
+      infer_pixel_scale(recordings, *columns, given, mapping, inference.findings, inference.doubts);
       set_step_scale(*columns, given, mapping, inference.findings);
       set_gyro_unit(*columns, given, mapping, inference.findings, inference.doubts);
       add_doubts(*columns, mapping, inference.doubts);

@@ -9,7 +9,9 @@
 #include "tools/wheelwright/import/conversion/run_repair.hpp"
 #include "tools/wheelwright/import/conversion/wheel_command.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
+#include "tools/wheelwright/import/inference/column_names.hpp"
 #include "tools/wheelwright/import/inference/gain_units.hpp"
+#include "tools/wheelwright/import/inference/reference_units.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {
@@ -117,7 +119,8 @@ struct WaySums {
   // Of places for each metre of the robot; nothing where the two do not go together. All of the way of
   // commands is compared, since the robot comes behind them.
   std::optional<double> slope(WayBy source) const {
-    if (windows < min_way_windows || !(robot_way > 0.0) || !(place_squares > 0.0)) return std::nullopt;
+    const double way = source == WayBy::commands ? robot_way : robot_squares;
+    if (windows < min_way_windows || !(way > 0.0) || !(place_squares > 0.0)) return std::nullopt;
     if (products / std::sqrt(robot_squares * place_squares) < min_agreement) return std::nullopt;
     return source == WayBy::commands ? place_way / robot_way : products / robot_squares;
   }
@@ -130,38 +133,55 @@ std::optional<double> places_per_metre(const DriveColumns& columns, const Mappin
   return sums.slope(source);
 }
 
+// Of places that no one gives a unit: whether no unit of length explains how far they go beside the robot.
+// The scale of wheels that was found by these places says nothing, nor do commands that may be in other
+// units.
+bool are_in_no_unit(const DriveColumns& columns, const Mapping& mapping, WayBy source, double slope) {
+  constexpr double far = 3.0;
+  if (source == WayBy::wheels)
+    return mapping.wheels->scale_from != from_reference && (slope > far || slope < 1.0 / far);
+  return slope > far && !mapping.command->is_duty() && largest(columns.command[0]) <= fastest_m_s;
+}
+
+// By the unit of the column, or as messages are.
+bool states_metres(std::span<const Recording> recordings, const ChannelName& x) {
+  const FoundChannel found = find_channel(recordings, x);
+  return found.channel != nullptr &&
+         (!found.stream->type.empty() ||
+          find_unit(distance_units(), meaning_of(*found.stream, *found.channel).unit));
+}
+
 }  // namespace
 
-void infer_pixel_scale(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
-                       std::vector<std::string>& findings, std::vector<std::string>& doubts) {
+void infer_pixel_scale(std::span<const Recording> recordings, const DriveColumns& columns,
+                       const GivenMapping& given, Mapping& mapping, std::vector<std::string>& findings,
+                       std::vector<std::string>& doubts) {
   if (!mapping.reference || columns.x.empty() || columns.y.empty()) return;
   ReferenceMapping& reference = *mapping.reference;
   const bool are_pixels = reference.unit == pixel_unit && !reference.metres_per_pixel;
-  const bool is_free = reference.unit == "m" && !given.says("reference.unit");
+  const bool may_be_pixels = reference.unit == "m" && !given.says("reference.unit");
   const auto source = way_source(columns, mapping);
-  if ((!are_pixels && !is_free) || !source) return;
+  if ((!are_pixels && !may_be_pixels) || !source) return;
   const auto slope = places_per_metre(columns, mapping, *source);
-  if (!slope) return;
-  const std::string robot = *source == WayBy::wheels ? "of the wheels" : "that is commanded";
-  const std::string evidence =
-      "x and y go " + plain_number(rounded_gain(*slope)) + " for each metre " + robot;
-  if (are_pixels) {
-    reference.metres_per_pixel = rounded_gain(1.0 / *slope);
-    reference.scale_from_robot = true;
-    findings.push_back("a pixel is " + plain_number(*reference.metres_per_pixel) +
-                       " m on the floor: " + evidence + "; --set reference.metres_per_pixel if you know it");
+  if (!slope || (!are_pixels && !are_in_no_unit(columns, mapping, *source, *slope))) return;
+  const std::string robot = *source == WayBy::wheels ? "the wheels" : "commanded";
+  const std::string times = plain_number(rounded_gain(*slope)) + " times as far as " + robot + " in metres";
+  if (!are_pixels && states_metres(recordings, *reference.x)) {
+    doubts.push_back("x and y, which are said to be in metres, go " + times +
+                     ": check the scale of the wheels (wheels.metres_per_count) and reference.unit");
     return;
   }
-  constexpr double far = 3.0;
-  const bool is_stated = mapping.wheels && mapping.wheels->scale_from.empty();
-  if (*source == WayBy::commands || !is_stated || (*slope<far&& * slope> 1.0 / far)) return;
   reference.unit = pixel_unit;
   reference.metres_per_pixel = rounded_gain(1.0 / *slope);
   reference.scale_from_robot = true;
-  doubts.push_back("x and y are in no unit of length: they go " + plain_number(rounded_gain(*slope)) +
-                   " times as far as the wheels in metres, and are taken for pixels of " +
-                   plain_number(*reference.metres_per_pixel) +
-                   " m; say it otherwise: --set reference.unit, or --set wheels.metres_per_count");
+  const std::string size = plain_number(*reference.metres_per_pixel) + " m";
+  if (are_pixels) {
+    findings.push_back("a pixel is " + size + " on the floor: x and y go " + times +
+                       "; --set reference.metres_per_pixel if you know it");
+  } else {
+    doubts.push_back("x and y are in no unit of length: they go " + times + ", and are taken for pixels of " +
+                     size + "; say it otherwise: --set reference.unit, or --set wheels.metres_per_count");
+  }
 }
 
 }  // namespace wheelwright::import

@@ -72,9 +72,11 @@ class FrameFinder {
       doubts_.push_back("the places of the reference turn right where " + robot_ +
                         " turn left: left and right are exchanged, or the reference is mirrored (--set "
                         "reference.y_axis)");
-    if (!against_motion()) return false;
+    const bool places_are_noisy = !against_motion() && !with_motion();
+    if (!against_motion() && !(places_are_noisy && sense_.headings < -sure)) return false;
     reference_.clockwise = true;
-    findings_.emplace_back("headings are clockwise: they turn against the places of the reference");
+    findings_.push_back("headings are clockwise: they turn against " +
+                        (places_are_noisy ? robot_ : "the places of the reference"));
     return true;
   }
 
@@ -117,7 +119,12 @@ class FrameFinder {
           robot_ + " do, and x and y against them");
       return true;
     }
-    return with_motion() && !with_robot && judge_frame_below();
+    if (with_motion()) return !with_robot && judge_frame_below();
+    if (!with_robot)
+      doubts_.push_back("headings turn against " + robot_ +
+                        ", and x and y do not show which is right; if headings are clockwise: --set "
+                        "reference.heading=clockwise");
+    return false;
   }
 
   bool judge_frame_below() {

@@ -181,8 +181,8 @@ TurningSense turning_sense(const DriveColumns& columns, const Mapping& mapping,
   const TurningSense as_read = sense_in(columns, mapping, directions, 2.0 * pi);
   if (unit_is_known || columns.theta_rad.empty()) return as_read;
   const TurningSense degrees = sense_in(columns, mapping, directions, 360.0);
-  const auto best = [&columns](const TurningSense& sense) {
-    return columns.x.empty() ? std::abs(sense.headings) : std::max(sense.with, sense.against);
+  const auto best = [](const TurningSense& sense) {
+    return std::abs(sense.headings) + std::max(sense.with, sense.against);
   };
   return best(degrees) > best(as_read) ? degrees : as_read;
 }

@@ -18,7 +18,7 @@ struct TurningSense {
 
 // Of windows of half a second. The robot turns as its wheels do, each times its direction (1, or -1 of one
 // that counts backwards), or, without wheels that count, as it is commanded. Headings are in radians or in
-// degrees, whichever the motion follows more closely, unless `unit_is_known`.
+// degrees, whichever the motion and the turns of the robot follow more closely, unless `unit_is_known`.
 TurningSense turning_sense(const DriveColumns& columns, const Mapping& mapping,
                            const std::array<double, 2>& directions, bool unit_is_known);
 

@@ -48,3 +48,31 @@ TEST_CASE("Frames without a rate are no time, and the key to give it is said") {
   REQUIRE_FALSE(outcome.conversion);
   CHECK_THAT(outcome.conversion.error(), ContainsSubstring("--set time.rate_hz=30"));
 }
+
+TEST_CASE("Frames of a reference in a file of its own are as far apart as the rate that is given") {
+  const ForeignDrive drive = foreign_drive();
+  const std::string robot =
+      foreign_text(drive, "t,cmd_left,cmd_right,enc_left,enc_right", [](const ForeignRow& row) {
+        return number(row.t_s) + "," + number(row.command_left) + "," + number(row.command_right) + "," +
+               counts(row);
+      });
+  std::string camera = "frame,x,y,theta\n";
+  for (std::size_t k = 0; k < drive.rows.size(); k += k == 700 ? 5 : 1) {
+    const ForeignRow& row = drive.rows[k];
+    camera +=
+        std::to_string(k + 60) + "," + number(row.x) + "," + number(row.y) + "," + number(row.theta) + "\n";
+  }
+  const auto without_rate = import::understand(
+      {{file_of("robot.csv", robot)}, file_of("camera.csv", camera), import::GivenMapping("", frame_base)});
+  REQUIRE_FALSE(without_rate);
+  CHECK_THAT(without_rate.error(), ContainsSubstring("--set time.rate_hz=100"));
+  auto settings = frame_base;
+  settings.emplace_back("time.rate_hz=20");
+  const auto understood = import::understand(
+      {{file_of("robot.csv", robot)}, file_of("camera.csv", camera), import::GivenMapping("", settings)});
+  REQUIRE(understood);
+  CHECK_THAT(*understood->mapping.reference->shift_s, WithinAbs(-3.0, 0.02));
+  const auto conversion = import::to_runs(*understood);
+  REQUIRE(conversion);
+  CHECK_THAT(*conversion->runs.front().samples[900].reference_x_m, WithinAbs(drive.rows[900].x, 0.005));
+}

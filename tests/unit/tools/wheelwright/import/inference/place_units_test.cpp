@@ -107,3 +107,27 @@ TEST_CASE("Pixels beside a robot without any scale are asked for") {
   REQUIRE_FALSE(outcome.conversion);
   CHECK_THAT(outcome.conversion.error(), ContainsSubstring("--set reference.metres_per_pixel=0.003"));
 }
+
+TEST_CASE("Places that are said to be in metres and go much farther than the wheels are a doubt alone") {
+  const auto drive = foreign_drive();
+  auto settings = seen_settings;
+  settings.back() = "wheels.metres_per_count=0.0001";
+  const auto outcome = import_seen(
+      drive, "x [m],y [m],theta",
+      [](const ForeignRow& row) { return field(row.x) + field(row.y) + field(row.theta); }, settings);
+  CHECK(outcome.doubts("which are said to be in metres, go"));
+  CHECK(outcome.understood.mapping.reference->unit == "m");
+}
+
+TEST_CASE("Commands that are speeds show how far a pixel is where there are no wheels") {
+  const auto drive = foreign_drive();
+  const auto outcome = import_text(foreign_text(drive, "t,cmd_left,cmd_right,x_px,y_px,theta",
+                                                [](const ForeignRow& row) {
+                                                  return number(row.t_s) + field(row.command_left) +
+                                                         field(row.command_right) + in_image(row) +
+                                                         field(row.theta);
+                                                }),
+                                   seen_settings);
+  CHECK_THAT(*outcome.understood.mapping.reference->metres_per_pixel, WithinRel(1.0 / 310.0, 0.1));
+  CHECK(outcome.found("a pixel is"));
+}

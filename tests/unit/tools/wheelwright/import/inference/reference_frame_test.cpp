@@ -214,3 +214,18 @@ TEST_CASE("Places without headings that turn against the wheels or the commands 
     CHECK(outcome.doubts("y points right of x"));
   }
 }
+
+TEST_CASE("Headings against the wheels beside places that are too noisy to say are not left in silence") {
+  const auto drive = foreign_drive();
+  const auto noisy = [](const ForeignRow& row, double phase) {
+    return field(row.x + std::sin(9871.0 * row.t_s + phase)) +
+           field(row.y + std::sin(7919.0 * row.t_s + 2.0 * phase));
+  };
+  const auto outcome = import_seen(
+      drive, "x,y,yaw", [&](const ForeignRow& row) { return noisy(row, 0.3) + field(-row.theta); });
+  CHECK(outcome.doubts("headings turn against the wheels"));
+  const auto on_a_map = import_seen(drive, "north,east,heading", [&](const ForeignRow& row) {
+    return noisy(row, 0.7) + field(-row.theta);
+  });
+  CHECK(on_a_map.understood.mapping.reference->clockwise);
+}
