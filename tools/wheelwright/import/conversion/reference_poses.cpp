@@ -74,7 +74,10 @@ class PoseReader {
   }
 
   void put_frame_right() {
-    const double offset_rad = std::numbers::pi / 180.0 * reference_.heading_offset_deg.value_or(0.0);
+    // On the globe a clockwise heading is that of a compass, from north.
+    const bool is_compass = reference_.clockwise && reference_.unit == geographic_unit;
+    const double offset_rad = std::numbers::pi / 180.0 * reference_.heading_offset_deg.value_or(0.0) +
+                              (is_compass ? 0.5 * std::numbers::pi : 0.0);
     for (double& theta : poses_.heading_rad.values)
       theta = (reference_.clockwise ? -theta : theta) + offset_rad;
     if (!reference_.y_points_right) return;

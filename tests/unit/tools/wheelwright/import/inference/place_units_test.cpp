@@ -45,6 +45,7 @@ TEST_CASE("Latitude and longitude are places in metres, with the heading of a co
   check_seen(with_heading, drive, 0.002);
   CHECK(with_heading.understood.mapping.reference->unit == "deg");
   CHECK(with_heading.found("headings are clockwise"));
+  CHECK_FALSE(with_heading.remarks("the heading of the reference is turned"));
   const auto alone =
       import_seen(drive, "gps_lat,gps_lon", [](const ForeignRow& row) { return on_the_globe(row.x, row.y); });
   check_seen(alone, drive, 0.002);
