@@ -127,18 +127,29 @@ bool flagged(const std::vector<char>& rows, std::size_t i) {
   return !rows.empty() && rows[i] != 0;
 }
 
+// How long a smoothed reference still shows what counts have missed.
+double memory_s(const ReferenceResponse& response) {
+  const auto until_s = [](const DelayKernel& kernel) { return kernel.mean_s() + 2.0 * kernel.width_s(); };
+  return response.is_immediate() ? 0.0 : std::max(until_s(response.position), until_s(response.heading));
+}
+
 void collect_references(const DriveLog& log, const RowFlags& flags, GapRun& run) {
   run.heading_alone = !log.has_reference_positions();
   const ExpectedTurn expected(run);
   bool anew = false;
   bool lost = false;
+  double shown_until_s = -std::numeric_limits<double>::infinity();
   double heading = 0.0;
   for (std::size_t i = 0; i < log.samples.size(); ++i) {
     const DriveSample& sample = log.samples[i];
     // Behind lost counts, too: the first that are sound tell only of what comes after them.
     const bool lost_before = lost;
     lost = flagged(flags.counts, i);
-    if (lost || lost_before || flagged(flags.restart, i)) anew = true;
+    if (lost || lost_before || flagged(flags.restart, i)) {
+      anew = true;
+      shown_until_s = sample.t_s + memory_s(log.reference_response);
+    }
+    if (sample.t_s < shown_until_s) anew = true;
     const std::optional<Pose> pose = reference_of(sample, run.heading_alone);
     if (!pose) continue;
     // Angles may wrap: full turns are counted here, of which there may be more than one between two readings.

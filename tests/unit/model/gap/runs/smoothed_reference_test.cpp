@@ -68,3 +68,18 @@ TEST_CASE("A camera that looks at a slant is no scale of the counts, which is no
   REQUIRE(untested != analysis.not_testable.end());
   CHECK(untested->why.find("metre was made that of the counts") != std::string::npos);
 }
+
+TEST_CASE("Lost counts break a smoothed reference for as long as it still shows them") {
+  test::GapCaseSpec spec;
+  spec.channels = test::Channels::ticks_ref;
+  DriveLog log = test::make_gap_case(spec).runs.front();
+  log.reference_response = {{0.0, 0.1, {0.5, 0.5}}, {}};  // 0.05 s late, 0.05 s wide
+  RowFlags flags{std::vector<char>(log.samples.size(), 0), std::vector<char>(log.samples.size(), 0)};
+  flags.counts[500] = 1;
+  const GapRun run = make_gap_run(log, flags, log.period_s);
+  const double known_again_s = log.samples[501].t_s + 0.15;
+  for (std::size_t i = 490; i < 530; ++i) {
+    INFO(i);
+    CHECK(run.references[i].anew == (i >= 500 && (i <= 501 || log.samples[i].t_s < known_again_s)));
+  }
+}
