@@ -11,8 +11,10 @@
 namespace wheelwright {
 namespace {
 
-constexpr double sure_anisotropy = 5.0;  // standard errors
-constexpr double matters = 0.003;        // of a and b together
+constexpr double sure_anisotropy = 5.0;     // standard errors
+constexpr double matters = 0.003;           // of a and b together
+constexpr double no_camera = 0.3;           // likewise
+constexpr double largest_difference = 0.5;  // of halves, relative
 constexpr double delay_step_s = 0.02;
 constexpr double longest_delay_s = 0.4;  // for which the counts around a window are needed
 
@@ -52,6 +54,23 @@ double sureness(const Estimate& estimate) {
   const Eigen::Vector2d value = estimate.value.head<2>();
   const Eigen::Matrix2d covariance = estimate.covariance.topLeftCorner<2, 2>();
   return std::sqrt(value.dot(covariance.ldlt().solve(value)));
+}
+
+// Whether each half of the windows has about the same first two values: what a few windows alone show is what
+// the robot met there.
+bool halves_agree(const std::vector<Eigen::MatrixXd>& windows, const Estimate& estimate) {
+  for (const std::size_t half : {0UL, 1UL}) {
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(windows.front().rows(), windows.front().cols());
+    for (std::size_t i = half; i < windows.size(); i += 2) sum += windows[i];
+    const auto own = solution(sum);
+    const Eigen::Vector2d value = estimate.value.head<2>();
+    if (!own || (own->head<2>() - value).norm() > largest_difference * value.norm()) return false;
+  }
+  return true;
+}
+
+bool is_sure(const std::vector<Eigen::MatrixXd>& windows, const std::optional<Estimate>& estimate) {
+  return estimate && sureness(*estimate) >= sure_anisotropy && halves_agree(windows, *estimate);
 }
 
 Eigen::MatrixXd position_products(const CountedWindow& window, const DelayKernel& kernel) {
@@ -107,12 +126,13 @@ std::optional<AnisotropicScale> find_anisotropic_scale(std::span<const DriveLog*
     headings.push_back(heading_products(window, response.heading));
   });
   const auto position = estimate(positions);
-  if (!position || !(position->value(2) > 0.0) || sureness(*position) < sure_anisotropy) return std::nullopt;
+  if (!is_sure(positions, position) || !(position->value(2) > 0.0)) return std::nullopt;
   AnisotropicScale scale{position->value(2), position->value(0) / position->value(2),
                          position->value(1) / position->value(2)};
-  if (std::hypot(scale.along, scale.oblique) < matters) return std::nullopt;
+  const double size = std::hypot(scale.along, scale.oblique);
+  if (size < matters || size > no_camera) return std::nullopt;
   const auto heading = estimate(headings);
-  if (heading && sureness(*heading) >= sure_anisotropy) {
+  if (is_sure(headings, heading)) {
     scale.heading_along_rad = heading->value(0);
     scale.heading_oblique_rad = heading->value(1);
   }

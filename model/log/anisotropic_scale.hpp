@@ -30,6 +30,8 @@ struct AnisotropicScale {
   double longest_direction_rad() const;  // of the room; 0 to pi
 };
 
+// Sure is what exceeds five standard errors, and what each half of the windows shows to within a half.
+//
 // Over all runs of one tracker, whose response to the motion is that of the first run. Nothing where the
 // metre is the same in all directions, or not surely another.
 std::optional<AnisotropicScale> find_anisotropic_scale(std::span<const DriveLog* const> runs);
