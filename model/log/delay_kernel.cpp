@@ -60,6 +60,20 @@ double DelayKernel::width_s() const {
   return std::sqrt(std::max(0.0, variance));
 }
 
+double DelayKernel::rise_time_s() const {
+  const auto reaches_s = [&](double share) {
+    double before = 0.0;
+    for (std::size_t j = 0; j < weights.size(); ++j) {
+      const double sum = before + weights[j];
+      if (sum >= share)
+        return first_s + (static_cast<double>(j) - 1.0 + (share - before) / weights[j]) * step_s;
+      before = sum;
+    }
+    return first_s + static_cast<double>(weights.size()) * step_s;
+  };
+  return weights.empty() ? 0.0 : reaches_s(0.9) - reaches_s(0.1);
+}
+
 std::vector<Pose> shown_by(const ReferenceResponse& response, std::span<const Pose> poses, double period_s) {
   const GridKernel position = on_grid(response.position, period_s);
   const GridKernel heading = on_grid(response.heading, period_s);

@@ -21,7 +21,8 @@ struct DelayKernel {
   std::vector<double> weights;  // their sum is 1; none where what is shown is what is true
 
   double mean_s() const;
-  double width_s() const;  // standard deviation about the mean
+  double width_s() const;      // standard deviation about the mean; 0 where negative weights outweigh
+  double rise_time_s() const;  // from 10 to 90 % of a step
 };
 
 // Of a reference's x and y, and of its heading.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "model/log/counted_windows.hpp"
@@ -227,8 +229,9 @@ bool heading_is_apart(const Windows& windows, const Curve& heading, const Curve&
 }
 
 std::string in_words(const DelayKernel& kernel) {
-  return "over " + in_digits(kernel.width_s(), 2) + " s (standard deviation), " +
-         in_digits(std::abs(kernel.mean_s()), 2) + (kernel.mean_s() < 0.0 ? " s early" : " s late");
+  const auto rounded = [](double time_s) { return in_digits(std::round(100.0 * time_s) / 100.0, 3); };
+  return "with a rise time of " + rounded(kernel.rise_time_s()) + " s (10 to 90 %), " +
+         rounded(std::abs(kernel.mean_s())) + (kernel.mean_s() < 0.0 ? " s early" : " s late");
 }
 
 }  // namespace

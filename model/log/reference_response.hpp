@@ -1,10 +1,10 @@
 // A reference that does not show the robot at once: a tracker that smooths its poses, by a moving average, a
 // low-pass, a Kalman filter, or afterwards in both directions; a heading that comes later than the place.
 //
-// Found beside the counts, which no tracker smooths (response_windows.hpp): a delay alone against a normal
-// curve about a delay, by the sums of squared errors of all windows. What is more than a delay is then taken
-// as it comes, by least squares with a penalty on second differences, whose weight half of the windows
-// choose for the other half.
+// Found beside the counts, which no tracker smooths (response_windows.hpp): a delay alone against four forms
+// of smoothing with a delay and a width, by the sums of squared errors of all windows. The response is then
+// the form that suits best, or, where none suits, taken as it comes: by least squares with a penalty on
+// second differences, whose weight half of the windows choose for the other half.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,8 @@ namespace wheelwright {
 // either where there are no counts, or too few windows.
 std::optional<ReferenceResponse> find_reference_response(std::span<const DriveLog* const> runs);
 
-// "the reference is smoothed: x and y over 0.12 s (standard deviation), 0.15 s late; the heading ..."
+// "the reference does not show the robot at once: x and y with a rise time of 0.33 s (10 to 90 %), 0.15 s
+// late; its heading ..."
 std::string in_words(const ReferenceResponse& response);
 
 }  // namespace wheelwright

@@ -129,7 +129,7 @@ bool flagged(const std::vector<char>& rows, std::size_t i) {
 
 // How long a smoothed reference still shows what counts have missed.
 double memory_s(const ReferenceResponse& response) {
-  const auto until_s = [](const DelayKernel& kernel) { return kernel.mean_s() + 2.0 * kernel.width_s(); };
+  const auto until_s = [](const DelayKernel& kernel) { return kernel.mean_s() + kernel.rise_time_s(); };
   return response.is_immediate() ? 0.0 : std::max(until_s(response.position), until_s(response.heading));
 }
 

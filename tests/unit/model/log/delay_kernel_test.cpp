@@ -1,6 +1,7 @@
 #include "model/log/delay_kernel.hpp"
 
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "tests/support/catch.hpp"
@@ -21,8 +22,27 @@ TEST_CASE("A kernel has the mean and the width of its weights") {
   const DelayKernel kernel{-0.1, 0.1, {0.25, 0.5, 0.25}};
   CHECK_THAT(kernel.mean_s(), WithinAbs(0.0, 1e-12));
   CHECK_THAT(kernel.width_s(), WithinAbs(0.1 * std::sqrt(0.5), 1e-12));
+  CHECK_THAT(kernel.rise_time_s(), WithinAbs(0.2, 0.1));
+  CHECK(DelayKernel{}.rise_time_s() == 0.0);
   CHECK(DelayKernel{}.mean_s() == 0.0);
   CHECK(DelayKernel{}.width_s() == 0.0);
+}
+
+TEST_CASE("The rise times of filters are those of their step responses") {
+  const double time_constant_s = 0.2;
+  DelayKernel low_pass{0.0, 0.01, {}};
+  DelayKernel tracking{0.0, 0.01, {}};
+  for (int j = 0; j < 400; ++j) {
+    const double share = 0.01 * j / time_constant_s;
+    low_pass.weights.push_back(0.05 * std::exp(-share));
+    tracking.weights.push_back(0.05 * (2.0 - share) * std::exp(-share));
+  }
+  for (DelayKernel* kernel : {&low_pass, &tracking}) {
+    const double sum = std::accumulate(kernel->weights.begin(), kernel->weights.end(), 0.0);
+    for (double& weight : kernel->weights) weight /= sum;
+  }
+  CHECK_THAT(low_pass.rise_time_s(), WithinAbs(2.197 * time_constant_s, 0.03));  // 1 - e^(-x)
+  CHECK_THAT(tracking.rise_time_s(), WithinAbs(0.73 * time_constant_s, 0.02));   // 1 - (1 - x) e^(-x)
 }
 
 TEST_CASE("A steady motion is shown late by the mean of the kernel") {

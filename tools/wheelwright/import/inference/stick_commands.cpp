@@ -103,7 +103,7 @@ std::optional<Sticks> by_motion(std::span<const Recording> recordings, const Map
                                 const std::vector<Named>& axes) {
   double of_body = 0.0;
   double of_wheels = 0.0;
-  const auto body = best_of_kind(recordings, mapping, axes, CommandKind::throttle, of_body);
+  auto body = best_of_kind(recordings, mapping, axes, CommandKind::throttle, of_body);
   const auto wheels = best_of_kind(recordings, mapping, axes, CommandKind::duty, of_wheels);
   if (body && of_body >= unit_explained && (!wheels || of_body >= of_wheels)) return body;
   return wheels && of_wheels >= unit_explained ? wheels : std::nullopt;

@@ -160,7 +160,7 @@ std::optional<WheelMapping> read_wheels(YamlReader& from) {
 
 // Places on the globe and in an image are in no unit of distance.
 std::string read_place_unit(YamlReader& from) {
-  const std::string name = from.text("unit", "m");
+  std::string name = from.text("unit", "m");
   if (name == geographic_unit || name == pixel_unit) return name;
   return unit(from, "unit", distance_units(), "m");
 }

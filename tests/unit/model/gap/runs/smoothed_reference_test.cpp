@@ -73,11 +73,11 @@ TEST_CASE("Lost counts break a smoothed reference for as long as it still shows 
   test::GapCaseSpec spec;
   spec.channels = test::Channels::ticks_ref;
   DriveLog log = test::make_gap_case(spec).runs.front();
-  log.reference_response = {{0.0, 0.1, {0.5, 0.5}}, {}};  // 0.05 s late, 0.05 s wide
+  log.reference_response = {{0.0, 0.1, {0.5, 0.5}}, {}};  // 0.05 s late, a rise time of 0.16 s
   RowFlags flags{std::vector<char>(log.samples.size(), 0), std::vector<char>(log.samples.size(), 0)};
   flags.counts[500] = 1;
   const GapRun run = make_gap_run(log, flags, log.period_s);
-  const double known_again_s = log.samples[501].t_s + 0.15;
+  const double known_again_s = log.samples[501].t_s + 0.21;
   for (std::size_t i = 490; i < 530; ++i) {
     INFO(i);
     CHECK(run.references[i].anew == (i >= 500 && (i <= 501 || log.samples[i].t_s < known_again_s)));

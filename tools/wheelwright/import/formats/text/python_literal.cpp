@@ -69,7 +69,7 @@ class Translator {
   }
 
   static std::string constant(std::string_view word) {
-    const std::string lower = config::lower_case(word);
+    std::string lower = config::lower_case(word);
     if (lower == "true" || lower == "false") return lower;
     const bool is_missing =
         lower == "none" || lower == "null" || lower == "nan" || lower == "inf" || lower == "infinity";
