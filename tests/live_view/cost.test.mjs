@@ -10,7 +10,7 @@ const browserPath = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin
 const options = { skip: browserPath ? false : 'no chromium (tools/install-dependencies browser)' };
 const ticksPerSecond = Number(execFileSync('getconf', ['CLK_TCK']));
 const seconds = Number(process.env.WHEELWRIGHT_COST_SECONDS ?? 15);
-const largestShareOfCore = 0.25;  // 0.16 on an idle machine; one that is busy does the same work in more time
+const largestShareOfCore = 0.3;  // 0.2 on an idle machine; one that is busy does the same work in more time
 
 // Of a process and all that come from it, in seconds.
 function processorTime(root) {
@@ -34,7 +34,7 @@ async function shareOfCore(pid) {
   return (processorTime(pid) - before) / (1e-3 * (performance.now() - begin));
 }
 
-test('the page takes less than a quarter of a core while the robot drives', options, () => onBench({ route: '[[1, 0], [1, 1], [0, 1], [0, 0], [1, 0], [1, 1], [0, 1], [0, 0], [1, 0], [1, 1], [0, 1], [0, 0]]' }, async bench => {
+test('the page takes less than a third of a core while the robot drives', options, () => onBench({ route: '[[1, 0], [1, 1], [0, 1], [0, 0], [1, 0], [1, 1], [0, 1], [0, 0], [1, 0], [1, 1], [0, 1], [0, 0]]' }, async bench => {
   const server = await chromium.launchServer({ executablePath: browserPath, args: ['--no-sandbox', '--disable-gpu'] });
   try {
     const pid = server.process().pid;

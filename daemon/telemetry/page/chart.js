@@ -7,8 +7,9 @@ function readInk() {
   }
 }
 
-// A canvas at the resolution of the screen; returns its context in CSS pixels, and its size there.
-function prepared(canvas, { width, height } = canvas.getBoundingClientRect()) {
+// A canvas at the resolution of the screen; returns its context in CSS pixels, and its size.
+function prepared(canvas) {
+  const { width, height } = canvas.getBoundingClientRect();
   const ratio = window.devicePixelRatio || 1;
   if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
     canvas.width = Math.round(width * ratio);

@@ -1,9 +1,9 @@
-// The floor: what /scene holds, and the robot where it is by the pose that it steers by. Route, ways and ellipses are drawn when
-// they change. The robot is a small picture of its own above them, which the browser moves: it need not copy the floor for that.
+// The floor: what /scene holds, and the robot where it is by the pose that it steers by. What stays, the ground with route and
+// ways, is drawn when it changes, and copied under the robot.
 class Floor {
-  constructor(canvas, mark) {
+  constructor(canvas) {
     this.canvas = canvas;
-    this.mark = mark;
+    this.ground = document.createElement('canvas');
     this.clear();
   }
 
@@ -11,16 +11,20 @@ class Floor {
     this.entities = new Map();
     this.pose = null;
     this.bounds = null;
-    this.isOld = true;
+    this.redrawGround();
   }
 
+  redrawGround() { this.groundIsOld = true; }
+
   setVisited(count) {
-    this.isOld ||= count !== this.visited;
+    if (count !== this.visited) this.redrawGround();
     this.visited = count;
   }
 
   takeScene(update) {
-    this.isOld = true;
+    if (update.deletions.length || update.entities.some(entity => !isEllipse(entity.id) && entity.id !== 'robot')) {
+      this.redrawGround();
+    }
     for (const deletion of update.deletions) {
       if (deletion.type === 1) this.entities.clear();
       else this.entities.delete(deletion.id);
@@ -48,7 +52,7 @@ class Floor {
     b.right = Math.max(b.right, Math.ceil(x / boundsStep_m) * boundsStep_m);
     b.bottom = Math.min(b.bottom, Math.floor(y / boundsStep_m) * boundsStep_m);
     b.top = Math.max(b.top, Math.ceil(y / boundsStep_m) * boundsStep_m);
-    this.isOld = true;
+    this.redrawGround();
   }
 
   // The names of the ways that there are.
@@ -56,57 +60,19 @@ class Floor {
     return wayLooks.filter(look => [...this.entities.keys()].some(id => id.startsWith(look.id + '/')));
   }
 
-  // From metres to pixels of a picture of this size.
-  view(width, height) {
+  draw() {
+    const { context, width, height } = prepared(this.canvas);
     const b = this.bounds || { left: -.5, right: .5, bottom: -.5, top: .5 };
     const room = .3;  // the robot's body, and some
     const scale = Math.min(width / Math.max(b.right - b.left + 2 * room, 1),
                            height / Math.max(b.top - b.bottom + 2 * room, 1));
-    return { scale, x: value => width / 2 + scale * (value - (b.left + b.right) / 2),
-             y: value => height / 2 - scale * (value - (b.bottom + b.top) / 2) };
-  }
-
-  draw() {
-    this.isOld = false;
-    const { context, width, height } = prepared(this.canvas);
-    const { scale, x, y } = this.view(width, height);
-    this.drawGround(context, width, height, scale, x, y);
+    const x = value => width / 2 + scale * (value - (b.left + b.right) / 2);
+    const y = value => height / 2 - scale * (value - (b.bottom + b.top) / 2);
+    this.drawGround(width, height, scale, x, y);
+    context.drawImage(this.ground, 0, 0, width, height);
+    this.drawRobot(context, scale, x, y);
     this.drawEllipse(context, 'predicted_covariance', ink.accent, x, y);
     this.drawEllipse(context, 'covariance', ink.filter, x, y);
-    this.size = { width, height };
-    this.mark.style.visibility = this.pose ? 'visible' : 'hidden';
-    this.drawMark(scale);
-    this.moveMark();
-  }
-
-  // The robot, looking to the right.
-  drawMark(scale) {
-    const body = this.entities.get('robot')?.cylinders[0];
-    const radius = Math.max(6, scale * (body ? body.size.x : .34) / 2);
-    const looks = [radius, ink.tint, ink.accent, window.devicePixelRatio].join(' ');
-    if (this.mark.dataset.looks === looks) return;
-    this.mark.dataset.looks = looks;
-    const half = Math.ceil(radius) + 2;
-    this.mark.style.width = this.mark.style.height = `${2 * half}px`;
-    this.mark.style.left = this.mark.style.top = `${-half}px`;
-    const { context } = prepared(this.mark, { width: 2 * half, height: 2 * half });
-    context.beginPath();
-    context.arc(half, half, radius, 0, 2 * Math.PI);
-    context.fillStyle = ink.tint;
-    context.strokeStyle = ink.accent;
-    context.lineWidth = 2;
-    context.fill();
-    context.moveTo(half, half);
-    context.lineTo(half + radius, half);
-    context.stroke();
-  }
-
-  // To where the robot is; only if it has left the pixel where it was drawn.
-  moveMark() {
-    if (!this.pose || !this.size) return;
-    const { x, y } = this.view(this.size.width, this.size.height);
-    const place = `translate(${x(this.pose.x).toFixed(0)}px, ${y(this.pose.y).toFixed(0)}px) rotate(${(-this.pose.theta).toFixed(2)}rad)`;
-    if (this.mark.style.transform !== place) this.mark.style.transform = place;
   }
 
   drawEllipse(context, id, stroke, x, y) {
@@ -122,7 +88,17 @@ class Floor {
 
   lines(id) { return this.entities.get(id)?.lines ?? []; }
 
-  drawGround(context, width, height, scale, x, y) {
+  drawGround(width, height, scale, x, y) {
+    const { canvas, ground } = this;
+    if (!this.groundIsOld && ground.width === canvas.width && ground.height === canvas.height) return;
+    this.groundIsOld = false;
+    ground.width = canvas.width;
+    ground.height = canvas.height;
+    const context = ground.getContext('2d');
+    const ratio = canvas.width / width;
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.font = '11px system-ui, sans-serif';
+    context.lineJoin = 'round';
     this.drawGrid(context, width, height, scale, x, y);
     for (const line of this.lines('route')) {
       strip(context, line.points, x, y);
@@ -190,6 +166,23 @@ class Floor {
       context.stroke();
     });
   }
+
+  drawRobot(context, scale, x, y) {
+    if (!this.pose) return;
+    const body = this.entities.get('robot')?.cylinders[0];
+    const radius = Math.max(6, scale * (body ? body.size.x : .34) / 2);
+    const cx = x(this.pose.x);
+    const cy = y(this.pose.y);
+    context.beginPath();
+    context.arc(cx, cy, radius, 0, 2 * Math.PI);
+    context.fillStyle = ink.tint;
+    context.strokeStyle = ink.accent;
+    context.lineWidth = 2;
+    context.fill();
+    context.moveTo(cx, cy);
+    context.lineTo(cx + radius * Math.cos(this.pose.theta), cy - radius * Math.sin(this.pose.theta));
+    context.stroke();
+  }
 }
 
 const boundsStep_m = 0.1;
@@ -206,7 +199,7 @@ function strip(context, points, x, y) {
   });
 }
 
-// The 95 % ellipse of a pose: it comes and goes with the robot, and does not widen the picture.
+// The 95 % ellipse of a pose: it comes and goes with the robot, and is no part of the floor.
 function isEllipse(id) {
   return id === 'covariance' || id === 'predicted_covariance';
 }

@@ -15,7 +15,7 @@ const wheelSeries = [{ ink: 'quiet', width: 1.5, dash: [2, 3], steps: true }, { 
 const bumperNames = ['left', 'front_left', 'center_left', 'center_right', 'front_right', 'right'];
 const bumperLabels = ['L', 'FL', 'CL', 'CR', 'FR', 'R'];
 
-const floor = new Floor(at('floor'), at('robot-mark'));
+const floor = new Floor(at('floor'));
 const wheels = { left: new Samples(12), right: new Samples(12) };
 const lateness = new Samples(60);
 let state = null;
@@ -40,7 +40,7 @@ function clearAll() {
 }
 
 const handlers = {
-  '/pose': message => { floor.takePose(message.pose); schedule.changed(floor.isOld ? 'floor' : 'mark'); },
+  '/pose': message => { floor.takePose(message.pose); schedule.changed('floor'); },
   '/scene': message => { floor.takeScene(message); schedule.changed('floor', 'legend'); },
   '/wheels': (message, t) => {
     for (const side of ['left', 'right']) {
@@ -58,8 +58,7 @@ const handlers = {
     if (state && state.stop !== 'none' && message.stop === 'none') stopping = '';
     state = message;
     floor.setVisited(message.checkpoints_visited);
-    schedule.changed('texts');
-    if (floor.isOld) schedule.changed('floor');
+    schedule.changed('texts', 'floor');
   },
   '/log': message => addMessage(message),
 };
@@ -237,16 +236,15 @@ function showLegend() {
 
 // Often enough for the eye, and no more: most of the cost is the browser's, for each picture anew.
 const schedule = new DrawSchedule({
-  mark: { every_ms: 100, draw: () => floor.moveMark() },
-  floor: { every_ms: 400, draw: () => floor.draw() },
-  wheels: { every_ms: 400, draw: () => {
+  floor: { every_ms: 100, draw: () => floor.draw() },
+  wheels: { every_ms: 200, draw: () => {
     drawSpeeds(at('wheel-left'), wheels.left, wheelSeries);
     drawSpeeds(at('wheel-right'), wheels.right, wheelSeries);
   } },
-  texts: { every_ms: 400, draw: showTexts },
-  bumper: { every_ms: 400, draw: showBumper },
-  legend: { every_ms: 800, draw: showLegend },
-  lateness: { every_ms: 800, draw: () => { showLateness(); drawLateness(at('lateness'), lateness, state?.period_s); } },
+  texts: { every_ms: 300, draw: showTexts },
+  bumper: { every_ms: 200, draw: showBumper },
+  legend: { every_ms: 500, draw: showLegend },
+  lateness: { every_ms: 500, draw: () => { showLateness(); drawLateness(at('lateness'), lateness, state?.period_s); } },
 });
 
 bumperLabels.forEach(label => {
@@ -255,6 +253,6 @@ bumperLabels.forEach(label => {
   at('bars').append(item);
 });
 readInk();
-matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => { readInk(); schedule.changedAll(); });
+matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => { readInk(); floor.redrawGround(); schedule.changedAll(); });
 addEventListener('resize', () => schedule.changedAll());
 schedule.changedAll();
