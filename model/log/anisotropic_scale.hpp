@@ -31,6 +31,8 @@ struct AnisotropicScale {
 };
 
 // Sure is what exceeds five standard errors, and what each half of the windows shows to within a half.
+// Not all is found: a steep floor, which moves the robot by its heading, has hidden 3 %, and beside a long
+// lever arm 2.5 of 3 % were found.
 //
 // Over all runs of one tracker, whose response to the motion is that of the first run. Nothing where the
 // metre is the same in all directions, or not surely another.

@@ -105,7 +105,7 @@ Eigen::Vector2d CountedPath::weighted_at(double t_s) const {
 
 bool CountedPath::covers(double from_s, double to_s) const {
   if (t_s_.size() < 2 || to_s > t_s_.back()) return false;
-  return std::ranges::none_of(lost_s_, [&](double lost_s) { return lost_s > from_s && lost_s < to_s; });
+  return std::ranges::none_of(lost_s_, [&](double lost_s) { return lost_s > from_s && lost_s <= to_s; });
 }
 
 void for_each_window(std::span<const DriveLog* const> runs, double before_s, double after_s,

@@ -132,7 +132,6 @@ GateState cleaned(const DriveLog& log, std::size_t frozen_elsewhere) {
   leave_out_repeated_poses(state);
   leave_out_wrong_poses(state);
   remove_reference_jumps(state);
-  say_reference_steps(state);
   return state;
 }
 
@@ -220,6 +219,7 @@ std::vector<GatedLog> gate_together(std::span<const DriveLog> logs) {
     check_reference(state);
     check_gyro(state);
     mark_counter_reset(state.result);
+    say_reference_steps(state);
     gated.push_back(std::move(state.result));
   }
   note_smoothing(gated);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/geometry/pose.hpp"
+#include "model/log/counted_windows.hpp"
 #include "model/statistics/order_statistics.hpp"
 #include "model/statistics/significant_digits.hpp"
 
@@ -30,36 +31,24 @@ struct Motion {
   double counted_rad_s;
 };
 
-// Nothing where counts are missing in between.
-std::optional<Pose> counted(const GateState& gate, std::size_t from, std::size_t to) {
-  const auto& samples = gate.result.log.samples;
-  Pose pose;
-  for (std::size_t i = from + 1; i <= to; ++i) {
-    if (!samples[i].ticks || !samples[i - 1].ticks || gate.result.flags.restart[i] != 0) return std::nullopt;
-    const WheelPair rolled{gate.travel(i, true) - gate.travel(i - 1, true),
-                           gate.travel(i, false) - gate.travel(i - 1, false)};
-    pose = move_along_arc(pose, twist_of_wheels(rolled, gate.result.log.wheel_base_m), 1.0);
-  }
-  return pose;
-}
-
-std::vector<Motion> motions(const GateState& gate) {
-  const auto& samples = gate.result.log.samples;
+std::vector<Motion> motions(const DriveLog& log) {
+  const CountedPath path(log);
   std::vector<Motion> all;
   std::optional<std::size_t> before;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const auto pose = samples[i].reference_pose();
+  for (std::size_t i = 0; i < log.samples.size(); ++i) {
+    const auto pose = log.samples[i].reference_pose();
     if (!pose) continue;
-    const auto by_counts = before ? counted(gate, *before, i) : std::nullopt;
-    if (by_counts) {
-      const double duration_s = samples[i].t_s - samples[*before].t_s;
-      const Pose moved = between(*samples[*before].reference_pose(), *pose);
+    const double to_s = log.samples[i].t_s;
+    if (before && path.covers(log.samples[*before].t_s, to_s)) {
+      const double from_s = log.samples[*before].t_s;
+      const Pose moved = between(*log.samples[*before].reference_pose(), *pose);
+      const Pose counted = between(path.at(from_s), path.at(to_s));
+      const double duration_s = to_s - from_s;
       const double turned_rad = wrap_angle(moved.theta_rad);
-      all.push_back({i, distance_between_m(moved, *by_counts),
-                     std::abs(wrap_angle(turned_rad - by_counts->theta_rad)),
-                     std::hypot(moved.x_m, moved.y_m) / duration_s, std::abs(turned_rad) / duration_s,
-                     std::hypot(by_counts->x_m, by_counts->y_m) / duration_s,
-                     std::abs(by_counts->theta_rad) / duration_s});
+      all.push_back(
+          {i, distance_between_m(moved, counted), std::abs(wrap_angle(turned_rad - counted.theta_rad)),
+           std::hypot(moved.x_m, moved.y_m) / duration_s, std::abs(turned_rad) / duration_s,
+           std::hypot(counted.x_m, counted.y_m) / duration_s, std::abs(counted.theta_rad) / duration_s});
     }
     before = i;
   }
@@ -81,7 +70,7 @@ double largest(const std::vector<Motion>& all, double Motion::*what) {
 
 void say_reference_steps(GateState& gate) {
   if (!gate.result.log.has_ticks()) return;
-  const std::vector<Motion> all = motions(gate);
+  const std::vector<Motion> all = motions(gate.result.log);
   if (all.empty()) return;
   const double impossible_m_s = largest(all, &Motion::counted_m_s) + faster_m_s;
   const double impossible_rad_s = largest(all, &Motion::counted_rad_s) + faster_rad_s;

@@ -136,7 +136,7 @@ double memory_s(const ReferenceResponse& response) {
 void collect_references(const DriveLog& log, const RowFlags& flags, GapRun& run) {
   run.heading_alone = !log.has_reference_positions();
   const ExpectedTurn expected(run);
-  bool anew = false;
+  bool restart = false;
   bool lost = false;
   double shown_until_s = -std::numeric_limits<double>::infinity();
   double heading = 0.0;
@@ -146,10 +146,10 @@ void collect_references(const DriveLog& log, const RowFlags& flags, GapRun& run)
     const bool lost_before = lost;
     lost = flagged(flags.counts, i);
     if (lost || lost_before || flagged(flags.restart, i)) {
-      anew = true;
+      restart = true;
       shown_until_s = sample.t_s + memory_s(log.reference_response);
     }
-    if (sample.t_s < shown_until_s) anew = true;
+    if (sample.t_s < shown_until_s) restart = true;
     const std::optional<Pose> pose = reference_of(sample, run.heading_alone);
     if (!pose) continue;
     // Angles may wrap: full turns are counted here, of which there may be more than one between two readings.
@@ -157,8 +157,8 @@ void collect_references(const DriveLog& log, const RowFlags& flags, GapRun& run)
     const bool first = run.references.empty();
     if (!first) heading += expected.until(at) - expected.until(run.references.back().at);
     heading = first ? pose->theta_rad : heading + wrap_angle(pose->theta_rad - heading);
-    run.references.push_back({at, {pose->x_m, pose->y_m, heading}, anew && !first && run.has_counts});
-    anew = false;
+    run.references.push_back({at, {pose->x_m, pose->y_m, heading}, restart && !first && run.has_counts});
+    restart = false;
   }
 }
 
