@@ -8,6 +8,8 @@
 #include <functional>
 #include <numbers>
 
+#include "model/gap/candidates/steady_response.hpp"
+
 namespace wheelwright::gap {
 namespace {
 
@@ -124,11 +126,12 @@ struct Harmonic {
 // What the model leaves, beyond what a gain or a loss by sign explains: that would be seen in each step.
 class Leftover {
  public:
-  Leftover(const Problem& problem, const Fit& fit)
+  Leftover(const Problem& problem, const Fit& fit, double fastest_m_s)
       : response_(problem, fit.model),
+        passed_on_(fit.model, fastest_m_s),
         left_(Eigen::Map<const Eigen::VectorXd>(fit.residuals.data(),
                                                 static_cast<Eigen::Index>(fit.residuals.size()))) {
-    Patterns smooth = response_.to([](double u) { return Complex(u, sign_of(u)); });
+    Patterns smooth = response_.to([this](double u) { return passed_on_.slope(u) * Complex(u, sign_of(u)); });
     gain_ = smooth.real.stableNormalized();
     loss_ = smooth.imaginary - gain_ * gain_.dot(smooth.imaginary);
     loss_.stableNormalize();
@@ -141,7 +144,7 @@ class Leftover {
     const double radians_per_m_s = 2.0 * std::numbers::pi / step_m_s;
     const Patterns patterns = response_.to([&](double u) {
       const double phase = std::abs(u) * radians_per_m_s;
-      return sign_of(u) * Complex(std::cos(phase), std::sin(phase));
+      return passed_on_.slope(u) * sign_of(u) * Complex(std::cos(phase), std::sin(phase));
     });
     Eigen::Matrix2d products;
     products(0, 0) = patterns.real.squaredNorm();
@@ -159,13 +162,14 @@ class Leftover {
   double nats(const CommandSteps& steps, const EffectInfo& info) const {
     const std::array parameters{steps.step_m_s, steps.level_edges};
     const auto effect = info.make({parameters, 0});
-    const Eigen::VectorXd change = beyond(response_
-                                              .to([&](double u) {
-                                                WheelPair acted{u, u};
-                                                effect->command(acted, {});
-                                                return Complex(acted.left - u, 0.0);
-                                              })
-                                              .real);
+    const Eigen::VectorXd change =
+        beyond(response_
+                   .to([&](double u) {
+                     WheelPair acted{u, u};
+                     effect->command(acted, {});
+                     return Complex(passed_on_.at(acted.left) - passed_on_.at(u), 0.0);
+                   })
+                   .real);
     const double power = change.squaredNorm();
     const double amount = std::clamp(-change.dot(left_) / power, 0.4, 1.5);
     return -amount * (change.dot(left_) + 0.5 * amount * power);
@@ -177,17 +181,22 @@ class Leftover {
   }
 
   LinearPartResponse response_;
+  SteadyResponse passed_on_;
   Eigen::VectorXd gain_;
   Eigen::VectorXd loss_;
   Eigen::VectorXd left_;
 };
 
-std::vector<double> steps_to_try(const Problem& train) {
+double fastest_command_of(const Problem& train) {
   double fastest = 0.0;
   for (const GapRun& run : train.runs()) {
     for (const WheelPair& u : run.commands_m_s)
       fastest = std::max({fastest, std::abs(u.left), std::abs(u.right)});
   }
+  return fastest;
+}
+
+std::vector<double> steps_to_try(double fastest) {
   std::vector<double> steps;
   if (fastest <= 0.0) return steps;
   const double apart = largest_shift_of_phase / fastest;
@@ -243,9 +252,10 @@ CommandSteps at_the_right_end(const Problem& train, const TrialModel& without, c
 
 std::optional<CommandSteps> find_steps_by_spectrum(const Problem& train, const Fit& fit,
                                                    const EffectInfo& info, const ParallelFor& parallel_for) {
-  const std::vector<double> tried = steps_to_try(train);
+  const double fastest_m_s = fastest_command_of(train);
+  const std::vector<double> tried = steps_to_try(fastest_m_s);
   if (tried.size() < 3) return std::nullopt;
-  const Leftover leftover(train, fit);
+  const Leftover leftover(train, fit, fastest_m_s);
   std::vector<Harmonic> spectrum(tried.size());
   parallel_for(tried.size(), [&](std::size_t i) { spectrum[i] = leftover.harmonic(tried[i]); });
   const auto steps = steps_around(peaks_of(spectrum), 1.0 / tried[1] - 1.0 / tried[0]);

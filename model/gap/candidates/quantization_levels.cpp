@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "model/gap/candidates/command_spectrum.hpp"
+#include "model/gap/candidates/steady_response.hpp"
 #include "model/statistics/order_statistics.hpp"
 
 namespace wheelwright::gap {
@@ -125,11 +126,15 @@ WheelCommands gathered(const Problem& problem, const TrialModel& model) {
   return all;
 }
 
-std::vector<CommandSteps> steps_to_try(const WheelCommands& wheels) {
+double fastest_of(const WheelCommands& wheels) {
   double fastest = 0.0;
   for (const auto& wheel : wheels) {
     for (const auto& told : wheel) fastest = std::max(fastest, std::abs(told.command_m_s));
   }
+  return fastest;
+}
+
+std::vector<CommandSteps> steps_and_edges_to_try(double fastest) {
   std::vector<CommandSteps> steps;
   if (fastest <= 0.0) return steps;
   const double apart = largest_shift_of_levels / fastest;
@@ -159,9 +164,10 @@ double side_of(double value) {
   return value > 0.0 ? 1.0 : -1.0;
 }
 
-// Correlation of the evidence with what the effect does to the commands, over the size of that. What a gain
-// or a loss by sign explains is no sign of steps.
-double likeness(const WheelCommands& wheels, const EffectInfo& info, const CommandSteps& steps) {
+// Correlation of the evidence with what the effect does to the commands, as far as the model's other effects
+// pass that on, over the size of that. What a gain or a loss by sign explains is no sign of steps.
+double likeness(const WheelCommands& wheels, const SteadyResponse& passed_on, const EffectInfo& info,
+                const CommandSteps& steps) {
   const std::array parameters{steps.step_m_s, steps.level_edges};
   const auto effect = info.make({parameters, 0});
   double agreement = 0.0;
@@ -177,12 +183,13 @@ double likeness(const WheelCommands& wheels, const EffectInfo& info, const Comma
       const auto& [u, periods, evidence] = wheel[i];
       WheelPair acted{u, u};
       effect->command(acted, {});
-      change[i] = acted.left - u;
-      by_command += periods * change[i] * u;
-      by_sign += periods * change[i] * side_of(u);
-      commands += periods * u * u;
-      signs += periods;
-      both += periods * std::abs(u);
+      const double seen = passed_on.slope(u);
+      change[i] = passed_on.at(acted.left) - passed_on.at(u);
+      by_command += periods * change[i] * seen * u;
+      by_sign += periods * change[i] * seen * side_of(u);
+      commands += periods * seen * seen * u * u;
+      signs += periods * seen * seen;
+      both += periods * seen * seen * std::abs(u);
     }
     const double determinant = commands * signs - both * both;
     if (!(determinant > 1e-9 * commands * signs)) continue;
@@ -190,7 +197,7 @@ double likeness(const WheelCommands& wheels, const EffectInfo& info, const Comma
     const double loss = (by_sign * commands - by_command * both) / determinant;
     for (std::size_t i = 0; i < wheel.size(); ++i) {
       const auto& [u, periods, evidence] = wheel[i];
-      const double left = change[i] - gain * u - loss * side_of(u);
+      const double left = change[i] - passed_on.slope(u) * (gain * u + loss * side_of(u));
       agreement += left * evidence;
       power += periods * left * left;
     }
@@ -208,10 +215,11 @@ struct BestSteps {
   bool stands_out = false;
 };
 
-BestSteps best_of(const std::vector<CommandSteps>& steps, const WheelCommands& wheels, const EffectInfo& info,
-                  const ParallelFor& parallel_for) {
+BestSteps best_of(const std::vector<CommandSteps>& steps, const WheelCommands& wheels,
+                  const SteadyResponse& passed_on, const EffectInfo& info, const ParallelFor& parallel_for) {
   std::vector<double> likenesses(steps.size());
-  parallel_for(steps.size(), [&](std::size_t i) { likenesses[i] = likeness(wheels, info, steps[i]); });
+  parallel_for(steps.size(),
+               [&](std::size_t i) { likenesses[i] = likeness(wheels, passed_on, info, steps[i]); });
   const auto best = std::ranges::max_element(likenesses);
   return {steps[static_cast<std::size_t>(best - likenesses.begin())],
           *best >= stands_out * deviations_of_median_size * median_size(likenesses)};
@@ -239,11 +247,13 @@ std::optional<TrialEffect> find_command_steps(const Problem& train, const Fit& f
     if (!steps) return std::nullopt;
     return TrialEffect{&info, 0, {steps->step_m_s, steps->level_edges}};
   }
-  const std::vector<CommandSteps> steps = steps_to_try(wheels);
+  const double fastest_m_s = fastest_of(wheels);
+  const std::vector<CommandSteps> steps = steps_and_edges_to_try(fastest_m_s);
   if (steps.empty()) return std::nullopt;
-  const BestSteps near = best_of(steps, wheels, info, parallel_for);
+  const SteadyResponse passed_on(fit.model, fastest_m_s);
+  const BestSteps near = best_of(steps, wheels, passed_on, info, parallel_for);
   if (!near.stands_out) return std::nullopt;
-  const BestSteps best = best_of(steps_around(near.steps), wheels, info, parallel_for);
+  const BestSteps best = best_of(steps_around(near.steps), wheels, passed_on, info, parallel_for);
   return TrialEffect{&info, 0, {best.steps.step_m_s, best.steps.level_edges}};
 }
 
