@@ -269,6 +269,32 @@ void CandidateEvaluation::start_from_linear_part_of(const TrialModel& without,
   });
 }
 
+void CandidateEvaluation::pair_the_best(SelectionStep& selection_step) const {
+  constexpr std::size_t few = 3;
+  std::vector<const Candidate*> best;
+  for (const Candidate& candidate : selection_step.candidates) {
+    const bool known = std::ranges::any_of(
+        best, [&](const Candidate* other) { return other->effect.info == candidate.effect.info; });
+    const bool helps =
+        candidate.train_nats > limits_.min_further_nats && candidate.unseen_nats() > limits_.min_further_nats;
+    if (!known && helps && !is_decoy(*candidate.effect.info) && best.size() < few) best.push_back(&candidate);
+  }
+  std::vector<Fit> pairs;
+  for (std::size_t i = 0; i < best.size(); ++i) {
+    for (std::size_t j = i + 1; j < best.size(); ++j) {
+      pairs.emplace_back().model = best[i]->fit.model;
+      pairs.back().model.effects.push_back(best[j]->effect);
+    }
+  }
+  parallel_for_(pairs.size(), [&](std::size_t i) {
+    pairs[i] = train_.fit(pairs[i].model, steps_of_a_fit, affected_outputs_of_last(pairs[i].model, 2));
+  });
+  for (Fit& pair : pairs) {
+    if (!selection_step.pair || pair.sum_squares < selection_step.pair->sum_squares)
+      selection_step.pair = std::move(pair);
+  }
+}
+
 SelectionStep CandidateEvaluation::evaluate(const Fit& without, const std::vector<TrialModel>& more_models) {
   SelectionStep selection_step{without, 0.0, {}, {}};
   const Starts tried = starts(without, more_models);

@@ -39,6 +39,10 @@ class CandidateEvaluation {
   // is missing; and all are fitted again under it.
   SelectionStep evaluate(const Fit& without, const std::vector<TrialModel>& more_models = {});
 
+  // What hides each other explains little one by one: the best few that help at all are fitted two by two,
+  // and the best two of them are the pair of the step, if they explain more than the one it has.
+  void pair_the_best(SelectionStep& selection_step) const;
+
   // The same effects beside a linear part that was found again, where that explains more: what a linear part
   // had taken up of an effect that has come in since, it does not give back step by step.
   Fit with_refitted_linear_part(const Fit& fit);

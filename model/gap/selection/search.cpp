@@ -152,6 +152,7 @@ Path Search::grown(Path path) {
     while (const auto larger = better_linear_part(selection_step))
       selection_step = evaluation_.evaluate(evaluation_.settle(larger->model, 1));
     const Candidate* next = acceptance_.next_effect(selection_step, path.selection_steps);
+    if (next == nullptr) evaluation_.pair_the_best(selection_step);
     const bool pair =
         next == nullptr && acceptance_.pair_accepted(selection_step, path.selection_steps.size());
     path.model = next != nullptr ? evaluation_.with_refitted_linear_part(next->fit)
