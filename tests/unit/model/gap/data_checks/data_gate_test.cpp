@@ -138,6 +138,25 @@ TEST_CASE("Sides that are swapped and signs that are wrong explain a gap on thei
   }
 }
 
+TEST_CASE("A wheel that moves otherwise than it is told is no unit that is wrong") {
+  auto in_another_unit = clean_log();
+  in_another_unit.metres_per_tick->right *= 0.1;
+  // Told to and fro five times a second, a wheel whose speed can hardly change follows the mean.
+  auto hardly_changing = clean_log();
+  double way_m = 0.0;
+  for (std::size_t i = 0; i < hardly_changing.samples.size(); ++i) {
+    DriveSample& sample = hardly_changing.samples[i];
+    sample.command_m_s.right = 0.04 + (i / 50 % 2 == 0 ? 0.4 : -0.4);
+    way_m += 0.04 * hardly_changing.period_s;
+    sample.ticks->right = std::llround(way_m / hardly_changing.metres_per_tick->right);
+  }
+  const auto contradicts = [](const DriveLog& log) {
+    return std::ranges::any_of(gate(log).faults, &DataFault::explains);
+  };
+  CHECK(contradicts(in_another_unit));
+  CHECK_FALSE(contradicts(hardly_changing));
+}
+
 TEST_CASE("A reference in another unit explains a gap on its own, and the unit is said") {
   for (const auto& [per_metre, unit] :
        {std::pair{1000.0, "mm"}, {100.0, "cm"}, {1.0 / 0.0254, "inches"}, {1.0 / 0.3048, "feet"}}) {
