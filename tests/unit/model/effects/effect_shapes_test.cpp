@@ -186,6 +186,16 @@ TEST_CASE("What never comes near to level is a bend of the gain and no saturatio
   CHECK(is_a_limit(0.25, 0.5, 0.45));
 }
 
+TEST_CASE("A limit of acceleration whose drag ends at the speeds asked for is a limit of speed") {
+  const EffectInfo* info = find_effect("rate_limit");
+  const auto is_a_limit_of_acceleration = [&](double limit_m_s2, double drag_per_s) {
+    return info->in_character({std::vector{limit_m_s2, drag_per_s}, 0}, 0.5);
+  };
+  CHECK(is_a_limit_of_acceleration(0.3, 0.0));
+  CHECK(is_a_limit_of_acceleration(0.3, 0.3));  // up to 1 m/s
+  CHECK_FALSE(is_a_limit_of_acceleration(0.3, 0.5));
+}
+
 TEST_CASE("A turn that is dragged is shared with the wheels, one that is scrubbed loses a part") {
   const auto turn_rate = [](const std::string& variant, double loss, double square) {
     return only({"turn_scrub", variant, {loss, square, 0.0}}).step({-0.129, 0.129}).twist.w_rad_s;
