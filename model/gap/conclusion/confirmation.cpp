@@ -59,4 +59,26 @@ Confirmation confirm(const Problem& train, const GapSearch& search, RunSet& runs
   return result;
 }
 
+TrialModel likeliest_within_intervals(const Problem& train, const GapSearch& search, const RunSet& runs,
+                                      const ParallelFor& parallel_for) {
+  constexpr int places = 8;
+  TrialModel best = search.final.model;
+  Problem problem(runs.runs, runs.metres_per_tick, parallel_for);
+  problem.set_noise(train.noise_left_by(best));
+  double least = sum_squares_of(problem.residuals(best));
+  const std::size_t first = best.linear_part.size();
+  for (std::size_t i = 0; i < search.intervals.size(); ++i) {
+    const auto& [lower, upper] = search.intervals[i];
+    for (int place = 0; place <= places; ++place) {
+      TrialModel tried = best;
+      tried.set_parameter(first + i, lower + (upper - lower) * place / places);
+      const double sum_squares = sum_squares_of(problem.residuals(tried));
+      if (sum_squares >= least) continue;
+      least = sum_squares;
+      best = std::move(tried);
+    }
+  }
+  return best;
+}
+
 }  // namespace wheelwright::gap

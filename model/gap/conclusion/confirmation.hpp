@@ -18,6 +18,12 @@ struct Confirmation {
   std::vector<bool> acts;  // whether each effect moves anything in these runs; a rug elsewhere does not
 };
 
+// `search.final` with each parameter of its effects where the runs are likeliest within its 95 % interval,
+// one parameter after the other: whatever lies in there, the training runs allow. Between two commands that
+// were given, a threshold may lie anywhere, and a third command in untouched runs is on one side of it.
+TrialModel likeliest_within_intervals(const Problem& train, const GapSearch& search, const RunSet& runs,
+                                      const ParallelFor& parallel_for);
+
 // The noise is what the accepted model leaves of the training runs. Where an effect hangs on the angle of the
 // wheels, each run shows that at which its wheels began: it is found first, and noted in the logs.
 Confirmation confirm(const Problem& train, const GapSearch& search, RunSet& runs, bool untouched,

@@ -26,14 +26,13 @@ bool closes_nothing_untouched(const GapAnalysis& analysis) {
   return fall && *fall < min_fall && !is_beyond_doubt;
 }
 
-bool explains_the_smaller_part(const GapAnalysis& analysis) {
+bool explains_the_smaller_part(const GapAnalysis& analysis, double share_gone) {
   constexpr double half = 0.5;
   const auto is_sudden = [](const Finding& found) { return find_effect(found.setting.name)->sudden; };
   const bool any_name = std::ranges::any_of(analysis.found, of_free_runs);
   const bool any_sudden = std::ranges::any_of(
       analysis.found, [&](const Finding& found) { return of_free_runs(found) && is_sudden(found); });
-  const GapFigures& test = analysis.tail_held_out ? analysis.train : analysis.test;
-  return any_name && !analysis.check.passed && largest_share_gone(test) < (any_sudden ? 0.0 : half);
+  return any_name && !analysis.check.passed && share_gone < (any_sudden ? 0.0 : half);
 }
 
 }  // namespace wheelwright::gap

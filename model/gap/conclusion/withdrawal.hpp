@@ -12,8 +12,9 @@ namespace wheelwright::gap {
 bool closes_nothing_untouched(const GapAnalysis& analysis);
 
 // Whether the names explain the smaller part of what is missing: the predictive check fails, and less than
-// half of the mean square of distance, position and heading in the test runs is gone. With a sudden effect
-// the bound is zero instead of half: a free run that misses a moment or a place by little goes far astray.
-bool explains_the_smaller_part(const GapAnalysis& analysis);
+// half of the mean square of distance, position and heading in the test runs is gone (`share_gone`, of
+// largest_share_gone). With a sudden effect the bound is zero instead of half: a free run that misses a
+// moment or a place by little goes far astray.
+bool explains_the_smaller_part(const GapAnalysis& analysis, double share_gone);
 
 }  // namespace wheelwright::gap
