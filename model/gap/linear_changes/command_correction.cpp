@@ -14,31 +14,51 @@ WheelPair command_at(std::span<const WheelPair> commands, std::ptrdiff_t period)
   return commands[static_cast<std::size_t>(std::min(period, std::ssize(commands) - 1))];
 }
 
+// Times scale (1 - pole z^-1).
+std::vector<double> times(const std::vector<double>& weights, double scale, double pole) {
+  if (weights.empty()) return {};
+  std::vector<double> product(weights.size() + 1, 0.0);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    product[i] += scale * weights[i];
+    product[i + 1] -= scale * pole * weights[i];
+  }
+  return product;
+}
+
 }  // namespace
 
-std::vector<WheelPair> corrected(std::span<const WheelPair> commands, const CommandCorrection& correction,
-                                 double period_s, double model_lag_s) {
-  const double shift = correction.delay_s / period_s;
+LinearModel corrected(const LinearModel& model, const CommandCorrection& correction) {
+  const double lag_s = lag_of(model);
+  const double old_pole = std::exp(-model.period_s / std::max(lag_s, shortest_lag_s));
+  const double new_pole = std::exp(-model.period_s / std::max(lag_s + correction.lag_s, shortest_lag_s));
+  const double scale = (1.0 - new_pole) / (1.0 - old_pole);
+  LinearModel result = model;
+  const auto correct = [&](WheelResponse& response, double gain) {
+    response.from_left = times(response.from_left, gain * scale, old_pole);
+    response.from_right = times(response.from_right, gain * scale, old_pole);
+    std::vector<double> past{1.0};
+    for (const double weight : response.from_own_past) past.push_back(-weight);
+    past = times(past, 1.0, new_pole);
+    response.from_own_past.clear();
+    for (std::size_t i = 1; i < past.size(); ++i) response.from_own_past.push_back(-past[i]);
+  };
+  correct(result.left, correction.gain.left);
+  correct(result.right, correction.gain.right);
+  result.type = ModelType::arma;
+  return result;
+}
+
+std::vector<WheelPair> delayed(std::span<const WheelPair> commands, double delay_s, double period_s) {
+  const double shift = delay_s / period_s;
   const double whole = std::floor(shift);
   const double share = shift - whole;
-  const double old_pole = std::exp(-period_s / std::max(model_lag_s, shortest_lag_s));
-  const double new_pole = std::exp(-period_s / std::max(model_lag_s + correction.lag_s, shortest_lag_s));
-  const double scale = (1.0 - new_pole) / (1.0 - old_pole);
   std::vector<WheelPair> result;
   result.reserve(commands.size());
-  WheelPair input_before{};
-  WheelPair output{};
   for (std::ptrdiff_t k = 0; k < std::ssize(commands); ++k) {
     const WheelPair late = command_at(commands, k - static_cast<std::ptrdiff_t>(whole));
     const WheelPair later = command_at(commands, k - static_cast<std::ptrdiff_t>(whole) - 1);
-    const auto next = [&](double WheelPair::*side) {
-      const double input = correction.gain.*side * ((1.0 - share) * late.*side + share * later.*side);
-      output.*side = new_pole * output.*side + scale * (input - old_pole * input_before.*side);
-      input_before.*side = input;
-    };
-    next(&WheelPair::left);
-    next(&WheelPair::right);
-    result.push_back(output);
+    result.push_back(
+        {(1.0 - share) * late.left + share * later.left, (1.0 - share) * late.right + share * later.right});
   }
   return result;
 }

@@ -15,11 +15,13 @@ struct CommandCorrection {
   double lag_s = 0.0;    // added to that of the model, which must not become negative
 };
 
-// Commands after which a model answers as the corrected one does to `commands`. With T the period and tau the
-// lag of the model, the delay is a shift, linear between periods, and the lag the filter (1 + tau s) / (1 +
-// (tau + lag) s) by matched poles.
-std::vector<WheelPair> corrected(std::span<const WheelPair> commands, const CommandCorrection& correction,
-                                 double period_s, double model_lag_s);
+// The model with this gain and lag: its responses times the gain, and with T the period and tau the lag of
+// the model, behind the filter (1 + tau s) / (1 + (tau + lag) s) by matched poles. What effects make of a
+// command is not touched: a step of it stays as large, and a limit where it is.
+LinearModel corrected(const LinearModel& model, const CommandCorrection& correction);
+
+// Commands that come so much later, or sooner where negative, linear between periods.
+std::vector<WheelPair> delayed(std::span<const WheelPair> commands, double delay_s, double period_s);
 
 // The spread in time of a model's impulse response, s: the time constant of a first-order lag behind any
 // delay. At least a period, also of a response that rings.

@@ -48,17 +48,23 @@ class CorrectedRuns {
 
   CorrectedRuns(const RobotModel& model, const TrialModel& measured, const Problem& problem)
       : problem_(problem),
+        model_(model),
         lag_s_(lag_of(model.linear_part)),
-        simulation_{ModelSimulation(model), any_acts(model, &EffectInfo::by_pose),
-                    any_acts(model, &EffectInfo::by_wheel_angle), measured.reference_lag_s(),
-                    measured.gyro_scale()} {}
+        reference_lag_s_(measured.reference_lag_s()),
+        gyro_scale_(measured.gyro_scale()) {}
 
   std::vector<double> residuals(const Parameters& p) const {
+    const CommandCorrection correction = correction_of(p);
+    RobotModel model = model_;
+    model.linear_part = corrected(model_.linear_part, correction);
+    const MeasuredSimulation simulation{ModelSimulation(model), any_acts(model, &EffectInfo::by_pose),
+                                        any_acts(model, &EffectInfo::by_wheel_angle), reference_lag_s_,
+                                        gyro_scale_};
     std::vector<RunErrors> errors;
     for (const GapRun& run : problem_.runs()) {
       GapRun driven = run;
-      driven.commands_m_s = corrected(run.commands_m_s, correction_of(p), run.period_s, lag_s_);
-      errors.push_back(free_run_errors(simulation_, driven));
+      driven.commands_m_s = delayed(run.commands_m_s, correction.delay_s, run.period_s);
+      errors.push_back(free_run_errors(simulation, driven));
     }
     return problem_.residuals(errors);
   }
@@ -98,8 +104,10 @@ class CorrectedRuns {
 
  private:
   const Problem& problem_;
+  const RobotModel& model_;
   double lag_s_;
-  MeasuredSimulation simulation_;
+  double reference_lag_s_;
+  double gyro_scale_;
 };
 
 Parameters no_change() {

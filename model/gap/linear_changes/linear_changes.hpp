@@ -1,6 +1,7 @@
 // How data differ from the linear part of a model that was given: gain of each wheel, delay, lag.
 //
-// The model, with all effects that are known, is driven by corrected commands (command_correction.hpp).
+// The model, with all effects that are known, gets a corrected linear part and delayed commands
+// (command_correction.hpp).
 // Gains, delay and lag are fitted to the training runs by least squares of the innovations; intervals come
 // from a bootstrap over blocks of time.
 #pragma once

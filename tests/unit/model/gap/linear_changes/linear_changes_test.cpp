@@ -1,5 +1,6 @@
 // A given model whose linear part is wrong.
 #include <algorithm>
+#include <cmath>
 
 #include "model/gap/analysis.hpp"
 #include "model/gap/linear_changes/command_correction.hpp"
@@ -65,22 +66,34 @@ const LinearChange* change_of(const GapAnalysis& analysis, std::string_view what
 
 }  // namespace
 
-TEST_CASE("Corrected commands have the gain, the delay and the lag that were asked for") {
-  constexpr double period_s = 0.02;
+TEST_CASE("A corrected linear part has the gain and the lag that were asked for, and commands their delay") {
+  LinearModel model;
+  model.type = ModelType::arma;
+  model.period_s = 0.02;
+  const double pole = std::exp(-model.period_s / 0.1);
+  model.left = {{0.0, 1.0 - pole}, {}, {pole}};
+  model.right = {{}, {0.0, 1.0 - pole}, {pole}};
+  const auto answer = [](const LinearModel& of, int periods) {
+    LinearPredictor predictor(of);
+    std::vector<double> left;
+    for (int k = 0; k < periods; ++k) left.push_back(predictor.step({0.2, 0.1}).left);
+    return left;
+  };
+  const auto stronger = corrected(model, {{1.1, 1.0}, 0.0, 0.0});
+  CHECK_THAT(dc_gain(stronger.left).from_left, WithinRel(1.1, 1e-9));
+  CHECK_THAT(dc_gain(stronger.right).from_right, WithinRel(1.0, 1e-9));
+  const auto usual = answer(model, 200);
+  const auto lagging = answer(corrected(model, {{1.0, 1.0}, 0.0, 0.1}), 200);
+  double missing_s = 0.0;  // area between the two answers: what the mean delay grew by
+  for (std::size_t k = 0; k < usual.size(); ++k) missing_s += model.period_s * (usual[k] - lagging[k]) / 0.2;
+  CHECK_THAT(missing_s, WithinAbs(0.1, 0.015));
+
   std::vector<WheelPair> step(400);
   std::fill(step.begin() + 50, step.end(), WheelPair{0.2, 0.1});
-  const auto late = corrected(step, {{1.1, 1.0}, 0.05, 0.0}, period_s, 0.1);
-  CHECK_THAT(late.back().left, WithinRel(0.22, 1e-9));
-  CHECK_THAT(late.back().right, WithinRel(0.1, 1e-9));
+  const auto late = delayed(step, 0.05, model.period_s);
   CHECK(late[51].left == 0.0);
-  CHECK_THAT(late[52].left, WithinRel(0.11, 1e-9));  // half a period remains of the delay
-  const auto lagging = corrected(step, {{1.0, 1.0}, 0.0, 0.1}, period_s, 0.1);
-  double missing_s = 0.0;  // area between the two answers: what the mean delay grew by
-  for (std::size_t k = 0; k < step.size(); ++k)
-    missing_s += period_s * (step[k].left - lagging[k].left) / 0.2;
-  CHECK_THAT(missing_s, WithinAbs(0.1, 0.015));
-  const auto sooner = corrected(step, {{1.0, 1.0}, -0.04, 0.0}, period_s, 0.1);
-  CHECK_THAT(sooner[48].left, WithinRel(0.2, 1e-9));
+  CHECK_THAT(late[52].left, WithinRel(0.1, 1e-9));  // half a period remains of the delay
+  CHECK_THAT(delayed(step, -0.04, model.period_s)[48].left, WithinRel(0.2, 1e-9));
 }
 
 TEST_CASE("A model of the robot itself has no linear change") {
