@@ -133,6 +133,13 @@ void Problem::set_noise(const NoiseModel& noise) {
   }
 }
 
+double Problem::log_likelihood(const std::vector<double>& residuals) const {
+  double log_determinant = 0.0;
+  for (const Whitener& whitener : whiteners_) log_determinant += whitener.log_determinant();
+  for (const auto& block : segments_) log_determinant -= block.whitening.diagonal().array().log().sum();
+  return -0.5 * sum_squares_of(residuals) - log_determinant;
+}
+
 Part Problem::part_of(EffectStage stage) const {
   if (parts_touch_) return Part::all;
   return stage == EffectStage::command || stage == EffectStage::wheel ? Part::wheels : Part::motion;

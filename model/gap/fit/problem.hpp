@@ -64,7 +64,10 @@ class Problem {
   // Innovations of all channels of all runs, one after the other; zero for those that do not belong to the
   // part.
   std::vector<double> residuals(const TrialModel& model, Part part = Part::all) const;
-  // The same of errors that are there already, one set for each run.
+  // Of the runs under the present noise, but for a constant: by the innovations of all channels and what the
+  // noise itself makes likely. Models under noises of their own are compared by it.
+  double log_likelihood(const std::vector<double>& residuals) const;
+  // Innovations of errors that are there already, one set for each run.
   std::vector<double> residuals(std::span<const RunErrors> errors) const;
   // What one residual belongs to.
   struct Place {

@@ -269,7 +269,8 @@ void CandidateEvaluation::start_from_linear_part_of(const TrialModel& without,
   });
 }
 
-void CandidateEvaluation::pair_the_best(SelectionStep& selection_step) const {
+// The best few of different effects that help at all.
+std::vector<const Candidate*> CandidateEvaluation::helpful(const SelectionStep& selection_step) const {
   constexpr std::size_t few = 3;
   std::vector<const Candidate*> best;
   for (const Candidate& candidate : selection_step.candidates) {
@@ -279,20 +280,52 @@ void CandidateEvaluation::pair_the_best(SelectionStep& selection_step) const {
         candidate.train_nats > limits_.min_further_nats && candidate.unseen_nats() > limits_.min_further_nats;
     if (!known && helps && !is_decoy(*candidate.effect.info) && best.size() < few) best.push_back(&candidate);
   }
-  std::vector<Fit> pairs;
+  return best;
+}
+
+// Of all runs under the noise that a model with two more effects leaves, refitted, less the price of its
+// parameters: what noise that was estimated with another model has taken up, it has to explain, too.
+double CandidateEvaluation::own_log_likelihood(Fit& pair) const {
+  Problem train = train_;
+  Problem heldout = heldout_;
+  const NoiseModel noise = train.noise_left_by(pair.model);
+  train.set_noise(noise);
+  heldout.set_noise(noise);
+  pair = train.fit(pair.model, steps_of_a_refit, affected_outputs_of_last(pair.model, 2));
+  return train.log_likelihood(pair.residuals) + heldout.log_likelihood(heldout.residuals(pair.model)) -
+         comparison_.complexity_penalty(pair.model);
+}
+
+void CandidateEvaluation::pair_the_best(SelectionStep& selection_step) {
+  struct Pair {
+    Fit fit;
+    double log_likelihood = 0.0;  // under its own noise
+  };
+  std::vector<Pair> pairs;
+  const std::vector<const Candidate*> best = helpful(selection_step);
   for (std::size_t i = 0; i < best.size(); ++i) {
     for (std::size_t j = i + 1; j < best.size(); ++j) {
-      pairs.emplace_back().model = best[i]->fit.model;
-      pairs.back().model.effects.push_back(best[j]->effect);
+      TrialModel& model = pairs.emplace_back().fit.model;
+      model = best[i]->fit.model;
+      model.effects.push_back(best[j]->effect);
     }
   }
+  if (pairs.empty()) return;
   parallel_for_(pairs.size(), [&](std::size_t i) {
-    pairs[i] = train_.fit(pairs[i].model, steps_of_a_fit, affected_outputs_of_last(pairs[i].model, 2));
+    Fit& fit = pairs[i].fit;
+    fit = train_.fit(fit.model, steps_of_a_fit, affected_outputs_of_last(fit.model, 2));
+    pairs[i].log_likelihood = own_log_likelihood(fit);
   });
-  for (Fit& pair : pairs) {
-    if (!selection_step.pair || pair.sum_squares < selection_step.pair->sum_squares)
-      selection_step.pair = std::move(pair);
-  }
+  selection_step.pair = std::ranges::max_element(pairs, {}, &Pair::log_likelihood)->fit;
+  if (!pair_stands_out_of_its_own_noise(selection_step)) return selection_step.pair.reset();
+  selection_step.without = train_.fit(selection_step.without.model, steps_of_a_refit);
+  selection_step.pair = train_.fit(selection_step.pair->model, steps_of_a_refit,
+                                   affected_outputs_of_last(selection_step.pair->model, 2));
+  parallel_for_(selection_step.candidates.size(), [&](std::size_t i) {
+    Fit& fit = selection_step.candidates[i].fit;
+    fit = train_.fit(fit.model, steps_of_a_refit, affected_outputs_of_last(fit.model, 1));
+  });
+  comparison_.judge(selection_step);
 }
 
 SelectionStep CandidateEvaluation::evaluate(const Fit& without, const std::vector<TrialModel>& more_models) {

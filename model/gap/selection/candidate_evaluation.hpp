@@ -39,9 +39,10 @@ class CandidateEvaluation {
   // is missing; and all are fitted again under it.
   SelectionStep evaluate(const Fit& without, const std::vector<TrialModel>& more_models = {});
 
-  // What hides each other explains little one by one: the best few that help at all are fitted two by two,
-  // and the best two of them are the pair of the step, if they explain more than the one it has.
-  void pair_the_best(SelectionStep& selection_step) const;
+  // What hides each other explains little one by one, and the noise that both together leave is smaller than
+  // that which one leaves: the best few that help at all are fitted two by two, each two under their own
+  // noise. The likeliest two are the pair of the step where they stand out under it, and their noise stays.
+  void pair_the_best(SelectionStep& selection_step);
 
   // The same effects beside a linear part that was found again, where that explains more: what a linear part
   // had taken up of an effect that has come in since, it does not give back step by step.
@@ -66,6 +67,8 @@ class CandidateEvaluation {
   TrialModel tuned(const TrialModel& model) const;
   using RegionSearch = TrialModel (*)(const Problem&, TrialModel, const ParallelFor&);
   void place_regions(SelectionStep& selection_step, int steps, RegionSearch placed) const;
+  std::vector<const Candidate*> helpful(const SelectionStep& selection_step) const;
+  double own_log_likelihood(Fit& pair) const;
   bool stands_out_of_its_own_noise(const SelectionStep& selection_step);
   bool pair_stands_out_of_its_own_noise(const SelectionStep& selection_step);
   Fit with_linear_part_of(const Fit& without, const TrialModel& candidate) const;

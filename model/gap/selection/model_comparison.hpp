@@ -79,6 +79,9 @@ class ModelComparison {
   // Both must have been fitted under the present noise.
   double advantage(const Fit& one, const Fit& other) const;
 
+  // The price of all its parameters, in nats (BIC).
+  double complexity_penalty(const TrialModel& model) const;
+
   bool good_enough(const Candidate& candidate) const;
   // Good enough for a further effect, small as it may be beside the first.
   bool clear(const Candidate& candidate) const;
@@ -105,7 +108,6 @@ class ModelComparison {
   static void leave_out_aliases(std::vector<Candidate>& candidates);
   double score_alone(const Candidate& candidate) const;
   bool clearly_better(const Fit& with, const Fit& without) const;
-  double complexity_penalty(const TrialModel& model) const;
   double complexity_penalty(const TrialEffect& effect) const;
   double penalty_per_parameter() const;
 

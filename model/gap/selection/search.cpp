@@ -53,7 +53,7 @@ class Search {
   std::optional<Fit> better_linear_part(const SelectionStep& selection_step) const;
   bool was_here_before(const Fit& present) const;
   Path grown(Path path);
-  Path best_path(const SelectionStep& first);
+  Path best_path(SelectionStep first);
   bool preferred(const Path& one, const Path& other, double clear) const;
   void grow_on(GapSearch& result);
   void let_turns_have_a_gain(GapSearch& result);
@@ -165,9 +165,11 @@ Path Search::grown(Path path) {
 }
 
 // What comes first decides what comes next: each path is gone to its end, and whole models are compared.
-Path Search::best_path(const SelectionStep& first) {
+Path Search::best_path(SelectionStep first) {
   std::vector<Path> paths;
-  for (const Candidate* candidate : acceptance_.first_effects(first)) {
+  const std::vector<const Candidate*> first_effects = acceptance_.first_effects(first);
+  if (first_effects.empty()) evaluation_.pair_the_best(first);
+  for (const Candidate* candidate : first_effects) {
     Path path =
         grown({{first}, evaluation_.with_refitted_linear_part(evaluation_.settle(candidate->fit.model, 1))});
     if (path.met_another) continue;
