@@ -7,7 +7,7 @@ namespace wheelwright::gap {
 namespace {
 
 constexpr int commands_each_way = 100;
-constexpr double held_s = 3.0;           // until a wheel has come to its speed
+constexpr double held_s = 6.0;           // until a wheel has come to its speed, behind any delay
 constexpr double beyond_fastest = 1.25;  // what an effect may make of the fastest command
 
 double held(ModelSimulation simulation, double command_m_s, double period_s) {

@@ -43,7 +43,7 @@ TEST_CASE("No change of a command is seen inside a dead zone") {
 }
 
 TEST_CASE("A delay changes nothing of what a held command comes to") {
-  const SteadyResponse response = beside({{find_effect("transport_delay"), 0, {0.5}}});
+  const SteadyResponse response = beside({{find_effect("transport_delay"), 0, {2.5}}});
   CHECK_THAT(response.at(0.25), WithinAbs(0.25, 1e-6));
   CHECK_THAT(response.slope(0.25), WithinAbs(1.0, 1e-6));
 }
