@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "model/gap/candidates/steady_response.hpp"
+#include "model/gap/runs/fastest_command.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -187,15 +188,6 @@ class Leftover {
   Eigen::VectorXd left_;
 };
 
-double fastest_command_of(const Problem& train) {
-  double fastest = 0.0;
-  for (const GapRun& run : train.runs()) {
-    for (const WheelPair& u : run.commands_m_s)
-      fastest = std::max({fastest, std::abs(u.left), std::abs(u.right)});
-  }
-  return fastest;
-}
-
 std::vector<double> steps_to_try(double fastest) {
   std::vector<double> steps;
   if (fastest <= 0.0) return steps;
@@ -252,7 +244,7 @@ CommandSteps at_the_right_end(const Problem& train, const TrialModel& without, c
 
 std::optional<CommandSteps> find_steps_by_spectrum(const Problem& train, const Fit& fit,
                                                    const EffectInfo& info, const ParallelFor& parallel_for) {
-  const double fastest_m_s = fastest_command_of(train);
+  const double fastest_m_s = fastest_command_m_s(train.runs());
   const std::vector<double> tried = steps_to_try(fastest_m_s);
   if (tried.size() < 3) return std::nullopt;
   const Leftover leftover(train, fit, fastest_m_s);

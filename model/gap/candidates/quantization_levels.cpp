@@ -8,6 +8,7 @@
 
 #include "model/gap/candidates/command_spectrum.hpp"
 #include "model/gap/candidates/steady_response.hpp"
+#include "model/gap/runs/fastest_command.hpp"
 #include "model/statistics/order_statistics.hpp"
 
 namespace wheelwright::gap {
@@ -126,14 +127,6 @@ WheelCommands gathered(const Problem& problem, const TrialModel& model) {
   return all;
 }
 
-double fastest_of(const WheelCommands& wheels) {
-  double fastest = 0.0;
-  for (const auto& wheel : wheels) {
-    for (const auto& told : wheel) fastest = std::max(fastest, std::abs(told.command_m_s));
-  }
-  return fastest;
-}
-
 std::vector<CommandSteps> steps_and_edges_to_try(double fastest) {
   std::vector<CommandSteps> steps;
   if (fastest <= 0.0) return steps;
@@ -247,7 +240,7 @@ std::optional<TrialEffect> find_command_steps(const Problem& train, const Fit& f
     if (!steps) return std::nullopt;
     return TrialEffect{&info, 0, {steps->step_m_s, steps->level_edges}};
   }
-  const double fastest_m_s = fastest_of(wheels);
+  const double fastest_m_s = fastest_command_m_s(train.runs());
   const std::vector<CommandSteps> steps = steps_and_edges_to_try(fastest_m_s);
   if (steps.empty()) return std::nullopt;
   const SteadyResponse passed_on(fit.model, fastest_m_s);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/gap/candidates/quantization_levels.hpp"
+#include "model/gap/runs/fastest_command.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -48,16 +49,6 @@ std::optional<std::size_t> place_of_steps(const TrialModel& model) {
   return static_cast<std::size_t>(effect - model.effects.begin());
 }
 
-double fastest_command_m_s(const Problem& problem) {
-  double fastest_m_s = 0.0;
-  for (const auto& run : problem.runs()) {
-    for (const auto& u : run.commands_m_s) {
-      fastest_m_s = std::max({fastest_m_s, std::abs(u.left), std::abs(u.right)});
-    }
-  }
-  return fastest_m_s;
-}
-
 // All that differ in the commands at which it rises first and, at the fastest command, last: `apart` is a
 // share of a step.
 std::vector<TrialModel> with_moved_rises(const TrialModel& model, std::size_t place, double fastest_m_s,
@@ -95,7 +86,7 @@ CommandSteps mean_steps(const std::vector<TrialModel>& models, const std::vector
 TrialModel with_steps_tuned(const Problem& train, TrialModel model, const ParallelFor& parallel_for) {
   const auto place = place_of_steps(model);
   if (!place) return model;
-  const double fastest_m_s = fastest_command_m_s(train);
+  const double fastest_m_s = fastest_command_m_s(train.runs());
   double least = sum_squares_of(train.residuals(model, train.part_of(EffectStage::command)));
   for (double apart = widest_apart; apart > closest_apart; apart *= 0.5) {
     const std::vector<TrialModel> tried = with_moved_rises(model, *place, fastest_m_s, apart);
@@ -112,7 +103,7 @@ TrialModel with_steps_centred(const Problem& train, TrialModel model, const Para
   const auto place = place_of_steps(model);
   if (!place) return model;
   const Part part = train.part_of(EffectStage::command);
-  const double fastest_m_s = fastest_command_m_s(train);
+  const double fastest_m_s = fastest_command_m_s(train.runs());
   for (double apart = widest_to_centre; apart > closest_to_centre; apart *= 0.5) {
     const std::vector<TrialModel> tried = with_moved_rises(model, *place, fastest_m_s, apart);
     const std::vector<double> sum_squares = sum_squares_of_all(train, tried, parallel_for);

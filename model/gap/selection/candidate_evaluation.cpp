@@ -15,6 +15,7 @@
 namespace wheelwright::gap {
 namespace {
 
+constexpr std::size_t few = 3;  // of the best, where one more look at each is costly
 constexpr double min_screened_nats = 4.0;
 constexpr double min_screened_share = 0.08;  // of the best one's: less does not become the best by a fit
 constexpr std::array default_lags_s{0.03, 0.06, 0.15};
@@ -186,7 +187,6 @@ Part CandidateEvaluation::affected_outputs_of_last(const TrialModel& model, std:
 
 // Of the few best that have a region of the floor in them.
 void CandidateEvaluation::place_regions(SelectionStep& selection_step, int steps, RegionSearch placed) const {
-  constexpr std::size_t few = 3;
   bool any = false;
   for (std::size_t i = 0; i < std::min(few, selection_step.candidates.size()); ++i) {
     Fit& fit = selection_step.candidates[i].fit;
@@ -229,7 +229,6 @@ bool CandidateEvaluation::stands_out_of_its_own_noise(const SelectionStep& selec
 // The same for a pair, beside the best that is not one: two effects that hide each other leave what looks the
 // most like noise.
 bool CandidateEvaluation::pair_stands_out_of_its_own_noise(const SelectionStep& selection_step) {
-  constexpr std::size_t few = 3;
   const NoiseModel noise = train_.noise();
   set_noise_left_by(selection_step.pair->model);
   SelectionStep again{train_.fit(selection_step.without.model, steps_of_a_refit), 0.0, {}, {}};
@@ -271,7 +270,6 @@ void CandidateEvaluation::start_from_linear_part_of(const TrialModel& without,
 
 // The best few of different effects that help at all.
 std::vector<const Candidate*> CandidateEvaluation::helpful(const SelectionStep& selection_step) const {
-  constexpr std::size_t few = 3;
   std::vector<const Candidate*> best;
   for (const Candidate& candidate : selection_step.candidates) {
     const bool known = std::ranges::any_of(

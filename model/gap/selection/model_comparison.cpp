@@ -5,6 +5,7 @@
 #include <map>
 
 #include "model/gap/candidates/decoys.hpp"
+#include "model/gap/runs/fastest_command.hpp"
 #include "model/gap/selection/left_out_runs.hpp"
 
 namespace wheelwright::gap {
@@ -50,22 +51,14 @@ const TrialEffect& effect_of(const Candidate& candidate) {
   return effects[effects.size() - 1 - candidate.behind];
 }
 
-double largest_command_m_s(const Problem& problem) {
-  double largest = 0.0;
-  for (const GapRun& run : problem.runs()) {
-    for (const WheelPair& command : run.commands_m_s)
-      largest = std::max({largest, std::abs(command.left), std::abs(command.right)});
-  }
-  return largest;
-}
-
 }  // namespace
 
 ModelComparison::ModelComparison(const Problem& train, const Problem& heldout, const SearchLimits& limits)
     : train_(train),
       heldout_(heldout),
       limits_(limits),
-      largest_command_m_s_(std::max(largest_command_m_s(train), largest_command_m_s(heldout))) {}
+      largest_command_m_s_(std::max(fastest_command_m_s(train.runs()), fastest_command_m_s(heldout.runs()))) {
+}
 
 // A sound robot acts 50 to 100 ms late (source paper), and its motor's lag adds to that: a linear part
 // holds it.

@@ -52,6 +52,7 @@ class Search {
   std::vector<TrialModel> higher_order_parts(const TrialModel& present) const;
   std::optional<Fit> better_linear_part(const SelectionStep& selection_step) const;
   bool was_here_before(const Fit& present) const;
+  bool pair_found(SelectionStep& selection_step, std::size_t steps_so_far);
   Path grown(Path path);
   Path best_path(SelectionStep first);
   bool preferred(const Path& one, const Path& other, double clear) const;
@@ -140,6 +141,14 @@ bool Search::was_here_before(const Fit& present) const {
   });
 }
 
+// The pair that was screened, or else the best two that help.
+bool Search::pair_found(SelectionStep& selection_step, std::size_t steps_so_far) {
+  if (steps_so_far >= limits_.max_effects) return false;
+  if (acceptance_.pair_accepted(selection_step, steps_so_far)) return true;
+  evaluation_.pair_the_best(selection_step);
+  return acceptance_.pair_accepted(selection_step, steps_so_far);
+}
+
 // From the model of a path, one effect after the other, until none is worth adding, or another path is met.
 Path Search::grown(Path path) {
   for (;;) {
@@ -152,9 +161,7 @@ Path Search::grown(Path path) {
     while (const auto larger = better_linear_part(selection_step))
       selection_step = evaluation_.evaluate(evaluation_.settle(larger->model, 1));
     const Candidate* next = acceptance_.next_effect(selection_step, path.selection_steps);
-    if (next == nullptr) evaluation_.pair_the_best(selection_step);
-    const bool pair =
-        next == nullptr && acceptance_.pair_accepted(selection_step, path.selection_steps.size());
+    const bool pair = next == nullptr && pair_found(selection_step, path.selection_steps.size());
     path.model = next != nullptr ? evaluation_.with_refitted_linear_part(next->fit)
                  : pair          ? evaluation_.with_refitted_linear_part(*selection_step.pair)
                                  : selection_step.without;
@@ -168,7 +175,7 @@ Path Search::grown(Path path) {
 Path Search::best_path(SelectionStep first) {
   std::vector<Path> paths;
   const std::vector<const Candidate*> first_effects = acceptance_.first_effects(first);
-  if (first_effects.empty()) evaluation_.pair_the_best(first);
+  const bool by_pair = first_effects.empty() ? pair_found(first, 0) : acceptance_.pair_accepted(first, 0);
   for (const Candidate* candidate : first_effects) {
     Path path =
         grown({{first}, evaluation_.with_refitted_linear_part(evaluation_.settle(candidate->fit.model, 1))});
@@ -178,7 +185,7 @@ Path Search::best_path(SelectionStep first) {
     const TrialModel& found = paths.front().model.model;
     if (found.effects.size() == 1 && !free_runs_.still_off(found)) return std::move(paths.front());
   }
-  if (acceptance_.pair_accepted(first, 0)) {
+  if (by_pair) {
     Path path =
         grown({{first}, evaluation_.with_refitted_linear_part(evaluation_.settle(first.pair->model, 1))});
     if (!path.met_another) paths.push_back(std::move(path));

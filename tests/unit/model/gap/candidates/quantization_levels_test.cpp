@@ -98,12 +98,16 @@ TEST_CASE("A step is found behind a delay") {
   CHECK_THAT(found->parameters[1], WithinAbs(0.5, 0.1));
 }
 
-TEST_CASE("A step is found below a limit of speed that most commands exceed") {
-  const TrialEffect limit{find_effect("saturation"), 0, {0.06, 0.0, 0.0}};
-  const auto found = steps_in_sines({{find_effect("command_quantization"), 0, {0.02, 0.35}}, limit}, {limit});
-  REQUIRE(found);
-  CHECK_THAT(found->parameters[0], WithinRel(0.02, 0.03));
-  CHECK_THAT(found->parameters[1], WithinAbs(0.35, 0.1));
+TEST_CASE("A step is found below a limit of speed, so that a fit can begin there") {
+  for (const double limit_m_s : {0.06, 0.075, 0.09, 0.12, 0.18}) {
+    CAPTURE(limit_m_s);
+    const TrialEffect limit{find_effect("saturation"), 0, {limit_m_s, 0.0, 0.0}};
+    const auto found =
+        steps_in_sines({{find_effect("command_quantization"), 0, {0.02, 0.35}}, limit}, {limit});
+    REQUIRE(found);
+    CHECK_THAT(found->parameters[0], WithinRel(0.02, 0.03));
+    CHECK_THAT(found->parameters[1], WithinAbs(0.35, 0.1));
+  }
 }
 
 TEST_CASE("Commands that change all the time and act as they are show no step") {

@@ -11,13 +11,13 @@ using namespace wheelwright::gap;
 TEST_CASE("Of all noises, the one that a model leaves makes its runs likeliest") {
   std::mt19937 random(3);
   std::normal_distribution<double> step_m(0.0, 2e-4);
-  WheelPair wandered_m;
+  WheelPair drifted_m;
   const TrialModel robot = test::counted_robot();
   Problem problem({test::counted_run(robot, 2000, test::steps_to_and_fro,
                                      [&](double, const WheelPair&) {
-                                       wandered_m.left += step_m(random);
-                                       wandered_m.right += step_m(random);
-                                       return wandered_m;
+                                       drifted_m.left += step_m(random);
+                                       drifted_m.right += step_m(random);
+                                       return drifted_m;
                                      })},
                   {test::counted_metres_per_tick}, serial_for);
   const auto log_likelihood = [&](const NoiseModel& noise) {
