@@ -6,6 +6,7 @@
 #include <iomanip>
 #include <iostream>
 #include <map>
+#include <optional>
 
 #include "model/effects/library/effect_library.hpp"
 #include "model/gap/analysis.hpp"
@@ -76,9 +77,9 @@ void count_intervals(const gap::Finding& found, const EffectSetting& hidden, con
     const bool covers = interval.lower <= hidden.parameters[i] && hidden.parameters[i] <= interval.upper;
     tally.covered.add(covers);
     tally.covered_of[info.name + "." + parameters[i].name].add(covers);
-    if (!covers)
-      std::cerr << "  " << parameters[i].name << ": true " << hidden.parameters[i] << ", found "
-                << found.setting.parameters[i] << " [" << interval.lower << ", " << interval.upper << "]\n";
+    std::cerr << (covers ? "  " : "! ") << parameters[i].name << ": true " << hidden.parameters[i]
+              << ", found " << found.setting.parameters[i] << " [" << interval.lower << ", " << interval.upper
+              << "]\n";
   }
 }
 
@@ -148,11 +149,14 @@ int main(int argc, char** argv) {
   int clean = 20;
   int each = 4;
   std::vector<std::string> only;
+  std::optional<std::uint64_t> robot;
   app.add_option("--seed", seed, "Of the first robot")->capture_default_str();
   app.add_option("--clean", clean, "Robots without an effect")->capture_default_str();
   app.add_option("--each", each, "Robots with each effect")->capture_default_str();
   app.add_option("--effects", only, "These alone");
+  app.add_option("--robot", robot, "One robot of each effect, with the seed that an earlier call printed");
   CLI11_PARSE(app, argc, argv);
+  if (robot) clean = 0;
   Tally tally;
   std::seed_seq sequence{seed};
   std::vector<std::uint32_t> seeds(static_cast<std::size_t>(clean) + 64 * static_cast<std::size_t>(each));
@@ -161,8 +165,9 @@ int main(int argc, char** argv) {
   for (int i = 0; i < clean; ++i) try_robot(nullptr, *next++, tally);
   for (const EffectInfo& info : effect_library()) {
     if (info.variants.front().stage == EffectStage::counts) continue;  // no simulation shows it
-    for (int i = 0; i < each; ++i, ++next) {
-      if (only.empty() || std::ranges::find(only, info.name) != only.end()) try_robot(&info, *next, tally);
+    const bool is_asked_for = only.empty() || std::ranges::find(only, info.name) != only.end();
+    for (int i = 0; i < (robot ? 1 : each); ++i, ++next) {
+      if (is_asked_for) try_robot(&info, robot.value_or(*next), tally);
     }
   }
   print(tally);

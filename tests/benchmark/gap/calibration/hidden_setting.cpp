@@ -22,14 +22,25 @@ double random_size(const ParameterInfo& parameter, Random& random) {
   return weakest * std::pow(strongest / weakest, share(random));
 }
 
+double fastest_command_m_s(const DriveLog& drive) {
+  double fastest_m_s = 0.0;
+  for (const DriveSample& sample : drive.samples)
+    fastest_m_s =
+        std::max({fastest_m_s, std::abs(sample.command_m_s.left), std::abs(sample.command_m_s.right)});
+  return fastest_m_s;
+}
+
 }  // namespace
 
 EffectSetting random_setting(const EffectInfo& info, const RobotModel& model, const DriveLog& drive,
                              Random& random) {
   EffectSetting setting{info.name, info.variants.front().name, {}};
   const auto& parameters = info.parameters_of(0);
-  for (const ParameterInfo& parameter : parameters)
-    setting.parameters.push_back(random_size(parameter, random));
+  do {
+    setting.parameters.clear();
+    for (const ParameterInfo& parameter : parameters)
+      setting.parameters.push_back(random_size(parameter, random));
+  } while (info.in_character && !info.in_character({setting.parameters, 0}, fastest_command_m_s(drive)));
   const auto x = std::ranges::find(parameters, "x", &ParameterInfo::name);
   if (x == parameters.end()) return setting;
   const auto motion = free_run(model, drive);
