@@ -97,7 +97,6 @@ CheckStatistic statistic_of(const ChannelWords& of, const OffsetOverHeading& fou
 }
 
 CheckStatistic statistic_of(const ChannelWords& of, const Problem& problem, const IntermittentEvents& found) {
-  constexpr double max_of_it = 0.5;
   constexpr std::size_t named_events = 3;
   std::ostringstream events;
   events << std::fixed << std::setprecision(1);
@@ -109,7 +108,7 @@ CheckStatistic statistic_of(const ChannelWords& of, const Problem& problem, cons
   statistic.name = "intermittent events, " + std::string(of.name);
   statistic.p_value = found.p_value;
   statistic.size = found.size;
-  statistic.visible = is_visible(found.size, of.channel) && found.share >= max_of_it;
+  statistic.visible = is_visible(found.size, of.channel);
   statistic.predictable = false;
   statistic.curve = {"time in " + problem.runs()[found.events.front().run].name + " [s]",
                      "change of the error in 0.3 s" + std::string(of.angle ? " [mrad]" : " [mm]"),
