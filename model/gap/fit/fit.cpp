@@ -96,7 +96,10 @@ Eigen::MatrixXd Problem::jacobian(const TrialModel& model, const std::vector<dou
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(size_), static_cast<Eigen::Index>(count));
   const auto fill = [&](const std::vector<MovedAtOnce>& all) {
     parallel_for_(all.size() * runs_.size(), [&](std::size_t job) {
-      fill_columns(model, residuals, all[job / runs_.size()], job % runs_.size(), columns);
+      const MovedAtOnce& at_once = all[job / runs_.size()];
+      const std::size_t first = at_once.front().parameter;
+      const Part shown = part == Part::all ? part_shown_by(model, first) : part_of_parameter(model, first);
+      fill_columns(model, residuals, at_once, job % runs_.size(), shown, columns);
     });
   };
   const auto asked_for = [&](std::size_t parameter) {
@@ -137,13 +140,13 @@ bool Problem::shows_only_in(const Eigen::MatrixXd& columns, std::size_t column, 
 }
 
 void Problem::fill_columns(const TrialModel& model, const std::vector<double>& residuals,
-                           const MovedAtOnce& at_once, std::size_t run, Eigen::MatrixXd& columns) const {
+                           const MovedAtOnce& at_once, std::size_t run, Part touched,
+                           Eigen::MatrixXd& columns) const {
   TrialModel changed = model;
   for (const auto& moved : at_once) {
     changed.set_parameter(moved.parameter,
                           model.parameter(moved.parameter) + small_step(model, moved.parameter));
   }
-  const Part touched = part_of_parameter(model, at_once.front().parameter);
   const std::vector<double> there = whitened(run, free_run_errors(changed, runs_[run], touched));
   const std::size_t begin = run_range_[run].first;
   const auto fill = [&](std::size_t first, std::size_t count, const std::optional<Channel>& channel) {

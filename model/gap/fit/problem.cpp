@@ -149,6 +149,15 @@ Part Problem::part_of(const TrialEffect& effect) const {
   return part_of(effect.info->variants[effect.variant].stage);
 }
 
+// Slip that the floor makes of the wheels' motion shows in poses how the wheels move, too.
+Part Problem::part_shown_by(const TrialModel& model, std::size_t parameter) const {
+  const Part own = part_of_parameter(model, parameter);
+  const bool slips = std::ranges::any_of(model.effects, [&](const TrialEffect& effect) {
+    return effect.info->variants[effect.variant].stage == EffectStage::floor;
+  });
+  return own == Part::wheels && slips ? Part::all : own;
+}
+
 Part Problem::part_of_parameter(const TrialModel& model, std::size_t parameter) const {
   if (parameter < model.shape.of_wheels()) return part_of(EffectStage::command);
   if (parameter < model.linear_part.size()) return part_of(EffectStage::observation);

@@ -124,10 +124,11 @@ class Problem {
 
   std::vector<double> whitened(std::size_t run, const RunErrors& errors) const;
   void fill_columns(const TrialModel& model, const std::vector<double>& residuals, const MovedAtOnce& at_once,
-                    std::size_t run, Eigen::MatrixXd& columns) const;
+                    std::size_t run, Part touched, Eigen::MatrixXd& columns) const;
   bool shows_only_in(const Eigen::MatrixXd& columns, std::size_t column, Channel channel) const;
   static bool is_of(Part part, const std::optional<Channel>& channel);
   Part part_of_parameter(const TrialModel& model, std::size_t parameter) const;
+  Part part_shown_by(const TrialModel& model, std::size_t parameter) const;
 
   std::vector<GapRun> runs_;
   std::vector<WheelPair> metres_per_tick_;  // of each run; zero without counts
