@@ -5,6 +5,7 @@
 #include <map>
 
 #include "model/gap/fit/block_bootstrap.hpp"
+#include "model/gap/fit/likelihood_roughness.hpp"
 #include "model/statistics/confidence.hpp"
 
 namespace wheelwright::gap {
@@ -65,16 +66,14 @@ FitWithIntervals with_effect_intervals(const Problem& problem, Fit fit, int step
                                        const ParallelFor& parallel_for) {
   constexpr int max_rounds = 3;
   FitWithIntervals result{std::move(fit), {}};
-  double roughness = 0.0;
   for (int round = 0; round < max_rounds && !result.fit.model.effects.empty(); ++round) {
     const Eigen::MatrixXd columns = problem.jacobian(result.fit.model, result.fit.residuals);
     const auto linear = linear_intervals(problem, columns, result.fit.residuals);
+    const double roughness = likelihood_roughness(problem, result.fit, columns);
     Profiles profiles = profile_intervals(problem, result.fit, columns, linear, roughness, parallel_for);
     result.intervals = std::move(profiles.intervals);
     if (!profiles.likelier || round + 1 == max_rounds) break;
-    Fit likelier = problem.fit(*profiles.likelier, steps);
-    roughness += result.fit.sum_squares - likelier.sum_squares;
-    result.fit = std::move(likelier);
+    result.fit = problem.fit(*profiles.likelier, steps);
   }
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -18,22 +19,18 @@ constexpr int max_doublings = 30;
 constexpr int halvings = 4;
 constexpr double a_nat = 2.0;         // of the sum of squares
 constexpr double first_share = 0.02;  // of the usual size, where nothing is known
-constexpr double nearly = 0.9;        // of chi squared: where the slopes are right
+constexpr std::array shares_of_length{1.0, -1.0, 0.5, -0.5};
+constexpr std::array shares_of_deviation{4.0, -4.0, 2.0, -2.0, 1.0, -1.0, 0.5, -0.5};
+constexpr std::array shares_of_size{0.5, -0.5, 0.125, -0.125, 0.03, -0.03};
+constexpr double nearly = 0.9;  // of chi squared: where the slopes are right
 
-// It stands for what is known of a parameter of which the readings say nothing.
-double typical_size(const ParameterInfo* info) {
-  constexpr double of_linear_part = 0.1;
-  return info == nullptr ? of_linear_part : smallest_size(*info);
-}
-
-std::vector<std::size_t> of_the_same_effect_and_unit(const TrialModel& model, std::size_t parameter) {
+std::vector<std::size_t> others_of_the_same_effect(const TrialModel& model, std::size_t parameter) {
   std::vector<std::size_t> others;
   std::size_t first = model.linear_part.size();
   for (const TrialEffect& effect : model.effects) {
     const std::size_t last = first + effect.parameters.size();
     for (std::size_t i = first; i < last && first <= parameter && parameter < last; ++i) {
-      if (i != parameter && model.parameter_info(i)->unit == model.parameter_info(parameter)->unit)
-        others.push_back(i);
+      if (i != parameter) others.push_back(i);
     }
     first = last;
   }
@@ -49,19 +46,19 @@ struct Point {
 class Profile {
  public:
   Profile(const Problem& problem, const Fit& fit, const Eigen::MatrixXd& columns,
-          const Eigen::MatrixXd& information, std::size_t held)
-      : problem_(problem), fit_(fit), columns_(columns), held_(held) {
+          const Eigen::MatrixXd& information, std::span<const LinearInterval> linear, std::size_t held)
+      : problem_(problem), fit_(fit), columns_(columns), linear_(linear), held_(held) {
     for (Eigen::Index i = 0; i < columns.cols(); ++i) {
       if (i != static_cast<Eigen::Index>(held)) free_.push_back(i);
     }
     Eigen::MatrixXd of_others = information(free_, free_);
     for (std::size_t i = 0; i < free_.size(); ++i) {
-      const double size = typical_size(fit.model.parameter_info(static_cast<std::size_t>(free_[i])));
+      const double size = typical_size(fit.model, static_cast<std::size_t>(free_[i]));
       const auto at = static_cast<Eigen::Index>(i);
       of_others(at, at) += 1.0 / (size * size);
     }
     inverse_ = of_others.ldlt().solve(Eigen::MatrixXd::Identity(of_others.rows(), of_others.cols()));
-    tradable_ = of_the_same_effect_and_unit(fit.model, held);
+    tradable_ = others_of_the_same_effect(fit.model, held);
     going_with_it_ = -inverse_ * information(free_, static_cast<Eigen::Index>(held));
   }
 
@@ -97,17 +94,33 @@ class Profile {
     return model;
   }
 
-  // With another parameter of the same effect and unit as much, or half as much, to either side, whichever is
-  // best: to make a thing longer at one end, its middle goes half as far.
+  // The changes of another parameter that may make up for the change of the one that is held. Of the same
+  // unit: as much or half as much to either side, since to make a thing longer at one end, its middle goes
+  // half as far. Of another unit: as much beside what its slopes say it is known to.
+  std::vector<double> trades(std::size_t other, double by) const {
+    const auto times = [](double unit, std::span<const double> shares) {
+      std::vector<double> changes;
+      for (const double share : shares) changes.push_back(share * unit);
+      return changes;
+    };
+    if (fit_.model.parameter_info(other)->unit == fit_.model.parameter_info(held_)->unit)
+      return times(by, shares_of_length);
+    const double known_to = linear_[other].white_deviation;
+    if (known_to == 0.0 || linear_[held_].white_deviation == 0.0)
+      return times(typical_size(fit_.model, other), shares_of_size);
+    return times(known_to * by / linear_[held_].white_deviation, shares_of_deviation);
+  }
+
+  // With another parameter of the same effect elsewhere, wherever that is best.
   TrialModel traded_for(double value) const {
     const TrialModel start = moved_to(value, false);
     const double by = value - nearest_.value_or(fit_.model).parameter(held_);
     TrialModel best = start;
     double least = std::numeric_limits<double>::infinity();
     for (const std::size_t other : tradable_) {
-      for (const double share : {1.0, -1.0, 0.5, -0.5}) {
+      for (const double change : trades(other, by)) {
         TrialModel traded = start;
-        traded.set_parameter(other, start.parameter(other) + share * by);
+        traded.set_parameter(other, start.parameter(other) + change);
         const double sum_squares = sum_squares_of(problem_.residuals(traded));
         if (sum_squares >= least) continue;
         least = sum_squares;
@@ -147,6 +160,7 @@ class Profile {
   const Problem& problem_;
   const Fit& fit_;
   const Eigen::MatrixXd& columns_;
+  std::span<const LinearInterval> linear_;
   std::size_t held_;
   std::vector<Eigen::Index> free_;  // the other parameters
   std::vector<std::size_t> tradable_;
@@ -196,10 +210,10 @@ Profiles profile_intervals(const Problem& problem, const Fit& fit, const Eigen::
     const double estimate = fit.model.parameter(parameter);
     const double bound = lower ? info.lower : info.upper;
     double end = std::clamp(estimate + (lower ? -deviation : deviation), info.lower, info.upper);
-    Profile profile(problem, fit, columns, information, parameter);
+    Profile profile(problem, fit, columns, information, linear, parameter);
     const double chi_squared = chi_squared_95 * scatter * scatter + roughness;
     if (end != bound && (white == 0.0 || !profile.excludes(end, nearly * chi_squared))) {
-      const double begin = white > 0.0 ? 2.0 * deviation : first_share * typical_size(&info);
+      const double begin = white > 0.0 ? 2.0 * deviation : first_share * typical_size(fit.model, parameter);
       end = end_of(profile, estimate, begin, bound, chi_squared);
     }
     (lower ? intervals[job / 2].lower : intervals[job / 2].upper) = end;

@@ -31,7 +31,7 @@ struct Profiles {
 // Of the effects' parameters, in their order: the interval by derivatives, or wider. Not beyond the bounds of
 // a parameter. `columns` are the derivatives of the residuals of `fit` by all parameters, linear part first,
 // and so are `linear`. `roughness`: by how much the sum of squares varies from one place to the next without
-// a reason, as where wheels stick and slip; no end is believed for less.
+// a reason (likelihood_roughness.hpp); no end is believed for less.
 Profiles profile_intervals(const Problem& problem, const Fit& fit, const Eigen::MatrixXd& columns,
                            std::span<const LinearInterval> linear, double roughness,
                            const ParallelFor& parallel_for);

@@ -124,6 +124,12 @@ double smallest_size(const ParameterInfo& info) {
   return smallest > 0.0 ? smallest : without_sizes;
 }
 
+double typical_size(const TrialModel& model, std::size_t parameter) {
+  constexpr double of_linear_part = 0.1;
+  const ParameterInfo* info = model.parameter_info(parameter);
+  return info == nullptr ? of_linear_part : smallest_size(*info);
+}
+
 double small_step(const TrialModel& model, std::size_t index) {
   const ParameterInfo* info = model.parameter_info(index);
   const double value = model.parameter(index);

@@ -127,6 +127,9 @@ TrialModel first_guess(const LinearPartShape& shape, double period_s, double whe
 // The smallest size that a search tries.
 double smallest_size(const ParameterInfo& info);
 
+// It stands for what is known of a parameter of which the readings say nothing.
+double typical_size(const TrialModel& model, std::size_t parameter);
+
 // By how much to move a parameter to see what follows; away from the upper bound.
 double small_step(const TrialModel& model, std::size_t parameter);
 
