@@ -111,8 +111,9 @@ TEST_CASE("A knee that a fit has lost at zero, where it has no slope, is found a
 }
 
 TEST_CASE("Where a step and its place make up for each other, nine of ten intervals hold the truth") {
-  std::vector<double> speeds_m_s;
-  for (int i = 0; i < 40; ++i) speeds_m_s.push_back((i % 3 == 0 ? -0.25 : 0.25) * std::fmod(0.618 * i, 1.0));
+  std::array<double, 40> speeds_m_s{};
+  for (std::size_t i = 0; i < speeds_m_s.size(); ++i)
+    speeds_m_s[i] = (i % 3 == 0 ? -0.25 : 0.25) * std::fmod(0.618 * static_cast<double>(i), 1.0);
   const std::vector<double> truth{0.0092, 0.63};
   const TrialModel robot = with_effect("command_quantization", truth);
   int held = 0;
