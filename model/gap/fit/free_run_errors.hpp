@@ -29,7 +29,8 @@ struct RunErrors {
 void measure_motion(GapRun& run);
 
 // With counts, a run falls into two parts that hardly touch: what the wheels do of their commands, and what
-// the floor makes of the wheels' travel. A parameter of one leaves the other as it is.
+// the floor makes of the wheels' travel. A parameter of one leaves the other as it is, unless the floor makes
+// slip of how the wheels move.
 enum class Part { all, wheels, motion };
 
 // A simulation, and how measurements relate to it.

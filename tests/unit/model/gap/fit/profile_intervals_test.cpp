@@ -27,9 +27,8 @@ TrialModel with_effect(const std::string& name, const std::vector<double>& param
 }
 
 // Straight on, one speed after the other, half a second each, seen by a camera that errs by a millimetre.
-Problem driven(const TrialModel& robot, std::span<const double> speeds_m_s, int times,
-               unsigned seed_of_errors = 1) {
-  std::mt19937 random(seed_of_errors);
+Problem driven(const TrialModel& robot, std::span<const double> speeds_m_s, int times) {
+  std::mt19937 random(1);
   std::normal_distribution<double> errs(0.0, 1e-3);
   ModelSimulation simulation = robot.simulation();
   simulation.reset({});
@@ -108,22 +107,4 @@ TEST_CASE("A knee that a fit has lost at zero, where it has no slope, is found a
   const Fit fit = away_from_flat_places(problem, lost, steps);
   CHECK(fit.model.effects.front().parameters[2] > 0.02);
   CHECK(fit.sum_squares < lost.sum_squares - 100.0);
-}
-
-TEST_CASE("Where a step and its place make up for each other, nine of ten intervals hold the truth") {
-  std::array<double, 40> speeds_m_s{};
-  for (std::size_t i = 0; i < speeds_m_s.size(); ++i)
-    speeds_m_s[i] = (i % 3 == 0 ? -0.25 : 0.25) * std::fmod(0.618 * static_cast<double>(i), 1.0);
-  const std::vector<double> truth{0.0092, 0.63};
-  const TrialModel robot = with_effect("command_quantization", truth);
-  int held = 0;
-  constexpr unsigned drives = 10;
-  for (unsigned drive = 1; drive <= drives; ++drive) {
-    const Problem problem = driven(robot, speeds_m_s, 1, drive);
-    const Fit fit = problem.fit(with_effect("command_quantization", {0.009215, 0.612}), steps);
-    const auto intervals = with_effect_intervals(problem, fit, steps, serial_for).intervals;
-    for (std::size_t i = 0; i < truth.size(); ++i)
-      held += intervals[i].lower <= truth[i] && truth[i] <= intervals[i].upper ? 1 : 0;
-  }
-  CHECK(held >= 18);
 }
