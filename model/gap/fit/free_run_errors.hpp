@@ -29,8 +29,8 @@ struct RunErrors {
 void measure_motion(GapRun& run);
 
 // With counts, a run falls into two parts that hardly touch: what the wheels do of their commands, and what
-// the floor makes of the wheels' travel. A parameter of one leaves the other as it is, unless the floor makes
-// slip of how the wheels move.
+// the floor makes of the wheels' travel. A parameter of the motion leaves the wheels as they are. One of the
+// wheels leaves the motion as it is unless some effect makes another motion of the wheels' travel.
 enum class Part { all, wheels, motion };
 
 // A simulation, and how measurements relate to it.

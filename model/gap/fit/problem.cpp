@@ -149,13 +149,13 @@ Part Problem::part_of(const TrialEffect& effect) const {
   return part_of(effect.info->variants[effect.variant].stage);
 }
 
-// Slip that the floor makes of the wheels' motion shows in poses how the wheels move, too.
+// The motion beyond odometry is what an effect makes of the wheels' motion: with none, it is zero however
+// they move; with one, poses show how the wheels move, too.
 Part Problem::part_shown_by(const TrialModel& model, std::size_t parameter) const {
   const Part own = part_of_parameter(model, parameter);
-  const bool slips = std::ranges::any_of(model.effects, [&](const TrialEffect& effect) {
-    return effect.info->variants[effect.variant].stage == EffectStage::floor;
-  });
-  return own == Part::wheels && slips ? Part::all : own;
+  const bool beyond_odometry = std::ranges::any_of(
+      model.effects, [&](const TrialEffect& effect) { return part_of(effect) == Part::motion; });
+  return own == Part::wheels && beyond_odometry ? Part::all : own;
 }
 
 Part Problem::part_of_parameter(const TrialModel& model, std::size_t parameter) const {

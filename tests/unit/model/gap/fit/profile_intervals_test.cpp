@@ -1,57 +1,35 @@
 // Intervals where derivatives do not tell: what no reading distinguishes belongs to the interval.
 #include <array>
 #include <cmath>
-#include <random>
+#include <span>
 
-#include "model/effects/library/effect_library.hpp"
 #include "model/gap/candidates/flat_places.hpp"
 #include "model/gap/fit/parameter_intervals.hpp"
-#include "model/gap/runs/run.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/seen_drive.hpp"
 
 using namespace wheelwright;
 using namespace wheelwright::gap;
 
 namespace {
 
-constexpr double period_s = 0.02;
-constexpr double wheel_base_m = 0.25;
 constexpr int steps = 15;
 
 TrialModel with_effect(const std::string& name, const std::vector<double>& parameters) {
   LinearPartShape one_gain;
   one_gain.shared = true;
-  TrialModel model = first_guess(one_gain, period_s, wheel_base_m, 0.06, 0.04);
-  model.effects.push_back({find_effect(name), 0, parameters});
-  return model;
+  return test::robot_with(name, parameters, one_gain);
 }
 
-// Straight on, one speed after the other, half a second each, seen by a camera that errs by a millimetre.
+// Straight on, one speed after the other, half a second each.
 Problem driven(const TrialModel& robot, std::span<const double> speeds_m_s, int times) {
-  std::mt19937 random(1);
-  std::normal_distribution<double> errs(0.0, 1e-3);
-  ModelSimulation simulation = robot.simulation();
-  simulation.reset({});
-  DriveLog log;
-  log.wheel_base_m = wheel_base_m;
-  log.period_s = period_s;
-  for (int k = 0; k < 25 * times * static_cast<int>(speeds_m_s.size()); ++k) {
-    const double speed_m_s = speeds_m_s[static_cast<std::size_t>(k / 25) % speeds_m_s.size()];
-    const Pose pose = simulation.observed_pose();
-    DriveSample sample;
-    sample.t_s = period_s * k;
-    sample.command_m_s = {speed_m_s, speed_m_s};
-    sample.reference_x_m = pose.x_m + errs(random);
-    sample.reference_y_m = pose.y_m + errs(random);
-    sample.reference_theta_rad = pose.theta_rad + errs(random);
-    log.samples.push_back(sample);
-    simulation.step(sample.command_m_s);
-  }
-  GapRun run = make_gap_run(log, {}, period_s);
-  measure_motion(run);
-  Problem problem({run}, {WheelPair{}}, serial_for);
-  problem.set_noise(problem.noise_left_by(robot));
-  return problem;
+  const auto command_m_s = [&](double time_s) {
+    const auto half_seconds = static_cast<std::size_t>(std::lround(50.0 * time_s) / 25);
+    const double speed_m_s = speeds_m_s[half_seconds % speeds_m_s.size()];
+    return WheelPair{speed_m_s, speed_m_s};
+  };
+  const int periods = 25 * times * static_cast<int>(speeds_m_s.size());
+  return test::seen_drive(robot, periods, command_m_s, test::Counts::none);
 }
 
 }  // namespace
