@@ -26,9 +26,10 @@ inline gap::TrialModel robot_with(const std::string& effect, const std::vector<d
 
 // A problem of one run, under the noise that is likeliest for the robot itself.
 inline gap::Problem seen_drive(const gap::TrialModel& robot, int periods,
-                               const std::function<WheelPair(double time_s)>& command_m_s, Counts counts) {
+                               const std::function<WheelPair(double time_s)>& command_m_s, Counts counts,
+                               unsigned seed_of_errors = 1) {
   constexpr double metres_per_tick = 0.0004;
-  std::mt19937 random(1);
+  std::mt19937 random(seed_of_errors);
   std::normal_distribution<double> errs(0.0, 1e-3);
   ModelSimulation simulation = robot.simulation();
   simulation.reset({});

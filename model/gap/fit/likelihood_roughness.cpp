@@ -38,6 +38,8 @@ double likelihood_roughness(const Problem& problem, const Fit& fit, const Eigen:
     const double size = typical_size(fit.model, static_cast<std::size_t>(i));
     with_sizes(i, i) += 1.0 / (size * size);
   }
+  // How far one without a slope may be moved, nothing here tells.
+  const Eigen::ArrayX<bool> has_slope = information.diagonal().array() > 0.0;
   const Eigen::LLT<Eigen::MatrixXd> factor(with_sizes);
   std::mt19937_64 random(seed_of_steps);
   std::normal_distribution<double> normal;
@@ -45,7 +47,8 @@ double likelihood_roughness(const Problem& problem, const Fit& fit, const Eigen:
   for (int pair = 0; pair < pairs; ++pair) {
     const Eigen::VectorXd direction =
         Eigen::VectorXd::NullaryExpr(with_sizes.rows(), [&] { return normal(random); });
-    const Eigen::VectorXd step = standard_deviations * factor.matrixU().solve(direction);
+    Eigen::VectorXd step = standard_deviations * factor.matrixU().solve(direction);
+    step = has_slope.select(step.array(), 0.0).matrix();
     for (const double side : {1.0, -1.0}) {
       Eigen::VectorXd by(step.size());
       const TrialModel model = moved(fit.model, side * step, by);

@@ -14,7 +14,8 @@ namespace wheelwright::gap {
 
 // How much more than a parabola the sum of squared innovations rises over small steps from the fit, in pairs
 // to both sides: the lower quartile. `columns` are the derivatives of the fit's residuals by all parameters,
-// linear part first. Zero or a little more for a smooth likelihood. The same arguments give the same value.
+// linear part first; one that is zero leaves its parameter where it is. Zero or a little more for a smooth
+// likelihood. The same arguments give the same value.
 double likelihood_roughness(const Problem& problem, const Fit& fit, const Eigen::MatrixXd& columns);
 
 }  // namespace wheelwright::gap

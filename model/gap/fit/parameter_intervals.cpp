@@ -44,6 +44,27 @@ std::vector<BlockSums> sums_of_blocks(const Problem& problem, const Eigen::Matri
   return result;
 }
 
+// The derivatives, without those by an effect's parameter that differ from one side to the other. Where a
+// command is rounded the other way there is a change to one side, which is no slope.
+Eigen::MatrixXd derivatives_to_both_sides(const Problem& problem, const Fit& fit) {
+  constexpr double unlike = 0.5;  // of the squares: one is nearly four times the other, or they do not agree
+  Eigen::MatrixXd columns = problem.jacobian(fit.model, fit.residuals);
+  const Eigen::Map<const Eigen::VectorXd> here(fit.residuals.data(), columns.rows());
+  for (std::size_t i = fit.model.linear_part.size(); i < fit.model.parameter_count(); ++i) {
+    TrialModel moved = fit.model;
+    moved.set_parameter(i, fit.model.parameter(i) - small_step(fit.model, i));
+    const double by = fit.model.parameter(i) - moved.parameter(i);
+    if (by == 0.0) continue;
+    const std::vector<double> residuals = problem.residuals(moved);
+    const Eigen::Map<const Eigen::VectorXd> there(residuals.data(), columns.rows());
+    auto column = columns.col(static_cast<Eigen::Index>(i));
+    const Eigen::VectorXd other = (here - there) / by;
+    if ((column - other).squaredNorm() > unlike * (column.squaredNorm() + other.squaredNorm()))
+      column.setZero();
+  }
+  return columns;
+}
+
 }  // namespace
 
 std::vector<LinearInterval> linear_intervals(const Problem& problem, const Eigen::MatrixXd& columns,
@@ -67,7 +88,7 @@ FitWithIntervals with_effect_intervals(const Problem& problem, Fit fit, int step
   constexpr int max_rounds = 3;
   FitWithIntervals result{std::move(fit), {}};
   for (int round = 0; round < max_rounds && !result.fit.model.effects.empty(); ++round) {
-    const Eigen::MatrixXd columns = problem.jacobian(result.fit.model, result.fit.residuals);
+    const Eigen::MatrixXd columns = derivatives_to_both_sides(problem, result.fit);
     const auto linear = linear_intervals(problem, columns, result.fit.residuals);
     const double roughness = likelihood_roughness(problem, result.fit, columns);
     Profiles profiles = profile_intervals(problem, result.fit, columns, linear, roughness, parallel_for);

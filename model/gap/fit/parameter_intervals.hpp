@@ -12,6 +12,7 @@ namespace wheelwright::gap {
 // 95 % intervals of the effects' parameters, in their order. Residuals are correlated over seconds, so
 // they come from a bootstrap over blocks of time (block_bootstrap.hpp), by percentiles; never narrower than
 // white residuals would give; wider where the likelihood does not fall that far out (profile_intervals.hpp).
+// Of a parameter whose derivatives differ from one side to the other, the likelihood alone decides.
 // Where a likelier model is met in this, the fit goes on from there.
 struct FitWithIntervals {
   Fit fit;

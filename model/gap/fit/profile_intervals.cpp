@@ -21,7 +21,8 @@ constexpr double a_nat = 2.0;         // of the sum of squares
 constexpr double first_share = 0.02;  // of the usual size, where nothing is known
 constexpr std::array shares_of_length{1.0, -1.0, 0.5, -0.5};
 constexpr std::array shares_of_deviation{4.0, -4.0, 2.0, -2.0, 1.0, -1.0, 0.5, -0.5};
-constexpr std::array shares_of_size{0.5, -0.5, 0.125, -0.125, 0.03, -0.03};
+constexpr int halvings_of_search = 12;
+constexpr int max_moves = 8;
 constexpr double nearly = 0.9;  // of chi squared: where the slopes are right
 
 std::vector<std::size_t> others_of_the_same_effect(const TrialModel& model, std::size_t parameter) {
@@ -94,6 +95,8 @@ class Profile {
     return model;
   }
 
+  bool has_slope(std::size_t parameter) const { return linear_[parameter].white_deviation > 0.0; }
+
   // The changes of another parameter that may make up for the change of the one that is held. Of the same
   // unit: as much or half as much to either side, since to make a thing longer at one end, its middle goes
   // half as far. Of another unit: as much beside what its slopes say it is known to.
@@ -103,28 +106,53 @@ class Profile {
       for (const double share : shares) changes.push_back(share * unit);
       return changes;
     };
-    if (fit_.model.parameter_info(other)->unit == fit_.model.parameter_info(held_)->unit)
-      return times(by, shares_of_length);
-    const double known_to = linear_[other].white_deviation;
-    if (known_to == 0.0 || linear_[held_].white_deviation == 0.0)
-      return times(typical_size(fit_.model, other), shares_of_size);
-    return times(known_to * by / linear_[held_].white_deviation, shares_of_deviation);
+    if (same_unit(other)) return times(by, shares_of_length);
+    const double by_deviations = by / linear_[held_].white_deviation;
+    return times(linear_[other].white_deviation * by_deviations, shares_of_deviation);
+  }
+
+  bool same_unit(std::size_t other) const {
+    return fit_.model.parameter_info(other)->unit == fit_.model.parameter_info(held_)->unit;
   }
 
   // With another parameter of the same effect elsewhere, wherever that is best.
   TrialModel traded_for(double value) const {
     const TrialModel start = moved_to(value, false);
     const double by = value - nearest_.value_or(fit_.model).parameter(held_);
-    TrialModel best = start;
-    double least = std::numeric_limits<double>::infinity();
+    Point best{start, std::numeric_limits<double>::infinity()};
     for (const std::size_t other : tradable_) {
-      for (const double change : trades(other, by)) {
-        TrialModel traded = start;
-        traded.set_parameter(other, start.parameter(other) + change);
-        const double sum_squares = sum_squares_of(problem_.residuals(traded));
-        if (sum_squares >= least) continue;
-        least = sum_squares;
-        best = std::move(traded);
+      const bool by_slopes = same_unit(other) || (has_slope(other) && has_slope(held_));
+      if (!by_slopes) {
+        keep_better(best, searched(start, other));
+        continue;
+      }
+      for (const double change : trades(other, by)) keep_better(best, changed(start, other, change));
+    }
+    return best.model;
+  }
+
+  static void keep_better(Point& best, Point point) {
+    if (point.sum_squares < best.sum_squares) best = std::move(point);
+  }
+
+  Point changed(const TrialModel& start, std::size_t parameter, double by) const {
+    Point point{start, 0.0};
+    point.model.set_parameter(parameter, start.parameter(parameter) + by);
+    point.sum_squares = sum_squares_of(problem_.residuals(point.model));
+    return point;
+  }
+
+  // Where no slope leads: to either side by ever smaller steps, for as long as that is better.
+  Point searched(const TrialModel& start, std::size_t parameter) const {
+    Point best = changed(start, parameter, 0.0);
+    double step = 0.5 * typical_size(start, parameter);
+    for (int halving = 0; halving < halvings_of_search; ++halving, step *= 0.5) {
+      for (const double side : {step, -step}) {
+        for (int i = 0; i < max_moves; ++i) {
+          Point next = changed(best.model, parameter, side);
+          if (next.sum_squares >= best.sum_squares) break;
+          best = std::move(next);
+        }
       }
     }
     return best;
