@@ -48,14 +48,6 @@ NormalEquations normal_equations(const Eigen::MatrixXd& columns, const std::vect
   return {std::move(all.of_columns), std::move(all.with_residuals)};
 }
 
-TrialModel moved(const TrialModel& model, const Eigen::VectorXd& step) {
-  TrialModel result = model;
-  for (std::size_t i = 0; i < model.parameter_count(); ++i) {
-    result.set_parameter(i, model.parameter(i) + step(static_cast<Eigen::Index>(i)));
-  }
-  return result;
-}
-
 // The parameters of one part, which residuals of that part judge.
 class FitOfPart {
  public:
@@ -74,7 +66,7 @@ class FitOfPart {
     return normal_equations(problem_.jacobian(fit.model, fit.residuals, part_), fit.residuals, parallel_for_);
   }
   std::optional<Fit> moved(const Fit& fit, const Eigen::VectorXd& step) const {
-    const TrialModel model = gap::moved(fit.model, step);
+    const TrialModel model = fit.model.moved(step);
     if (!model.stable()) return std::nullopt;
     return at(model);
   }

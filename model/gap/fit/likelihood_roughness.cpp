@@ -15,16 +15,10 @@ constexpr double standard_deviations = 0.3;  // near enough that the parabola it
 constexpr std::uint64_t seed_of_steps = 1;
 constexpr double lowest = 0.25;  // share of the places: what a fit that starts there would go down to
 
-// A step of every parameter, some way from the fit to one side of it.
-TrialModel moved(const TrialModel& model, const Eigen::VectorXd& step, Eigen::VectorXd& within_bounds) {
-  TrialModel result = model;
-  for (Eigen::Index i = 0; i < step.size(); ++i) {
-    const auto parameter = static_cast<std::size_t>(i);
-    const double before = model.parameter(parameter);
-    result.set_parameter(parameter, before + step(i));
-    within_bounds(i) = result.parameter(parameter) - before;
-  }
-  return result;
+Eigen::VectorXd parameters_of(const TrialModel& model) {
+  return Eigen::VectorXd::NullaryExpr(
+      static_cast<Eigen::Index>(model.parameter_count()),
+      [&](Eigen::Index i) { return model.parameter(static_cast<std::size_t>(i)); });
 }
 
 }  // namespace
@@ -50,9 +44,9 @@ double likelihood_roughness(const Problem& problem, const Fit& fit, const Eigen:
     Eigen::VectorXd step = standard_deviations * factor.matrixU().solve(direction);
     step = has_slope.select(step.array(), 0.0).matrix();
     for (const double side : {1.0, -1.0}) {
-      Eigen::VectorXd by(step.size());
-      const TrialModel model = moved(fit.model, side * step, by);
+      const TrialModel model = fit.model.moved(side * step);
       if (!model.stable()) continue;
+      const Eigen::VectorXd by = parameters_of(model) - parameters_of(fit.model);  // within bounds
       const double rise = sum_squares_of(problem.residuals(model)) - fit.sum_squares;
       beyond_parabola.push_back(rise - 2.0 * gradient.dot(by) - by.dot(information * by));
     }

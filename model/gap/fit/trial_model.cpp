@@ -174,6 +174,14 @@ const ParameterInfo* TrialModel::parameter_info(std::size_t index) const {
   return nullptr;
 }
 
+TrialModel TrialModel::moved(const Eigen::VectorXd& step) const {
+  TrialModel result = *this;
+  for (std::size_t i = 0; i < parameter_count(); ++i) {
+    result.set_parameter(i, parameter(i) + step(static_cast<Eigen::Index>(i)));
+  }
+  return result;
+}
+
 bool TrialModel::stable() const {
   const LinearModel model = linear();
   return std::max(largest_pole(model.left), largest_pole(model.right)) < largest_pole_allowed;

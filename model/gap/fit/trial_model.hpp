@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "model/effects/effect.hpp"
 #include "model/simulation/linear_model.hpp"
 #include "model/simulation/model_simulation.hpp"
@@ -99,6 +101,8 @@ struct TrialModel {
   void set_parameter(std::size_t index, double value);
   // The effect to which a parameter belongs, or nothing for the linear part's.
   const ParameterInfo* parameter_info(std::size_t index) const;
+  // The same model with every parameter moved by a step of its own, within its bounds.
+  TrialModel moved(const Eigen::VectorXd& step) const;
   bool stable() const;
   // The same model with a linear part of one more pole, `pole`, and one more weight, which hides it for a
   // start.
