@@ -250,17 +250,24 @@ bool ModelComparison::worth_adding(const Candidate& candidate, std::span<const S
   const auto all_nats = [](const Candidate& one) {
     return (one.train_nats + one.heldout_nats) / one.autocorrelation_factor;
   };
+  // With counts, what the wheels do of their commands leaves nothing in the motion beyond odometry.
+  const auto in_same_readings = [&](const Candidate& other) {
+    return train_.part_of(other.effect) == train_.part_of(candidate.effect);
+  };
+  bool is_further = false;
   double largest = 0.0;
   for (const auto& selection_step : so_far) {
-    if (!selection_step.candidates.empty())
-      largest = std::max(largest, all_nats(selection_step.candidates.front()));
+    if (selection_step.candidates.empty()) continue;
+    const Candidate& best = selection_step.candidates.front();
+    is_further = true;
+    if (in_same_readings(best)) largest = std::max(largest, all_nats(best));
   }
   // What a wrong shape of the strongest effect leaves, another may fit, but not so that noise alone is left.
   const double factor = candidate.autocorrelation_factor;
   const double min_share = std::min(limits_.min_share, limits_.min_share_before_noise * factor * factor);
   const double unseen_nats = candidate.unseen_nats() / factor;
-  return good_enough(candidate) && (largest == 0.0 || (unseen_nats > limits_.min_further_nats &&
-                                                       all_nats(candidate) > min_share * largest));
+  return good_enough(candidate) && (!is_further || (unseen_nats > limits_.min_further_nats &&
+                                                    all_nats(candidate) > min_share * largest));
 }
 
 bool ModelComparison::clearly_better(const Fit& with, const Fit& without) const {

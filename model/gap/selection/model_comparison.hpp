@@ -86,7 +86,7 @@ class ModelComparison {
   // Good enough for a further effect, small as it may be beside the first.
   bool clear(const Candidate& candidate) const;
   // A second effect that explains next to nothing beside the first is more often the first one's shape than
-  // an effect.
+  // an effect, where both show in the same readings.
   bool worth_adding(const Candidate& candidate, std::span<const SelectionStep> so_far) const;
   // Whether the last effect of `both`, beside the other one that is in both, still gains what it takes to be
   // named. A decoy that explains more does not speak against a name that does: it explains something else.

@@ -6,6 +6,7 @@
 #include "model/gap/candidates/decoys.hpp"
 #include "model/gap/runs/run.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/seen_drive.hpp"
 
 using namespace wheelwright;
 using namespace wheelwright::gap;
@@ -179,6 +180,34 @@ TEST_CASE("The less of what an effect leaves is correlated, the smaller it may b
   CHECK(comparison.worth_adding(explaining(100.0, 1.5), so_far));
   CHECK(comparison.worth_adding(explaining(40.0, 1.0), so_far));
   CHECK_FALSE(comparison.worth_adding(explaining(25.0, 1.0), so_far));
+}
+
+TEST_CASE("An effect on the motion is not measured by what a strong one of the wheels explains of counts") {
+  const auto explaining = [](const char* effect, std::vector<double> parameters, double nats) {
+    Candidate candidate;
+    candidate.effect = {find_effect(effect), 0, std::move(parameters)};
+    candidate.train_nats = candidate.heldout_nats = nats;
+    candidate.autocorrelation_factor = 1.0;
+    return candidate;
+  };
+  SelectionStep first;
+  first.candidates = {explaining("saturation", {0.2, 0.0, 0.0}, 1e5)};
+  const std::vector<SelectionStep> so_far{first};
+  const Candidate unequal_wheels = explaining("wheel_scale_mismatch", {0.01}, 50.0);
+  const Candidate friction = explaining("coulomb_friction", {0.01}, 50.0);
+  const Candidate too_little = explaining("wheel_scale_mismatch", {0.01}, 15.0);
+  const auto worth_adding = [&](const Problem& runs, const Candidate& candidate) {
+    return ModelComparison(runs, runs, {}).worth_adding(candidate, so_far);
+  };
+  const TrialModel nothing = with_effects({});
+  const auto swing_m_s = [](double time_s) {
+    return WheelPair{0.2 * std::sin(time_s), 0.2 * std::sin(1.3 * time_s)};
+  };
+  const Problem counted = test::seen_drive(nothing, 300, swing_m_s, test::Counts::of_wheels);
+  CHECK(worth_adding(counted, unequal_wheels));
+  CHECK_FALSE(worth_adding(counted, too_little));
+  CHECK_FALSE(worth_adding(counted, friction));
+  CHECK_FALSE(worth_adding(driven(nothing, 300), unequal_wheels));  // by poses alone, both show in the same
 }
 
 TEST_CASE("What is out of its name's character is no candidate for it") {
