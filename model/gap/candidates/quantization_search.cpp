@@ -43,8 +43,8 @@ std::vector<double> sum_squares_of_all(const Problem& train, const std::vector<T
 }
 
 std::optional<std::size_t> place_of_steps(const TrialModel& model) {
-  const auto effect = std::ranges::find_if(
-      model.effects, [](const TrialEffect& present) { return present.info->name == "command_quantization"; });
+  const auto effect =
+      std::ranges::find_if(model.effects, [](const auto& present) { return rounds_commands(*present.info); });
   if (effect == model.effects.end()) return std::nullopt;
   return static_cast<std::size_t>(effect - model.effects.begin());
 }
@@ -82,6 +82,10 @@ CommandSteps mean_steps(const std::vector<TrialModel>& models, const std::vector
 }
 
 }  // namespace
+
+bool rounds_commands(const EffectInfo& info) {
+  return info.name == "command_quantization";
+}
 
 TrialModel with_steps_tuned(const Problem& train, TrialModel model, const ParallelFor& parallel_for) {
   const auto place = place_of_steps(model);

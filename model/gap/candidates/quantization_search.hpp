@@ -6,6 +6,8 @@
 
 namespace wheelwright::gap {
 
+bool rounds_commands(const EffectInfo& info);
+
 // `model` with its command_quantization, if it has one, where its free runs are best.
 TrialModel with_steps_tuned(const Problem& train, TrialModel model, const ParallelFor& parallel_for);
 

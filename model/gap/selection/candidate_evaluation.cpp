@@ -337,8 +337,10 @@ SelectionStep CandidateEvaluation::evaluate(const Fit& without, const std::vecto
       Fit& fit = i < singles ? selection_step.candidates[i].fit : *selection_step.pair;
       const Part part = affected_outputs_of_last(fit.model, i < singles ? 1 : 2);
       fit = train_.fit(fit.model, steps, part);
-      if (has_threshold(*fit.model.effects.back().info)) {
-        fit = train_.fit(with_thresholds_tuned(train_, fit.model), steps, part);
+      const EffectInfo& last = *fit.model.effects.back().info;
+      if (has_threshold(last)) fit = train_.fit(with_thresholds_tuned(train_, fit.model), steps, part);
+      if (rounds_commands(last)) {
+        fit = train_.fit(with_steps_tuned(train_, fit.model, serial_for), steps, part);
       }
     });
     comparison_.judge(selection_step);
