@@ -342,7 +342,6 @@ EffectInfo caster_kick() {
       },
       true};
   info.in_character = only_kicks;
-  info.sudden = true;
   return info;
 }
 

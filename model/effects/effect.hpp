@@ -163,7 +163,6 @@ struct EffectInfo {
   bool by_wheel_angle = false;   // hangs on the angle at which the wheels stood when a run began
   bool by_pose = false;          // hangs on where the robot stands and heads
   bool wheel_mismatch = false;   // the difference of the wheels' rolling radii, which counts do not show
-  bool sudden = false;           // a moment or a place decides: near it, little makes much
   // Whether it is what its name says, in runs with such commands, and not mostly another's; empty: always.
   std::function<bool(const EffectArguments&, double largest_command_m_s)> in_character{};
   // Parameters with which nothing but a linear lag is left of it; what this explains as well, its linear part

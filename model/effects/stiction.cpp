@@ -69,7 +69,6 @@ EffectInfo stiction() {
       {.variety = true},
       [](const EffectArguments& arguments) { return std::make_unique<Stiction>(arguments); }};
   info.in_character = sticks;
-  info.sudden = true;
   return info;
 }
 

@@ -122,7 +122,6 @@ EffectInfo surface_patch() {
       {.reference = true, .place = true},
       [](const EffectArguments& arguments) { return std::make_unique<SurfacePatch>(arguments); }};
   info.by_pose = true;
-  info.sudden = true;
   return info;
 }
 

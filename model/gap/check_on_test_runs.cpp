@@ -21,6 +21,7 @@ RunSet every_run(const GatheredRuns& runs) {
 void note_confirmation(GapAnalysis& result, const Confirmation& confirmation) {
   const auto& effects = result.search.final.model.effects;
   result.check = confirmation.check;
+  result.names_gain_nats = confirmation.gain_nats;
   result.checked = effects.empty()    ? CheckedRuns::all
                    : result.untouched ? CheckedRuns::untouched
                                       : CheckedRuns::held_out;
@@ -60,14 +61,14 @@ void meet_test_runs(SplitAnalysis& analysis, const ParallelFor& parallel_for) {
 bool something_else_is_the_larger_part(const SplitAnalysis& analysis, const ParallelFor& parallel_for) {
   const GapAnalysis& result = analysis.result();
   const GapFigures& test = result.tail_held_out ? result.train : result.test;
-  if (!explains_the_smaller_part(result, largest_share_gone(test))) return false;
+  if (!explains_the_smaller_part(result, test)) return false;
   if (!result.untouched) return true;
   const RunSet& untouched = analysis.runs().untouched;
   const RobotModel within =
       whole_model_of(likeliest_within_intervals(analysis.train(), result.search, untouched, parallel_for),
                      analysis.origin());
   const GapFigures figures = analysis.figures(result.before, within, untouched.logs);
-  return explains_the_smaller_part(result, largest_share_gone(figures));
+  return explains_the_smaller_part(result, figures);
 }
 
 }  // namespace

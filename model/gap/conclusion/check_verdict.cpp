@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "model/gap/conclusion/acceptance.hpp"
+#include "model/gap/conclusion/withdrawal.hpp"
+
 namespace wheelwright::gap {
 namespace {
 
@@ -35,11 +38,11 @@ void apply_check(GapAnalysis& analysis) {
 }
 
 std::string part_in_words(const GapAnalysis& analysis) {
-  const double share = largest_share_gone(analysis.tail_held_out ? analysis.train : analysis.test);
+  const double share = share_of_evidence(analysis);
   const std::string names = names_of(analysis);
-  const long percent = std::lround(100.0 * share);
-  if (percent > 0) return names + " would explain " + std::to_string(percent) + " % of it at most.";
-  return " The other runs look like" + names + ", by which these come no closer.";
+  if (share < sure)
+    return names + " would explain " + std::to_string(std::lround(100.0 * share)) + " % of the evidence.";
+  return " The other runs look like" + names + ", by which the free runs of these end further off.";
 }
 
 std::string not_seen_in_words(const GapAnalysis& analysis) {

@@ -11,7 +11,7 @@ namespace wheelwright::gap {
 // names, the summary says "and something else". A passed check leaves the answer as it is.
 void apply_check(GapAnalysis& analysis);
 
-// Of names that are about to be withdrawn: " gain_curve would explain 48 % of it at most.", or that they
+// Of names that are about to be withdrawn: " gain_curve would explain 48 % of the evidence.", or that they
 // bring the test runs no closer.
 std::string part_in_words(const GapAnalysis& analysis);
 

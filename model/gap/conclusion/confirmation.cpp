@@ -47,13 +47,17 @@ Confirmation confirm(const Problem& train, const GapSearch& search, RunSet& runs
 
   Confirmation result;
   result.check = predictive_check(problem, accepted);
-  if (!untouched) return result;
+  if (accepted.effects.empty()) return result;
   const auto residuals = problem.residuals(accepted);
   const double ratio = variance_ratio(problem, residuals);
+  const auto gain_over = [&](const TrialModel& rest) {
+    const Fit fit = known.fit(rest, refit_steps);
+    return 0.5 * (sum_squares_of(problem.residuals(fit.model)) - sum_squares_of(residuals)) / ratio;
+  };
+  result.gain_nats = gain_over(search.baseline.model);
+  if (!untouched) return result;
   for (std::size_t i = 0; i < accepted.effects.size(); ++i) {
-    const Fit rest = known.fit(without(accepted, i), refit_steps);
-    const double gain = 0.5 * (sum_squares_of(problem.residuals(rest.model)) - sum_squares_of(residuals));
-    result.effect_nats.push_back(gain / ratio);
+    result.effect_nats.push_back(gain_over(without(accepted, i)));
     result.acts.push_back(problem.residuals(without(accepted, i)) != residuals);
   }
   return result;

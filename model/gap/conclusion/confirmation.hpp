@@ -12,8 +12,11 @@ namespace wheelwright::gap {
 
 struct Confirmation {
   PredictiveCheck check;
-  // Of each effect of the accepted model, in its order, where the runs are untouched: gain of log likelihood
-  // over the model refitted without it, divided by the variance ratio of sums over 2 s.
+  // Of all effects of the accepted model: gain of log likelihood over the linear model alone, refitted,
+  // divided by the variance ratio of sums over 2 s.
+  double gain_nats = 0.0;
+  // The same of each effect of the accepted model, in its order over the model refitted without it, where the
+  // runs are untouched.
   std::vector<double> effect_nats;
   std::vector<bool> acts;  // whether each effect moves anything in these runs; a rug elsewhere does not
 };

@@ -1,8 +1,9 @@
 #include "model/gap/conclusion/withdrawal.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
-#include "model/effects/library/effect_library.hpp"
 #include "model/gap/conclusion/acceptance.hpp"
 
 namespace wheelwright::gap {
@@ -26,13 +27,15 @@ bool closes_nothing_untouched(const GapAnalysis& analysis) {
   return fall && *fall < min_fall && !is_beyond_doubt;
 }
 
-bool explains_the_smaller_part(const GapAnalysis& analysis, double share_gone) {
-  constexpr double half = 0.5;
-  const auto is_sudden = [](const Finding& found) { return find_effect(found.setting.name)->sudden; };
-  const bool any_name = std::ranges::any_of(analysis.found, of_free_runs);
-  const bool any_sudden = std::ranges::any_of(
-      analysis.found, [&](const Finding& found) { return of_free_runs(found) && is_sudden(found); });
-  return any_name && !analysis.check.passed && share_gone < (any_sudden ? 0.0 : half);
+double share_of_evidence(const GapAnalysis& analysis) {
+  const double gain_nats = std::max(0.0, analysis.names_gain_nats);
+  const double left_nats = -std::log(std::max(analysis.check.p_value, std::numeric_limits<double>::min()));
+  return gain_nats > 0.0 ? gain_nats / (gain_nats + left_nats) : 0.0;
+}
+
+bool explains_the_smaller_part(const GapAnalysis& analysis, const GapFigures& test) {
+  if (analysis.check.passed || std::ranges::none_of(analysis.found, of_free_runs)) return false;
+  return share_of_evidence(analysis) < sure || goes_further_astray(test);
 }
 
 }  // namespace wheelwright::gap

@@ -11,10 +11,14 @@ namespace wheelwright::gap {
 // without untouched runs, or if no named effect acts in them, as a rug that they do not cross.
 bool closes_nothing_untouched(const GapAnalysis& analysis);
 
-// Whether the names explain the smaller part of what is missing: the predictive check fails, and less than
-// half of the mean square of distance, position and heading in the test runs is gone (`share_gone`, of
-// largest_share_gone). With a sudden effect the bound is zero instead of half: a free run that misses a
-// moment or a place by little goes far astray.
-bool explains_the_smaller_part(const GapAnalysis& analysis, double share_gone);
+// Of the evidence that the linear model is not enough, what the names explain: their gain of log likelihood
+// in the test runs, g, beside the p-value of what is left, p. g / (g - ln p), between 0 and 1.
+double share_of_evidence(const GapAnalysis& analysis);
+
+// Whether the names explain the smaller part of what is missing: the predictive check fails, and either they
+// do not explain nine tenths of the evidence (`sure`) or `test` goes further astray by them
+// (goes_further_astray). Nine tenths and not half: the p-value is that of one statistic, and an effect that
+// explains what it shows would gain more.
+bool explains_the_smaller_part(const GapAnalysis& analysis, const GapFigures& test);
 
 }  // namespace wheelwright::gap

@@ -43,13 +43,6 @@ double excess(const GapFigures& figures, std::size_t which) {
   return *after / (*floor * allowance_for(figures, which));
 }
 
-std::optional<double> share_gone(const GapFigures& figures, std::size_t which) {
-  const auto before = values_of(figures.before).at(which);
-  const auto after = values_of(figures.after).at(which);
-  if (!before || !after || !(*before > 0.0)) return std::nullopt;
-  return 1.0 - std::pow(*after / *before, 2);
-}
-
 double closed(const GapFigures& figures, std::size_t which) {
   const auto before = values_of(figures.before).at(which);
   const auto after = values_of(figures.after).at(which);
@@ -92,12 +85,18 @@ bool some_figure_above_noise(const GapFigures& figures) {
   return false;
 }
 
-double largest_share_gone(const GapFigures& figures) {
-  std::optional<double> largest;
+bool goes_further_astray(const GapFigures& figures) {
+  const Values before = values_of(figures.before);
+  const Values after = values_of(figures.after);
+  const Values floor = values_of(figures.floor);
+  bool any = false;
   for (std::size_t i = first_integrated; i < figure_count; ++i) {
-    if (const auto share = share_gone(figures, i)) largest = std::max(largest.value_or(*share), *share);
+    if (!before.at(i) || !after.at(i) || !floor.at(i)) continue;
+    if (std::max(*before.at(i), *after.at(i)) <= more_than_noise * *floor.at(i)) continue;
+    if (*after.at(i) <= *before.at(i)) return false;
+    any = true;
   }
-  return largest.value_or(1.0);
+  return any;
 }
 
 Score bounded_floor(const Score& floor, const Score& after) {

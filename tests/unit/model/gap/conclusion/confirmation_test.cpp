@@ -42,3 +42,29 @@ TEST_CASE("A threshold that training leaves open goes to the side of a command o
   search.intervals = {{0.049, 0.051}, {0.002, 0.002}};
   CHECK(likeliest_within_intervals(train, search, test_runs, serial_for).effects[0].parameters[0] >= 0.049);
 }
+
+TEST_CASE("A single name gains in test runs what all names gain, and a wrong one loses") {
+  const auto gained = [](const TrialModel& named, double robot_threshold_m_s) {
+    TrialModel robot = with_dead_zone(robot_threshold_m_s);
+    const auto run = [&robot](int phase) {
+      return test::counted_run(robot, 1500, [phase](int period) {
+        const double command_m_s = (period + phase) / 100 % 2 == 0 ? 0.030 : 0.2;
+        return WheelPair{command_m_s, -command_m_s};
+      });
+    };
+    const Problem train({run(0)}, {test::counted_metres_per_tick}, serial_for);
+    GapSearch search;
+    search.final.model = named;
+    search.baseline.model = named;
+    search.baseline.model.effects.clear();
+    RunSet test_runs;
+    test_runs.runs = {run(50)};
+    test_runs.logs.resize(1);
+    test_runs.metres_per_tick = {test::counted_metres_per_tick};
+    return confirm(train, search, test_runs, true, serial_for);
+  };
+  const Confirmation right = gained(with_dead_zone(0.040), 0.040);
+  CHECK(right.gain_nats > 100.0);
+  CHECK(right.gain_nats == Approx(right.effect_nats.front()).epsilon(0.01));
+  CHECK(gained(with_dead_zone(0.040), 0.0).gain_nats < 0.0);
+}

@@ -1,24 +1,41 @@
 // When the runs that nothing was chosen by contradict the names.
 #include "model/gap/conclusion/withdrawal.hpp"
 
+#include <cmath>
+
 #include "tests/support/catch.hpp"
 #include "tests/support/gap_findings.hpp"
 
 using namespace wheelwright;
 using namespace wheelwright::gap;
 
-TEST_CASE(
-    "Names that explain less than half of the gap in runs that fail the check are not what is missing") {
-  const auto explains_less = [](const std::string& effect, double before, double after, bool passed) {
-    GapAnalysis analysis = analysis_with({finding(effect, 400.0)}, position(before, after));
+TEST_CASE("Names that explain less than nine tenths of the evidence are not what is missing") {
+  const auto explains_less = [](double gain_nats, double p_value, bool passed) {
+    GapAnalysis analysis = analysis_with({finding("gain_curve", 400.0)}, position(2.0, 1.6));
+    analysis.names_gain_nats = gain_nats;
+    analysis.check.p_value = p_value;
     analysis.check.passed = passed;
-    return explains_the_smaller_part(analysis, largest_share_gone(analysis.test));
+    return explains_the_smaller_part(analysis, analysis.test);
   };
-  CHECK(explains_less("gain_curve", 2.0, 1.6, false));
-  CHECK_FALSE(explains_less("gain_curve", 2.0, 1.3, false));
-  CHECK_FALSE(explains_less("gain_curve", 2.0, 1.6, true));
-  CHECK_FALSE(explains_less("stiction", 2.0, 1.6, false));
-  CHECK(explains_less("stiction", 2.0, 2.1, false));
+  CHECK(explains_less(89.0, std::exp(-10.0), false));
+  CHECK_FALSE(explains_less(91.0, std::exp(-10.0), false));
+  CHECK(explains_less(-5.0, 0.001, false));
+  CHECK(explains_less(1000.0, 0.0, false));  // smaller than any number
+  CHECK_FALSE(explains_less(5.0, 0.5, true));
+}
+
+TEST_CASE("Names by which free runs end further off in runs that fail the check are not what is missing") {
+  const auto is_withdrawn = [](double before, double after) {
+    GapAnalysis analysis = analysis_with({finding("gain_curve", 400.0)}, position(before, after));
+    analysis.names_gain_nats = 1000.0;
+    analysis.check.p_value = 1e-4;
+    analysis.check.passed = false;
+    return explains_the_smaller_part(analysis, analysis.test);
+  };
+  CHECK(is_withdrawn(2.0, 2.1));
+  CHECK(is_withdrawn(1.0, 1.6));
+  CHECK_FALSE(is_withdrawn(1.0, 1.4));  // no further than noise goes
+  CHECK_FALSE(is_withdrawn(2.0, 1.9));
 }
 
 TEST_CASE("A name by which no figure of the untouched runs falls by 3 % is not what is missing") {
@@ -52,5 +69,5 @@ TEST_CASE("A figure that falls while the others rise as much does not keep a nam
 TEST_CASE("Counts that stood still are named by the data, whatever free runs say") {
   GapAnalysis analysis = analysis_with({finding("encoder_dropout", 400.0)}, position(2.0, 2.0));
   analysis.check.passed = false;
-  CHECK_FALSE(explains_the_smaller_part(analysis, 0.0));
+  CHECK_FALSE(explains_the_smaller_part(analysis, analysis.test));
 }
