@@ -14,28 +14,20 @@ struct Profile {
   double size;  // by which both noises have to be multiplied
 };
 
-struct Innovations {
-  double sum_squares = 0.0;
-  double log_determinant = 0.0;
-  std::size_t count = 0;
-};
-
-Innovations innovations_of(std::span<const NoiseSample> samples, const TravelNoise& noise) {
-  Innovations sum;
-  std::vector<double> innovations;
+InnovationSums sums_of(std::span<const NoiseSample> samples, const TravelNoise& noise) {
+  InnovationSums all;
   for (const auto& sample : samples) {
-    const Whitener whitener(sample.times_s, sample.restarts, noise, sample.unsteady);
-    innovations.assign(sample.errors.size(), 0.0);
-    whitener.apply(sample.errors, innovations.data());
-    for (const double innovation : innovations) sum.sum_squares += innovation * innovation;
-    sum.log_determinant += whitener.log_determinant();
-    sum.count += whitener.innovations();
+    const InnovationSums one =
+        Whitener::sums(sample.times_s, sample.restarts, noise, sample.unsteady, sample.errors);
+    all.sum_squares += one.sum_squares;
+    all.log_determinant += one.log_determinant;
+    all.count += one.count;
   }
-  return sum;
+  return all;
 }
 
 Profile profile(std::span<const NoiseSample> samples, const TravelNoise& shape) {
-  const Innovations all = innovations_of(samples, shape);
+  const InnovationSums all = sums_of(samples, shape);
   if (all.count == 0) return {0.0, 1.0};
   const double n = static_cast<double>(all.count);
   const double variance = std::max(all.sum_squares / n, 1e-30);

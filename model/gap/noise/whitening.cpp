@@ -39,7 +39,54 @@ double TravelNoise::tracker_kept(double duration_s) const {
   return tracker_lasts_s > 0.0 ? std::exp(-duration_s / tracker_lasts_s) : 0.0;
 }
 
-bool Whitener::Spread::as_good_as(const Spread& other) const {
+// The steps of the filter, one reading after the other.
+class Whitener::Steps {
+ public:
+  Steps(std::span<const double> times_s, std::span<const char> restarts, const TravelNoise& noise,
+        std::span<const double> unsteady)
+      : times_s_(times_s), restarts_(restarts), unsteady_(unsteady), noise_(noise), drift_(noise, 0.0) {}
+
+  std::size_t readings() const { return times_s_.size(); }
+  // To reading `i`, the next one; whether it needs another step than the one before.
+  bool advance_to(std::size_t i);
+  const Step& step() const { return step_; }
+  bool begins() const { return step_.scale == 0.0; }
+  double log_deviation() const { return log_deviation_; }
+
+ private:
+  // Covariance of travel, its speed and the tracker's error as they are known after a reading.
+  struct Spread {
+    double travel;
+    double travel_speed;
+    double speed;
+    double travel_tracker;
+    double speed_tracker;
+    double tracker;
+    bool as_good_as(const Spread& other) const;
+  };
+  // How the tracker's error goes on.
+  struct TrackerStep {
+    double kept;
+    double variance;
+  };
+
+  Step next_step();
+
+  std::span<const double> times_s_;
+  std::span<const char> restarts_;
+  std::span<const double> unsteady_;
+  const TravelNoise& noise_;
+  DriftStep drift_;
+  TrackerStep tracker_{1.0, 0.0};
+  double duration_s_ = 0.0;
+  double unsteady_share_ = 1.0;
+  Spread spread_{};
+  bool settled_ = false;  // as it does where readings come at one pace: then every step is the same
+  Step step_{};
+  double log_deviation_ = 0.0;
+};
+
+bool Whitener::Steps::Spread::as_good_as(const Spread& other) const {
   const auto close = [](double a, double b) {
     constexpr double relative = 1e-12;
     return std::abs(a - b) <= relative * std::abs(b);
@@ -49,80 +96,110 @@ bool Whitener::Spread::as_good_as(const Spread& other) const {
          close(speed_tracker, other.speed_tracker) && close(tracker, other.tracker);
 }
 
-Whitener::Step Whitener::advance(Spread& spread, const DriftStep& drift, const TrackerStep& tracker,
-                                 double reading) {
-  const double ahead = drift.kept * spread.travel_speed + drift.carry_s * spread.speed;
+Whitener::Step Whitener::Steps::next_step() {
+  const double ahead = drift_.kept * spread_.travel_speed + drift_.carry_s * spread_.speed;
   Spread expected{};
-  expected.travel = drift.kept * (drift.kept * spread.travel + drift.carry_s * spread.travel_speed) +
-                    drift.carry_s * ahead + drift.travel_variance;
-  expected.travel_speed = drift.decay * ahead + drift.covariance;
-  expected.speed = drift.decay * drift.decay * spread.speed + drift.speed_variance;
+  expected.travel = drift_.kept * (drift_.kept * spread_.travel + drift_.carry_s * spread_.travel_speed) +
+                    drift_.carry_s * ahead + drift_.travel_variance;
+  expected.travel_speed = drift_.decay * ahead + drift_.covariance;
+  expected.speed = drift_.decay * drift_.decay * spread_.speed + drift_.speed_variance;
   expected.travel_tracker =
-      tracker.kept * (drift.kept * spread.travel_tracker + drift.carry_s * spread.speed_tracker);
-  expected.speed_tracker = tracker.kept * drift.decay * spread.speed_tracker;
-  expected.tracker = tracker.kept * tracker.kept * spread.tracker + tracker.variance;
+      tracker_.kept * (drift_.kept * spread_.travel_tracker + drift_.carry_s * spread_.speed_tracker);
+  expected.speed_tracker = tracker_.kept * drift_.decay * spread_.speed_tracker;
+  expected.tracker = tracker_.kept * tracker_.kept * spread_.tracker + tracker_.variance;
 
   const double with_travel = expected.travel + expected.travel_tracker;
   const double with_speed = expected.travel_speed + expected.speed_tracker;
   const double with_tracker = expected.travel_tracker + expected.tracker;
-  const double innovation = with_travel + with_tracker + reading;
+  const double innovation = with_travel + with_tracker + noise_.reading * noise_.reading;
   const double gain = with_travel / innovation;
   const double speed_gain = with_speed / innovation;
   const double tracker_gain = with_tracker / innovation;
-  spread = {expected.travel - gain * with_travel,
-            expected.travel_speed - gain * with_speed,
-            expected.speed - speed_gain * with_speed,
-            expected.travel_tracker - gain * with_tracker,
-            expected.speed_tracker - speed_gain * with_tracker,
-            expected.tracker - tracker_gain * with_tracker};
-  return {{drift.kept, drift.carry_s, tracker.kept, 0.0},
-          {(1.0 - gain) * drift.kept, (1.0 - gain) * drift.carry_s, -gain * tracker.kept, gain},
-          {-speed_gain * drift.kept, drift.decay - speed_gain * drift.carry_s, -speed_gain * tracker.kept,
+  spread_ = {expected.travel - gain * with_travel,
+             expected.travel_speed - gain * with_speed,
+             expected.speed - speed_gain * with_speed,
+             expected.travel_tracker - gain * with_tracker,
+             expected.speed_tracker - speed_gain * with_tracker,
+             expected.tracker - tracker_gain * with_tracker};
+  return {{drift_.kept, drift_.carry_s, tracker_.kept, 0.0},
+          {(1.0 - gain) * drift_.kept, (1.0 - gain) * drift_.carry_s, -gain * tracker_.kept, gain},
+          {-speed_gain * drift_.kept, drift_.decay - speed_gain * drift_.carry_s, -speed_gain * tracker_.kept,
            speed_gain},
-          {-tracker_gain * drift.kept, -tracker_gain * drift.carry_s, (1.0 - tracker_gain) * tracker.kept,
+          {-tracker_gain * drift_.kept, -tracker_gain * drift_.carry_s, (1.0 - tracker_gain) * tracker_.kept,
            tracker_gain},
           1.0 / std::sqrt(innovation)};
 }
 
+bool Whitener::Steps::advance_to(std::size_t i) {
+  const double alike = noise_.tracker * noise_.tracker;
+  if (i == 0 || restarts_[i]) {
+    const double reading = noise_.reading * noise_.reading;
+    spread_ = {reading + alike, 0.0, drift_speed_variance(noise_), -alike, 0.0, alike};
+    settled_ = false;
+    step_ = {};
+    log_deviation_ = 0.0;
+    return true;
+  }
+  constexpr double as_long_s = 1e-9;
+  const double unsteady_now = unsteady_.empty() ? 1.0 : unsteady_[i];
+  if (std::abs(times_s_[i] - times_s_[i - 1] - duration_s_) > as_long_s || unsteady_now != unsteady_share_) {
+    unsteady_share_ = unsteady_now;
+    duration_s_ = times_s_[i] - times_s_[i - 1];
+    drift_ = DriftStep(noise_, duration_s_, unsteady_share_);
+    tracker_.kept = noise_.tracker_kept(duration_s_);
+    tracker_.variance = alike * (1.0 - tracker_.kept * tracker_.kept);
+    settled_ = false;
+  }
+  if (settled_) return false;
+  const Spread before = spread_;
+  step_ = next_step();
+  settled_ = spread_.as_good_as(before);
+  log_deviation_ = -std::log(step_.scale);
+  return true;
+}
+
+// Most noise needs neither a speed nor a tracker, and each reading waits for the one before.
+template <bool lasting, bool tracked>
+struct Whitener::State {
+  double begin = 0.0;  // where the series began
+  double travel = 0.0;
+  double speed = 0.0;
+  double tracker = 0.0;
+
+  void begin_at(double error) {
+    begin = error;
+    travel = speed = tracker = 0.0;
+  }
+  double innovation(const Step& step, double measured) {
+    const double error = measured - begin;
+    const auto sum = [&](const Known& of) {
+      double known = of.from_error * error;
+      if constexpr (lasting) known += of.from_speed * speed;
+      known += of.from_travel * travel;
+      if constexpr (tracked) known += of.from_tracker * tracker;
+      return known;
+    };
+    const double result = (error - sum(step.expected)) * step.scale;
+    const double travel_now = sum(step.travel);
+    const double speed_now = lasting ? sum(step.speed) : 0.0;
+    if constexpr (tracked) tracker = sum(step.tracker);
+    travel = travel_now;
+    speed = speed_now;
+    return result;
+  }
+};
+
 Whitener::Whitener(std::span<const double> times_s, std::span<const char> restarts, const TravelNoise& noise,
                    std::span<const double> unsteady)
     : lasting_(noise.lasts_s > 0.0), tracked_(noise.tracker > 0.0) {
-  const double reading = noise.reading * noise.reading;
-  const double alike = noise.tracker * noise.tracker;
-  DriftStep drift(noise, 0.0);
-  TrackerStep tracker{1.0, 0.0};
-  double duration_s = 0.0;
-  double unsteady_share = 1.0;
-  Spread spread{};
-  bool settled = false;  // as it does where readings come at one pace: then every step is the same
-  double log_deviation = 0.0;
+  Steps steps(times_s, restarts, noise, unsteady);
   for (std::size_t i = 0; i < times_s.size(); ++i) {
-    if (i == 0 || restarts[i]) {
-      segments_.push_back({{}, 1});
-      spread = {reading + alike, 0.0, drift_speed_variance(noise), -alike, 0.0, alike};
-      settled = false;
-      continue;
-    }
-    constexpr double as_long_s = 1e-9;
-    const double unsteady_now = unsteady.empty() ? 1.0 : unsteady[i];
-    if (std::abs(times_s[i] - times_s[i - 1] - duration_s) > as_long_s || unsteady_now != unsteady_share) {
-      unsteady_share = unsteady_now;
-      duration_s = times_s[i] - times_s[i - 1];
-      drift = DriftStep(noise, duration_s, unsteady_share);
-      tracker.kept = noise.tracker_kept(duration_s);
-      tracker.variance = alike * (1.0 - tracker.kept * tracker.kept);
-      settled = false;
-    }
-    if (settled) {
-      ++segments_.back().readings;
+    if (steps.advance_to(i)) {
+      segments_.push_back({steps.step(), 1});
     } else {
-      const Spread before = spread;
-      segments_.push_back({advance(spread, drift, tracker, reading), 1});
-      settled = spread.as_good_as(before);
-      log_deviation = -std::log(segments_.back().step.scale);
+      ++segments_.back().readings;
     }
-    log_determinant_ += log_deviation;
-    ++count_;
+    log_determinant_ += steps.log_deviation();
   }
 }
 
@@ -134,36 +211,45 @@ void Whitener::apply(std::span<const double> errors, double* innovations) const 
   }
 }
 
-// Most noise needs neither a speed nor a tracker, and each reading waits for the one before.
 template <bool lasting, bool tracked>
 void Whitener::apply_to(std::span<const double> errors, double* innovations) const {
-  double begin = 0.0;  // where the series began
-  double travel = 0.0;
-  double speed = 0.0;
-  double tracker = 0.0;
+  State<lasting, tracked> state;
   std::size_t next = 0;
   for (const auto& [step, readings] : segments_) {
-    if (step.scale == 0.0) {
-      begin = errors[next];
-      travel = speed = tracker = 0.0;
-    }
+    if (step.scale == 0.0) state.begin_at(errors[next]);
     for (const std::size_t end = next + readings; next < end; ++next) {
-      const double error = errors[next] - begin;
-      const auto sum = [&](const Known& of) {
-        double known = of.from_error * error;
-        if constexpr (lasting) known += of.from_speed * speed;
-        known += of.from_travel * travel;
-        if constexpr (tracked) known += of.from_tracker * tracker;
-        return known;
-      };
-      innovations[next] = (error - sum(step.expected)) * step.scale;
-      const double travel_now = sum(step.travel);
-      const double speed_now = lasting ? sum(step.speed) : 0.0;
-      if constexpr (tracked) tracker = sum(step.tracker);
-      travel = travel_now;
-      speed = speed_now;
+      innovations[next] = state.innovation(step, errors[next]);
     }
   }
+}
+
+InnovationSums Whitener::sums(std::span<const double> times_s, std::span<const char> restarts,
+                              const TravelNoise& noise, std::span<const double> unsteady,
+                              std::span<const double> errors) {
+  const Steps steps(times_s, restarts, noise, unsteady);
+  const bool lasting = noise.lasts_s > 0.0;
+  if (noise.tracker > 0.0) {
+    return lasting ? sums_of<true, true>(steps, errors) : sums_of<false, true>(steps, errors);
+  }
+  return lasting ? sums_of<true, false>(steps, errors) : sums_of<false, false>(steps, errors);
+}
+
+template <bool lasting, bool tracked>
+InnovationSums Whitener::sums_of(Steps steps, std::span<const double> errors) {
+  InnovationSums sums;
+  State<lasting, tracked> state;
+  for (std::size_t i = 0; i < steps.readings(); ++i) {
+    steps.advance_to(i);
+    if (steps.begins()) {
+      state.begin_at(errors[i]);
+      continue;
+    }
+    const double innovation = state.innovation(steps.step(), errors[i]);
+    sums.sum_squares += innovation * innovation;
+    sums.log_determinant += steps.log_deviation();
+    ++sums.count;
+  }
+  return sums;
 }
 
 }  // namespace wheelwright::gap

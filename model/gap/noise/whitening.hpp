@@ -43,6 +43,13 @@ struct DriftStep {
 // Of the speed, at any time.
 double drift_speed_variance(const TravelNoise& noise);
 
+// What innovations are worth together.
+struct InnovationSums {
+  double sum_squares = 0.0;
+  double log_determinant = 0.0;  // sum of log standard deviations
+  std::size_t count = 0;
+};
+
 // The linear filter from errors to innovations for readings at given times. The first reading, and each one
 // after a restart, tells only where the series begins: its innovation is zero.
 class Whitener {
@@ -51,11 +58,15 @@ class Whitener {
   Whitener(std::span<const double> times_s, std::span<const char> restarts, const TravelNoise& noise,
            std::span<const double> unsteady = {});
 
+  // Of one series of errors, whose filter is not needed again and not kept.
+  static InnovationSums sums(std::span<const double> times_s, std::span<const char> restarts,
+                             const TravelNoise& noise, std::span<const double> unsteady,
+                             std::span<const double> errors);
+
   // Writes one innovation per error.
   void apply(std::span<const double> errors, double* innovations) const;
   // Sum of log standard deviations: the part of the likelihood that does not hang on the errors.
   double log_determinant() const { return log_determinant_; }
-  std::size_t innovations() const { return count_; }
 
  private:
   // From what was known after the reading before: the error expected, and what is known after this one.
@@ -72,24 +83,13 @@ class Whitener {
     Known tracker;
     double scale;  // one over the innovation's standard deviation; zero where it tells nothing
   };
-  // Covariance of travel, its speed and the tracker's error as they are known after a reading.
-  struct Spread {
-    double travel;
-    double travel_speed;
-    double speed;
-    double travel_tracker;
-    double speed_tracker;
-    double tracker;
-    bool as_good_as(const Spread& other) const;
-  };
-  // How the tracker's error goes on.
-  struct TrackerStep {
-    double kept;
-    double variance;
-  };
-  static Step advance(Spread& spread, const DriftStep& drift, const TrackerStep& tracker, double reading);
+  class Steps;
+  template <bool lasting, bool tracked>
+  struct State;
   template <bool lasting, bool tracked>
   void apply_to(std::span<const double> errors, double* innovations) const;
+  template <bool lasting, bool tracked>
+  static InnovationSums sums_of(Steps steps, std::span<const double> errors);
 
   // The same step for so many readings.
   struct Segment {
@@ -100,7 +100,6 @@ class Whitener {
   bool lasting_ = false;
   bool tracked_ = false;
   double log_determinant_ = 0.0;
-  std::size_t count_ = 0;
 };
 
 }  // namespace wheelwright::gap

@@ -1,6 +1,7 @@
 #include "model/gap/noise/whitening.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "tests/support/catch.hpp"
 #include "tests/support/known_errors.hpp"
@@ -54,8 +55,30 @@ TEST_CASE("What is not known of the start of a series, or after a restart, count
   whitener.apply(known.errors, white.data());
   CHECK(white[0] == 0.0);
   CHECK(white[200] == 0.0);
-  CHECK(whitener.innovations() == 398);
   for (const double value : white) CHECK(std::abs(value) < 5.0);
+  CHECK(Whitener::sums(known.times_s, known.restarts, noise, {}, known.errors).count == 398);
+}
+
+TEST_CASE("Sums of innovations without a filter that is kept are those of the filter's innovations") {
+  auto known = known_errors(noise, 400, 6);
+  known.restarts[200] = 1;
+  for (std::size_t i = 300; i < known.times_s.size(); ++i)
+    known.times_s[i] += 0.003 * static_cast<double>(i % 7);
+  std::vector<double> unsteady(known.times_s.size());
+  for (std::size_t i = 0; i < unsteady.size(); ++i) unsteady[i] = i < 100 ? 0.3 : 1.0;
+  const auto infinity = std::numeric_limits<double>::infinity();
+  for (const TravelNoise& of : {TravelNoise{1e-3, 2e-3}, TravelNoise{1e-3, 2e-3, 0.1, 3.0},
+                                TravelNoise{1e-3, 2e-3, 0.0, infinity, 5e-4, 0.1},
+                                TravelNoise{1e-3, 2e-3, 0.1, 3.0, 5e-4, 0.1, 0.5}}) {
+    const Whitener whitener(known.times_s, known.restarts, of, unsteady);
+    std::vector<double> white(known.errors.size());
+    whitener.apply(known.errors, white.data());
+    double sum_squares = 0.0;
+    for (const double value : white) sum_squares += value * value;
+    const InnovationSums sums = Whitener::sums(known.times_s, known.restarts, of, unsteady, known.errors);
+    CHECK(sums.sum_squares == Approx(sum_squares).epsilon(1e-12));
+    CHECK(sums.log_determinant == Approx(whitener.log_determinant()).epsilon(1e-12));
+  }
 }
 
 TEST_CASE("Errors whose speed lasts, and which come back, come out white and of unit variance") {
