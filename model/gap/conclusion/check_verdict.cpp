@@ -1,7 +1,5 @@
 #include "model/gap/conclusion/check_verdict.hpp"
 
-#include <cmath>
-
 #include "model/gap/conclusion/acceptance.hpp"
 #include "model/gap/conclusion/withdrawal.hpp"
 
@@ -40,8 +38,10 @@ void apply_check(GapAnalysis& analysis) {
 std::string part_in_words(const GapAnalysis& analysis) {
   const double share = share_of_evidence(analysis);
   const std::string names = names_of(analysis);
-  if (share < sure)
-    return names + " would explain " + std::to_string(std::lround(100.0 * share)) + " % of the evidence.";
+  if (share < sure) {
+    const int percent = static_cast<int>(100.0 * share);  // 89.7 is less than 90
+    return names + " would explain " + std::to_string(percent) + " % of the evidence.";
+  }
   return " The other runs look like" + names + ", by which the free runs of these end further off.";
 }
 

@@ -117,8 +117,8 @@ void mark_counter_reset(GatedLog& gated) {
 }
 
 // Without the rows that cannot be true.
-GateState cleaned(const DriveLog& log, std::size_t frozen_elsewhere) {
-  GateState state{{log, {}, {}, {}}, {}, frozen_elsewhere};
+GateState cleaned(const DriveLog& log, const CounterEvidence& elsewhere) {
+  GateState state{{log, {}, {}, {}, {}}, {}, elsewhere, {}};
   remove_garbage_commands(state);
   const std::size_t rows = state.result.log.samples.size();
   state.result.flags = {std::vector<char>(rows, 0), std::vector<char>(rows, 0)};
@@ -198,20 +198,36 @@ void find_other_scale(std::span<const DriveLog> logs, std::vector<GatedLog>& gat
 
 }  // namespace
 
+SeenRolling& SeenRolling::operator+=(const SeenRolling& other) {
+  lost_m += other.lost_m;
+  rolled_m += other.rolled_m;
+  return *this;
+}
+
+CounterEvidence& CounterEvidence::operator+=(const CounterEvidence& other) {
+  surely_frozen += other.surely_frozen;
+  frozen += other.frozen;
+  thinned += other.thinned;
+  return *this;
+}
+
 GatedLog gate(const DriveLog& log) {
   return std::move(gate_together({&log, 1}).front());
 }
 
 std::vector<GatedLog> gate_together(std::span<const DriveLog> logs) {
   std::vector<GateState> states;
-  std::size_t frozen = 0;
+  std::vector<CounterEvidence> counters;
   for (const DriveLog& log : logs) {
-    states.push_back(cleaned(log, 0));
-    frozen += states.back().result.surely_frozen;
+    states.push_back(cleaned(log, {}));
+    counters.push_back(states.back().result.counters);
   }
   for (std::size_t i = 0; i < logs.size(); ++i) {
-    const std::size_t elsewhere = frozen - states[i].result.surely_frozen;
-    if (elsewhere > 0) states[i] = cleaned(logs[i], elsewhere);
+    CounterEvidence elsewhere;
+    for (std::size_t other = 0; other < logs.size(); ++other) {
+      if (other != i) elsewhere += counters[other];
+    }
+    if (elsewhere.tells_anything()) states[i] = cleaned(logs[i], elsewhere);
   }
   turn_headings_back(states);
   std::vector<GatedLog> gated;

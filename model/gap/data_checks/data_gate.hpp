@@ -32,18 +32,38 @@ struct Dropout {
   double duration_s = 0.0;
 };
 
+// Of travel that counts seem to have lost, what references saw the wheels roll: near `lost_m` where counts
+// were lost indeed, near zero where the wheels were held.
+struct SeenRolling {
+  double lost_m = 0.0;
+  double rolled_m = 0.0;
+
+  SeenRolling& operator+=(const SeenRolling& other);
+};
+
+// Of the counters of one run or several.
+struct CounterEvidence {
+  std::size_t surely_frozen = 0;  // so often counts stood still in the midst of driving
+  SeenRolling frozen;             // where counts stand still
+  SeenRolling thinned;            // where they miss edges
+
+  bool tells_anything() const { return surely_frozen > 0 || frozen.lost_m > 0.0 || thinned.lost_m > 0.0; }
+  CounterEvidence& operator+=(const CounterEvidence& other);
+};
+
 struct GatedLog {
   DriveLog log;  // without the rows that cannot be true
   RowFlags flags;
   std::vector<DataFault> faults;
   std::vector<Dropout> dropouts;
-  std::size_t surely_frozen = 0;  // of the dropouts: counts stood still in the midst of driving
+  CounterEvidence counters;
 };
 
 GatedLog gate(const DriveLog& log);
 
 // Runs of one robot. Where counts surely froze more than once, they may have frozen at turns and stops as
-// well, in every run; what froze once may be a wheel that something held.
+// well, in every run; what froze once may be a wheel that something held. Whether counts were lost or wheels
+// held, the references of all runs tell together: those of one may see too few.
 std::vector<GatedLog> gate_together(std::span<const DriveLog> logs);
 
 }  // namespace wheelwright::gap

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "model/gap/data_checks/commanded_stillness.hpp"
+#include "model/gap/data_checks/held_wheels.hpp"
 #include "model/gap/data_checks/missed_encoder_edges.hpp"
 #include "model/statistics/significant_digits.hpp"
 
@@ -35,62 +35,6 @@ bool commanded_to_stand(const DriveLog& log, std::size_t first, std::size_t end,
     if (command * speed_m_s <= 0.0 || std::abs(command) < 0.25 * std::abs(speed_m_s)) return true;
   }
   return false;
-}
-
-// Where a reference saw the robot move as the counts say, to within so much travel of one wheel, that wheel
-// stood indeed: something held it.
-bool moved_as_counted(const GateState& gate, std::size_t first, std::size_t end, double within_m) {
-  const DriveLog& log = gate.result.log;
-  const DriveSample& from = log.samples[first];
-  const DriveSample& to = log.samples[end];
-  if (!from.reference_pose() || !to.reference_pose()) return false;
-  const double left_m = gate.travel(end, true) - gate.travel(first, true);
-  const double right_m = gate.travel(end, false) - gate.travel(first, false);
-  const double turned =
-      wrap_angle(*to.reference_theta_rad - *from.reference_theta_rad - (right_m - left_m) / log.wheel_base_m);
-  const double moved_m =
-      std::hypot(*to.reference_x_m - *from.reference_x_m, *to.reference_y_m - *from.reference_y_m);
-  return std::abs(turned) * log.wheel_base_m < within_m &&
-         std::abs(2.0 * moved_m - std::abs(left_m + right_m)) < within_m;
-}
-
-// How far a reference saw a wheel roll from the first row to the last; nothing where it saw one of them not.
-std::optional<double> rolled_by_reference_m(const DriveLog& log, const Freeze& freeze) {
-  const DriveSample& from = log.samples[freeze.first];
-  const DriveSample& to = log.samples[freeze.end];
-  if (!from.reference_pose() || !to.reference_pose()) return std::nullopt;
-  const double turned = wrap_angle(*to.reference_theta_rad - *from.reference_theta_rad);
-  const double heading = *from.reference_theta_rad + 0.5 * turned;
-  const double forward_m = (*to.reference_x_m - *from.reference_x_m) * std::cos(heading) +
-                           (*to.reference_y_m - *from.reference_y_m) * std::sin(heading);
-  return forward_m + (freeze.left ? -0.5 : 0.5) * turned * log.wheel_base_m;
-}
-
-// Counts that may be lost, and the travel that would be lost with them, with its sign.
-struct Suspect {
-  Freeze freeze;
-  double lost_m = 0.0;
-};
-
-// Whether references saw, of all of it together, that the wheels did not turn: they err by too much to tell
-// of each short stop by itself.
-bool stood_indeed(const GateState& gate, const std::vector<Suspect>& suspects) {
-  constexpr double enough_to_tell_m = 0.015;
-  double found_m = 0.0;
-  double suspected_m = 0.0;
-  for (const auto& [freeze, lost_m] : suspects) {
-    const auto rolled_m = rolled_by_reference_m(gate.result.log, freeze);
-    if (!rolled_m || !std::isfinite(lost_m)) continue;
-    const double counted_m = gate.travel(freeze.end, freeze.left) - gate.travel(freeze.first, freeze.left);
-    found_m += std::copysign(1.0, lost_m) * (*rolled_m - counted_m);
-    suspected_m += std::abs(lost_m);
-  }
-  return suspected_m >= enough_to_tell_m && found_m < 0.5 * suspected_m;
-}
-
-std::string held(bool left, double duration_s) {
-  return std::string("the ") + (left ? "left" : "right") + " wheel was held for " + in_digits(duration_s, 3) +
-         " s: its counts and the reference agree on that";
 }
 
 std::vector<Freeze> freezes_of(const GateState& gate, bool left) {
@@ -147,6 +91,17 @@ double duration_s(const GateState& gate, const Freeze& freeze) {
   return gate.result.log.samples[freeze.end].t_s - gate.result.log.samples[freeze.first].t_s;
 }
 
+bool overlap(const Freeze& a, const Freeze& b) {
+  return a.left == b.left && a.first < b.end && b.first < a.end;
+}
+
+void note_held(GateState& gate, const Freeze& freeze) {
+  gate.held.push_back(freeze);
+  gate.event(freeze.first + 1, std::string("the ") + (freeze.left ? "left" : "right") +
+                                   " wheel was held for " + in_digits(duration_s(gate, freeze), 3) +
+                                   " s: its counts and the reference agree on that");
+}
+
 void leave_out_frozen(GateState& gate, const Freeze& freeze) {
   const double duration = duration_s(gate, freeze);
   for (std::size_t k = freeze.first + 1; k <= freeze.end; ++k) gate.result.flags.counts[k] = 1;
@@ -201,17 +156,18 @@ void find_frozen_counts(GateState& gate) {
     const double slower_m_s = std::min(std::abs(before), std::abs(after));
     suspects.push_back({freeze, std::copysign(slower_m_s, before) * duration_s(gate, freeze)});
   }
-  const bool all_stood = stood_indeed(gate, suspects);
-  std::size_t& lost = gate.result.surely_frozen;
+  gate.result.counters.frozen = seen_rolling(gate, suspects);
+  const bool all_stood = were_held(gate.result.counters.frozen, gate.elsewhere.frozen);
+  std::size_t& lost = gate.result.counters.surely_frozen;
   for (const auto& [freeze, lost_m] : suspects) {
     if (all_stood || moved_as_counted(gate, freeze.first, freeze.end, 0.5 * std::abs(lost_m))) {
-      gate.event(freeze.first + 1, held(freeze.left, duration_s(gate, freeze)));
+      note_held(gate, freeze);
       continue;
     }
     leave_out_frozen(gate, freeze);
     ++lost;
   }
-  if (lost + gate.frozen_elsewhere < more_than_chance) return;
+  if (all_stood || lost + gate.elsewhere.surely_frozen < more_than_chance) return;
   for (const bool left : {true, false}) find_frozen_at_turns(gate, left);
 }
 
@@ -231,23 +187,22 @@ void find_missed_edges(GateState& gate) {
   std::vector<ThinnedCounts> thinned;
   for (const bool left : {true, false}) {
     for (const auto& segment : find_missed_encoder_edges(gate.result.log, gate.result.flags.counts, left)) {
-      segments.push_back({segment.first_row - 1, segment.last_row, left});
+      const Freeze rows{segment.first_row - 1, segment.last_row, left};
+      if (std::ranges::any_of(gate.held, [&](const Freeze& held) { return overlap(held, rows); })) continue;
+      segments.push_back(rows);
       thinned.push_back(segment);
     }
   }
   if (stand_by_command(gate.result.log, segments)) return;
   std::vector<Suspect> suspects;
-  for (std::size_t i = 0; i < thinned.size(); ++i) {
-    const auto [first, end, left] = segments[i];
-    const double counted_m = gate.travel(end, left) - gate.travel(first, left);
-    suspects.push_back({segments[i], counted_m * thinned[i].lost / (1.0 - thinned[i].lost)});
-  }
-  const bool all_stood = stood_indeed(gate, suspects);
+  for (std::size_t i = 0; i < thinned.size(); ++i) suspects.push_back({segments[i], thinned[i].lost_m});
+  gate.result.counters.thinned = seen_rolling(gate, suspects);
+  const bool all_stood = were_held(gate.result.counters.thinned, gate.elsewhere.thinned);
   std::vector<std::size_t> lost;
   for (std::size_t i = 0; i < thinned.size(); ++i) {
     const auto [first, end, left] = segments[i];
     if (all_stood || moved_as_counted(gate, first, end, 0.5 * std::abs(suspects[i].lost_m))) {
-      gate.event(thinned[i].first_row, held(left, duration_s(gate, segments[i])));
+      note_held(gate, segments[i]);
     } else {
       lost.push_back(i);
     }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "model/gap/data_checks/commanded_stillness.hpp"
 #include "model/gap/data_checks/data_gate.hpp"
 
 namespace wheelwright::gap {
@@ -12,8 +13,9 @@ constexpr double impossible_speed_m_s = 2.0;  // of a wheel or the body between 
 
 struct GateState {
   GatedLog result;
-  std::vector<std::size_t> lines;    // of the rows that are left; empty while all are
-  std::size_t frozen_elsewhere = 0;  // so often counts surely froze in other runs of the robot
+  std::vector<std::size_t> lines;  // of the rows that are left; empty while all are
+  CounterEvidence elsewhere;       // of other runs of the robot
+  std::vector<Freeze> held;        // where a reference saw that the wheel stood
 
   std::size_t line(std::size_t row) const { return lines.empty() ? result.log.first_line + row : lines[row]; }
   void fault(std::size_t row, const std::string& what, bool explains = false) {

@@ -187,7 +187,8 @@ std::optional<ThinnedCounts> Finder::sharpened(std::size_t first, std::size_t en
   const double duration_s = log_.samples[best_end - 1].t_s - log_.samples[best_first - 1].t_s;
   const double share = share_of(sums);
   if (duration_s < shortest_s || share > max_counted || !has_sharp_edges(best_first, best_end)) return {};
-  return ThinnedCounts{best_first, best_end - 1, std::clamp(1.0 - share, 0.0, 1.0)};
+  return ThinnedCounts{best_first, best_end - 1, std::clamp(1.0 - share, 0.0, 1.0),
+                       sums.expected_m - sums.counted_m};
 }
 
 bool Finder::has_sharp_edges(std::size_t first, std::size_t end) const {

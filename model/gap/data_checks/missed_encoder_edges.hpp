@@ -17,7 +17,8 @@ namespace wheelwright::gap {
 struct ThinnedCounts {
   std::size_t first_row = 0;  // whose counts since the row before are too few
   std::size_t last_row = 0;
-  double lost = 0.0;  // share of the edges
+  double lost = 0.0;    // share of the edges
+  double lost_m = 0.0;  // travel, with its sign
 };
 
 // Of one wheel of a log that has ticks, in order. `left_out` has one flag per row.

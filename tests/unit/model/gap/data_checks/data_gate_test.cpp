@@ -230,6 +230,44 @@ TEST_CASE("Stops that are too short for one reference to tell are told by all of
   CHECK(by_a_poor_tracker(seen_turning).dropouts.size() >= 3);
 }
 
+TEST_CASE("Stops that a late reference shows late are stops") {
+  auto log = clean_log();
+  const std::size_t last = moving_row(log);
+  for (const std::size_t back : {44u, 24u}) lose_counts(log, last - back, 12);
+  log = by_counts(log);
+  const auto with_late_reference = [](DriveLog seen, std::size_t rows) {
+    for (std::size_t i = seen.samples.size(); i-- > 0;) {
+      const DriveSample& before = seen.samples[i - std::min(i, rows)];
+      seen.samples[i].reference_x_m = before.reference_x_m;
+      seen.samples[i].reference_y_m = before.reference_y_m;
+      seen.samples[i].reference_theta_rad = before.reference_theta_rad;
+    }
+    return gate(seen);
+  };
+  for (const std::size_t rows : {0u, 3u, 8u}) {
+    INFO(rows << " rows late");
+    const auto stood = with_late_reference(log, rows);
+    CHECK(stood.dropouts.empty());
+    CHECK(std::ranges::count_if(stood.faults, &DataFault::happened) == 2);
+  }
+}
+
+TEST_CASE("Whether a wheel was held, the references of all runs tell together") {
+  auto held = clean_log();
+  const std::size_t last = moving_row(held);
+  for (const std::size_t back : {45u, 32u, 19u}) lose_counts(held, last - back, 8);
+  held = by_counts(held);
+  DriveLog unseen = held;
+  for (DriveSample& sample : unseen.samples)
+    sample.reference_x_m = sample.reference_y_m = sample.reference_theta_rad = std::nullopt;
+  CHECK(gate(unseen).dropouts.size() >= 3);
+
+  const auto together = gate_together(std::vector{unseen, held});
+  CHECK(together[0].dropouts.empty());
+  CHECK(together[1].dropouts.empty());
+  CHECK(std::ranges::count_if(together[0].faults, &DataFault::happened) == 3);
+}
+
 TEST_CASE("Counts that were lost while driving are looked for at stops, too") {
   test::GapCaseSpec spec;
   spec.runs = 1;
