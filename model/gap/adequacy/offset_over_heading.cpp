@@ -7,12 +7,12 @@
 #include <numbers>
 
 #include "model/gap/adequacy/tail_probability.hpp"
+#include "model/gap/noise/correlation_time.hpp"
 
 namespace wheelwright::gap {
 namespace {
 
 constexpr Eigen::Index columns = 4;
-constexpr double block_s = 2.0;
 
 using Row = Eigen::Matrix<double, columns, 1>;
 
@@ -62,12 +62,12 @@ double variance_ratio(std::span<const ResidualTrack* const> tracks, const std::v
   double all = 0.0;
   for (std::size_t t = 0; t < tracks.size(); ++t) {
     double sum = 0.0;
-    double end_s = block_s;
+    double end_s = independent_after_s;
     for (std::size_t i = 0; i < rows[t].size(); ++i) {
       if (tracks[t]->time_s[i] >= end_s) {
         sum_squares += sum * sum;
         sum = 0.0;
-        end_s = tracks[t]->time_s[i] + block_s;
+        end_s = tracks[t]->time_s[i] + independent_after_s;
       }
       const double left = tracks[t]->innovation[i] - offset.dot(rows[t][i]);
       sum += left;

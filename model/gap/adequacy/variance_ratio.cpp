@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
+#include "model/gap/noise/correlation_time.hpp"
+
 namespace wheelwright::gap {
 
 double variance_ratio(const Problem& problem, std::span<const double> innovations) {
-  constexpr double block_s = 2.0;
   double sum_squares = 0.0;
   double all = 0.0;
   double sum = 0.0;
@@ -13,7 +14,7 @@ double variance_ratio(const Problem& problem, std::span<const double> innovation
   const auto& places = problem.places();
   for (std::size_t i = 0; i < places.size(); ++i) {
     const double time_s = problem.runs()[places[i].run].period_s * static_cast<double>(places[i].period);
-    const auto at = static_cast<std::size_t>(time_s / block_s);
+    const auto at = static_cast<std::size_t>(time_s / independent_after_s);
     const bool same =
         i > 0 && places[i].run == places[i - 1].run && places[i].channel == places[i - 1].channel;
     if (!same || at != block) {

@@ -38,11 +38,10 @@ void apply_check(GapAnalysis& analysis) {
 std::string part_in_words(const GapAnalysis& analysis) {
   const double share = share_of_evidence(analysis);
   const std::string names = names_of(analysis);
-  if (share < sure) {
-    const int percent = static_cast<int>(100.0 * share);  // 89.7 is less than 90
+  const int percent = static_cast<int>(100.0 * share);  // 89.7 is less than 90
+  if (percent > 0 && share < sure)
     return names + " would explain " + std::to_string(percent) + " % of the evidence.";
-  }
-  return " The other runs look like" + names + ", by which the free runs of these end further off.";
+  return " The other runs look like" + names + ", by which these come no closer.";
 }
 
 std::string not_seen_in_words(const GapAnalysis& analysis) {

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "model/gap/candidates/decoys.hpp"
+#include "model/gap/data_checks/commanded_stillness.hpp"
 #include "model/statistics/confidence.hpp"
 
 namespace wheelwright::gap {
@@ -109,7 +110,6 @@ void add_rivals_that_cannot_show(std::span<Finding> found, std::span<const Untes
 }
 
 std::optional<Finding> dropout_finding(std::span<const Dropout> dropouts, double watched_s) {
-  constexpr std::size_t more_than_chance = 2;
   if (dropouts.size() < more_than_chance || watched_s <= 0.0) return std::nullopt;
   double lost_s = 0.0;
   for (const auto& dropout : dropouts) lost_s += dropout.duration_s;

@@ -7,9 +7,12 @@
 
 #include "model/gap/candidates/decoys.hpp"
 #include "model/gap/conclusion/acceptance.hpp"
+#include "model/gap/data_checks/commanded_stillness.hpp"
 
 namespace wheelwright::gap {
 namespace {
+
+constexpr double worth_saying = 0.005;  // relative, of a gain or a scale
 
 std::string in_words(const Excess& excess) {
   const auto tenths = std::lround(10.0 * excess.times);
@@ -89,8 +92,8 @@ Judgement of_nothing_found(const GapAnalysis& analysis, const SearchLimits& limi
     for (const auto& change : changes) changed.where.push_back({"run " + change.run, share, share});
     return changed;
   }
-  constexpr std::ptrdiff_t more_than_chance = 2;
-  if (std::ranges::count_if(analysis.data_faults, &DataFault::happened) >= more_than_chance) {
+  if (std::ranges::count_if(analysis.data_faults, &DataFault::happened) >=
+      static_cast<std::ptrdiff_t>(more_than_chance)) {
     return {
         Verdict::unnamed,
         "Something held a wheel several times, which no effect of the library does; the moments are listed."};
@@ -129,7 +132,6 @@ std::string gains_in_words(const TrialModel& model) {
     text << std::setprecision(2) << 100.0 * std::abs(share) << " % " << (share < 0.0 ? "less" : "more");
     return text.str();
   };
-  constexpr double worth_saying = 0.005;
   std::string words;
   if (std::abs(excess) > worth_saying)
     words = " The right wheel rolls " + in_percent(excess) + " than the left";
@@ -241,7 +243,6 @@ void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Resi
         " The wheels began each run at another angle; the figures take the angles that each run showed.";
   }
   const double gyro_scale = analysis.search.final.model.gyro_scale();
-  constexpr double worth_saying = 0.005;
   if (analysis.verdict == Verdict::nothing_missing && std::abs(gyro_scale) > min_reported_gyro_scale) {
     analysis.verdict = Verdict::unnamed;
     analysis.summary = gyro_scale_in_words(gyro_scale);

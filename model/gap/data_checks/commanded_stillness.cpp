@@ -62,7 +62,6 @@ std::size_t rows_that_move(const DriveLog& log, bool left, double max_m_s) {
 }  // namespace
 
 bool stand_by_command(const DriveLog& log, std::span<const Freeze> freezes) {
-  constexpr std::size_t more_than_chance = 2;
   if (freezes.size() < more_than_chance) return false;
   double max_m_s = 0.0;
   std::size_t standing = 0;

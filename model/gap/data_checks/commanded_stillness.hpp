@@ -8,6 +8,9 @@
 
 namespace wheelwright::gap {
 
+// So often something is no accident: once may be a wheel that something held.
+constexpr std::size_t more_than_chance = 2;
+
 // Rows in which the counts of one wheel stand still: those behind `first`, to `end`.
 struct Freeze {
   std::size_t first = 0;

@@ -14,7 +14,6 @@ namespace {
 constexpr double shortest_freeze_s = 0.05;
 constexpr double expected_counts_in_freeze = 10.0;
 constexpr double surely_turning_m_s = 0.05;  // a slower wheel may stick
-constexpr std::size_t more_than_chance = 2;  // once may be a wheel that something held
 
 // Whether no wheel can have turned so far since the row before; both rows hold counts.
 bool jumps(const DriveLog& log, std::size_t row, bool left) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "model/gap/noise/correlation_time.hpp"
 #include "model/prediction/free_run.hpp"
 #include "model/statistics/confidence.hpp"
 
@@ -13,7 +14,6 @@ namespace wheelwright::gap {
 namespace {
 
 constexpr double window_s = 0.25;
-constexpr double block_s = 2.0;  // longer than the residuals are correlated
 constexpr std::size_t row_count = 8;
 constexpr std::size_t min_windows = 80;
 
@@ -98,7 +98,7 @@ void add_body_window(const GatedLog& gated, const std::vector<PredictedMotion>& 
                      std::size_t to, double residual, std::size_t first_block, Windows& windows) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();  // no wheel of its own
   Window window = window_of(gated.log, motion, from, to, {unknown, unknown}, residual);
-  window.block = first_block + static_cast<std::size_t>(window.at[since_start] / block_s);
+  window.block = first_block + static_cast<std::size_t>(window.at[since_start] / independent_after_s);
   windows.push_back(window);
 }
 
@@ -125,7 +125,7 @@ void add_wheels(const GatedLog& gated, const std::vector<PredictedMotion>& motio
       const Side own{mean_command(log, *from, i, side),
                      (motion[i].speed_m_s.*side - motion[*from].speed_m_s.*side) / duration_s};
       Window window = window_of(log, motion, *from, i, own, (measured - predicted) / duration_s);
-      window.block = first_block + static_cast<std::size_t>(window.at[since_start] / block_s);
+      window.block = first_block + static_cast<std::size_t>(window.at[since_start] / independent_after_s);
       windows.push_back(window);
       from = i;
     }
@@ -170,7 +170,7 @@ void add_turns(const GatedLog& gated, const std::vector<PredictedMotion>& motion
     if (!from) from = i;
     const double duration_s = log.samples[i].t_s - log.samples[*from].t_s;
     if (duration_s < window_s) continue;
-    if (duration_s < 2.0 * block_s) {
+    if (duration_s < 2.0 * independent_after_s) {
       const double measured =
           wrap_angle(*log.samples[i].reference_theta_rad - *log.samples[*from].reference_theta_rad);
       const double predicted = motion[i].pose.theta_rad - motion[*from].pose.theta_rad;
@@ -253,8 +253,9 @@ std::optional<ResidualTable> residual_table(const RobotModel& model, std::span<c
       if (residual.of_counts && !gated.log.has_ticks()) continue;
       residual.add(gated, motion, first_block, residual.windows);
     }
-    first_block += 1 + static_cast<std::size_t>(
-                           (gated.log.samples.back().t_s - gated.log.samples.front().t_s) / block_s);
+    first_block +=
+        1 + static_cast<std::size_t>((gated.log.samples.back().t_s - gated.log.samples.front().t_s) /
+                                     independent_after_s);
   }
   std::optional<ResidualTable> best;
   for (const auto& residual : residuals) {

@@ -43,6 +43,13 @@ double excess(const GapFigures& figures, std::size_t which) {
   return *after / (*floor * allowance_for(figures, which));
 }
 
+std::optional<double> share_gone(const GapFigures& figures, std::size_t which) {
+  const auto before = values_of(figures.before).at(which);
+  const auto after = values_of(figures.after).at(which);
+  if (!before || !after || !(*before > 0.0)) return std::nullopt;
+  return 1.0 - std::pow(*after / *before, 2);
+}
+
 double closed(const GapFigures& figures, std::size_t which) {
   const auto before = values_of(figures.before).at(which);
   const auto after = values_of(figures.after).at(which);
@@ -83,6 +90,14 @@ bool some_figure_above_noise(const GapFigures& figures) {
     if (before.at(i) && floor.at(i) && *before.at(i) > scatter * *floor.at(i)) return true;
   }
   return false;
+}
+
+double largest_share_gone(const GapFigures& figures) {
+  std::optional<double> largest;
+  for (std::size_t i = first_integrated; i < figure_count; ++i) {
+    if (const auto share = share_gone(figures, i)) largest = std::max(largest.value_or(*share), *share);
+  }
+  return largest.value_or(1.0);
 }
 
 bool goes_further_astray(const GapFigures& figures) {

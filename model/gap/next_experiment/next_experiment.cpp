@@ -6,13 +6,13 @@
 
 #include "model/effects/library/effect_library.hpp"
 #include "model/gap/candidates/decoys.hpp"
+#include "model/gap/conclusion/acceptance.hpp"
 #include "model/gap/next_experiment/divergence.hpp"
 #include "model/log/near_periods.hpp"
 
 namespace wheelwright::gap {
 namespace {
 
-constexpr double sure = 0.9;            // posterior from which on there is nothing to decide
 constexpr double min_posterior = 0.02;  // of a rival worth a drive
 constexpr std::size_t max_rivals = 3;
 constexpr double min_nats = 3.0;  // a drive that tells less apart is not worth its time

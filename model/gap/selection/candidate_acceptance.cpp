@@ -43,7 +43,6 @@ bool CandidateAcceptance::accepted(const Candidate& candidate, const SelectionSt
 
 const Candidate* CandidateAcceptance::next_effect(const SelectionStep& step,
                                                   std::span<const SelectionStep> so_far) const {
-  constexpr std::size_t few = 3;
   if (so_far.size() >= limits_.max_effects) return nullptr;
   std::set<const EffectInfo*> asked;  // in each of its variants
   for (const Candidate& candidate : step.candidates) {

@@ -15,7 +15,6 @@
 namespace wheelwright::gap {
 namespace {
 
-constexpr std::size_t few = 3;  // of the best, where one more look at each is costly
 constexpr double min_screened_nats = 4.0;
 constexpr double min_screened_share = 0.08;  // of the best one's: less does not become the best by a fit
 constexpr std::array default_lags_s{0.03, 0.06, 0.15};

@@ -13,6 +13,7 @@
 namespace wheelwright::gap {
 
 constexpr int steps_of_a_fit = 10;
+constexpr std::size_t few = 3;  // of the best, where one more look at each is costly
 constexpr int steps_of_a_refit = 5;
 
 class CandidateEvaluation {

@@ -5,13 +5,13 @@
 #include <map>
 
 #include "model/gap/candidates/decoys.hpp"
+#include "model/gap/noise/correlation_time.hpp"
 #include "model/gap/runs/fastest_command.hpp"
 #include "model/gap/selection/left_out_runs.hpp"
 
 namespace wheelwright::gap {
 namespace {
 
-constexpr double block_s = 2.0;  // longer than the residuals are correlated
 constexpr double max_autocorrelation_factor = 30.0;
 
 // By how much the variance of an effect's likelihood gain exceeds that of white residuals: sums over blocks
@@ -24,7 +24,8 @@ double autocorrelation_factor_of(const Problem& problem, const std::vector<doubl
   for (std::size_t i = 0; i < with.size(); ++i) {
     const double change = without[i] - with[i];
     const double period_s = problem.runs()[places[i].run].period_s;
-    const auto block = static_cast<std::size_t>(static_cast<double>(places[i].period) * period_s / block_s);
+    const auto block =
+        static_cast<std::size_t>(static_cast<double>(places[i].period) * period_s / independent_after_s);
     blocks[{places[i].run, block}] += with[i] * change;
     power += change * change;
   }

@@ -63,7 +63,6 @@ Fit RivalChecks::in_place(const Candidate& candidate, std::size_t place) const {
 // Friction in front of the play is another robot than friction behind it: the best few are judged where the
 // effect stood that they are to replace, if they explain more there.
 void RivalChecks::try_in_place(SelectionStep& check, std::size_t place) const {
-  constexpr std::size_t few = 3;
   const auto stage = [](const TrialEffect& effect) { return effect.info->variants[effect.variant].stage; };
   bool any = false;
   for (std::size_t i = 0; i < std::min(few, check.candidates.size()); ++i) {

@@ -9,9 +9,9 @@
 using namespace wheelwright;
 using namespace wheelwright::gap;
 
-TEST_CASE("Names that explain less than nine tenths of the evidence are not what is missing") {
-  const auto explains_less = [](double gain_nats, double p_value, bool passed) {
-    GapAnalysis analysis = analysis_with({finding("gain_curve", 400.0)}, position(2.0, 1.6));
+TEST_CASE("Names that explain little of the evidence and of free runs are not what is missing") {
+  const auto explains_less = [](double gain_nats, double p_value, bool passed, double after = 1.6) {
+    GapAnalysis analysis = analysis_with({finding("gain_curve", 400.0)}, position(2.0, after));
     analysis.names_gain_nats = gain_nats;
     analysis.check.p_value = p_value;
     analysis.check.passed = passed;
@@ -22,6 +22,7 @@ TEST_CASE("Names that explain less than nine tenths of the evidence are not what
   CHECK(explains_less(-5.0, 0.001, false));
   CHECK(explains_less(1000.0, 0.0, false));  // smaller than any number
   CHECK_FALSE(explains_less(5.0, 0.5, true));
+  CHECK_FALSE(explains_less(89.0, std::exp(-10.0), false, 1.3));  // more than half of the square is gone
 }
 
 TEST_CASE("Names by which free runs end further off in runs that fail the check are not what is missing") {
