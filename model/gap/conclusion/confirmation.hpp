@@ -15,8 +15,8 @@ struct Confirmation {
   // Of all effects of the accepted model: gain of log likelihood over the linear model alone, refitted,
   // divided by the variance ratio of sums over 2 s.
   double gain_nats = 0.0;
-  // The same of each effect of the accepted model, in its order over the model refitted without it, where the
-  // runs are untouched.
+  // The same of each of its effects, in their order, over the model refitted without that one; where the runs
+  // are untouched.
   std::vector<double> effect_nats;
   std::vector<bool> acts;  // whether each effect moves anything in these runs; a rug elsewhere does not
 };

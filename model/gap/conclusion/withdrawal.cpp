@@ -19,12 +19,13 @@ bool of_free_runs(const Finding& found) {
 bool closes_nothing_untouched(const GapAnalysis& analysis) {
   const auto acts_there = [](const Finding& found) { return of_free_runs(found) && found.acts_untouched; };
   if (!analysis.untouched || std::ranges::none_of(analysis.found, acts_there)) return false;
-  if (!some_figure_falls(analysis.test, min_fall, 0.0)) return true;
-  const auto fall = common_fall(analysis.test);
   const bool is_beyond_doubt = std::ranges::any_of(analysis.found, [&](const Finding& found) {
-    return acts_there(found) && is_sure_by(found, beyond_doubt_nats);
+    return acts_there(found) && found.posterior > sure &&
+           found.test_gain_nats.value_or(0.0) > beyond_doubt_nats;
   });
-  return fall && *fall < min_fall && !is_beyond_doubt;
+  if (is_beyond_doubt) return false;
+  const auto fall = common_fall(analysis.test);
+  return !some_figure_falls(analysis.test, min_fall, 0.0) || (fall && *fall < min_fall);
 }
 
 double share_of_evidence(const GapAnalysis& analysis) {

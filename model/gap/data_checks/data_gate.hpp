@@ -63,7 +63,7 @@ GatedLog gate(const DriveLog& log);
 
 // Runs of one robot. Where counts surely froze more than once, they may have frozen at turns and stops as
 // well, in every run; what froze once may be a wheel that something held. Whether counts were lost or wheels
-// held, the references of all runs tell together: those of one may see too few.
+// held, the references of all runs decide together: those of one may see too few.
 std::vector<GatedLog> gate_together(std::span<const DriveLog> logs);
 
 }  // namespace wheelwright::gap

@@ -98,7 +98,7 @@ void note_held(GateState& gate, const Freeze& freeze) {
   gate.held.push_back(freeze);
   gate.event(freeze.first + 1, std::string("the ") + (freeze.left ? "left" : "right") +
                                    " wheel was held for " + in_digits(duration_s(gate, freeze), 3) +
-                                   " s: its counts and the reference agree on that");
+                                   " s: its counts and the references agree on that");
 }
 
 void leave_out_frozen(GateState& gate, const Freeze& freeze) {
