@@ -20,7 +20,7 @@ bool closes_nothing_untouched(const GapAnalysis& analysis) {
   const auto acts_there = [](const Finding& found) { return of_free_runs(found) && found.acts_untouched; };
   if (!analysis.untouched || std::ranges::none_of(analysis.found, acts_there)) return false;
   const bool is_beyond_doubt = std::ranges::any_of(analysis.found, [&](const Finding& found) {
-    return acts_there(found) && found.posterior > sure &&
+    return acts_there(found) && is_sure_by(found, beyond_doubt_nats) &&
            found.test_gain_nats.value_or(0.0) > beyond_doubt_nats;
   });
   if (is_beyond_doubt) return false;
