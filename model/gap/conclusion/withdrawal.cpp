@@ -14,13 +14,19 @@ bool of_free_runs(const Finding& found) {
   return found.setting.name != dropout_name;
 }
 
+// What a model that was given has already is nothing that it lacks, however much a linear model lacks it.
+bool is_in(const RobotModel& model, const Finding& found) {
+  return std::ranges::any_of(
+      model.effects, [&](const AddedEffect& effect) { return effect.setting.name == found.setting.name; });
+}
+
 }  // namespace
 
 bool closes_nothing_untouched(const GapAnalysis& analysis) {
   const auto acts_there = [](const Finding& found) { return of_free_runs(found) && found.acts_untouched; };
   if (!analysis.untouched || std::ranges::none_of(analysis.found, acts_there)) return false;
   const bool is_beyond_doubt = std::ranges::any_of(analysis.found, [&](const Finding& found) {
-    return acts_there(found) && is_sure_by(found, beyond_doubt_nats) &&
+    return acts_there(found) && !is_in(analysis.before, found) && is_sure_by(found, beyond_doubt_nats) &&
            found.test_gain_nats.value_or(0.0) > beyond_doubt_nats;
   });
   if (is_beyond_doubt) return false;

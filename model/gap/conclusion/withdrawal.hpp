@@ -6,10 +6,10 @@
 namespace wheelwright::gap {
 
 // Whether the names close nothing in untouched free runs: no figure falls by 3 % (min_fall), or the common
-// fall of distance, position and heading is less; and no name is beyond doubt by the held-out runs and by
-// these. The noise of a robot is never quite as modelled, so some tens of nats are no proof of an effect that
-// does not show in free runs. False without untouched runs, or if no named effect acts in them, as a rug that
-// they do not cross.
+// fall of distance, position and heading is less; and no name that the model before lacks is beyond doubt by
+// the held-out runs and by these. The noise of a robot is never quite as modelled, so some tens of nats are
+// no proof of an effect that does not show in free runs. False without untouched runs, or if no named effect
+// acts in them, as a rug that they do not cross.
 bool closes_nothing_untouched(const GapAnalysis& analysis);
 
 // Of the evidence that the linear model is not enough, what the names explain: their gain of log likelihood

@@ -57,6 +57,16 @@ TEST_CASE("A name by which no figure of the untouched runs falls by 3 % is not w
   CHECK(closes_nothing(1.02, 1.0, true, true, 400.0, -10.0));
 }
 
+TEST_CASE("What the given model has already is not missing, however clearly the robot has it") {
+  GapAnalysis analysis = analysis_with({finding("dead_zone", 400.0)}, position(1.0, 1.0));
+  analysis.found.front().acts_untouched = true;
+  analysis.found.front().test_gain_nats = 400.0;
+  analysis.untouched = true;
+  CHECK_FALSE(closes_nothing_untouched(analysis));
+  analysis.before.effects.emplace_back().setting.name = "dead_zone";
+  CHECK(closes_nothing_untouched(analysis));
+}
+
 TEST_CASE("A figure that falls while the others rise as much does not keep a name that is not beyond doubt") {
   const auto closes_nothing = [](double nats, double position_after, double heading_after_rad) {
     GapAnalysis analysis = analysis_with({finding("caster_kick", nats)}, position(1.0, position_after));
