@@ -6,6 +6,7 @@
 
 namespace wheelwright::gap {
 
+// Whether the effect is command_quantization.
 bool rounds_commands(const EffectInfo& info);
 
 // `model` with its command_quantization, if it has one, where its free runs are best.

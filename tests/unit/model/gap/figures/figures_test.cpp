@@ -30,3 +30,21 @@ TEST_CASE("A floor without a figure beside it stays as it is") {
   CHECK(*bounded.distance_rms_m == 0.004);
   CHECK_FALSE(bounded.heading_rms_rad);
 }
+
+TEST_CASE("Free runs go further astray where every figure above its noise rises") {
+  const auto astray = [](double distance_after, double position_after) {
+    Score floor;
+    floor.distance_rms_m = 0.004;
+    floor.position_rms_m = AtHorizon{10.0, 0.020};
+    Score before = floor;
+    before.distance_rms_m = 0.010;
+    Score after = floor;
+    after.distance_rms_m = distance_after;
+    after.position_rms_m = AtHorizon{10.0, position_after};
+    return goes_further_astray({before, after, floor});
+  };
+  CHECK(astray(0.011, 0.040));
+  CHECK(astray(0.011, 0.010));  // the position falls, but within its noise
+  CHECK_FALSE(astray(0.009, 0.040));
+  CHECK_FALSE(goes_further_astray({}));
+}
