@@ -26,20 +26,26 @@ struct SlowOneWay {
 };
 
 // A motor whose current cannot turn round: where it would have to brake, it carries none, and the wheel rolls
-// on. Only where much less is wanted does the drive's voltage turn round itself, and brakes after all.
+// on. Only where much less is wanted does the drive's voltage turn round itself, and brakes after all. Some
+// drives wait for a wheel that turns the other way to slow down first.
 struct Coasting {
   double rolling_time_s;
   double quick_lag_s;
   double brakes_below;
+  double reverses_below_m_s;
 
   explicit Coasting(std::span<const double> parameters)
-      : rolling_time_s(parameters[0]), quick_lag_s(parameters[1]), brakes_below(parameters[2]) {}
+      : rolling_time_s(parameters[0]),
+        quick_lag_s(parameters[1]),
+        brakes_below(parameters[2]),
+        reverses_below_m_s(parameters[3]) {}
 
   double next(double now, double wanted, double period_s) const {
     const double driven = now + (wanted - now) * period_s / (period_s + quick_lag_s);
     const double rolling = now * rolling_time_s / (rolling_time_s + period_s);
-    const bool brakes = wanted * now < brakes_below * now * now;
-    const bool rolls_on = !brakes && std::abs(driven) < std::abs(rolling);
+    const bool waits = wanted * now < 0.0 && std::abs(now) > reverses_below_m_s;
+    const bool brakes = !waits && wanted * now < brakes_below * now * now;
+    const bool rolls_on = !brakes && driven * now < rolling * now;
     return rolls_on ? rolling : driven;
   }
 };
@@ -55,6 +61,7 @@ class UnpoweredWheel {
     const double rolling_time_s = parameters[0];
     const double lag_s = parameters[1];
     const double brakes_below = parameters[2];
+    const double reverses_below_m_s = parameters[3];
     const double share = -std::expm1(-period_s / lag_s);
     const double drive = linear_before_ + (linear_m_s - linear_before_) / share;
     const double kept_load = (1.0 - share) * load_m_s;
@@ -65,8 +72,13 @@ class UnpoweredWheel {
         speed * rolling_time_s / (rolling_time_s + period_s) + kept_load + (share - period_s / lag_s) * load;
     const double unbraked = driven * speed < rolling * speed ? rolling : driven;
     const double sign = std::copysign(1.0, speed);
-    const double braked_share = share_above_zero(sign * (brakes_below * speed - drive),
-                                                 sign * (brakes_below * (driven - load_m_s) - drive));
+    const double little_wanted_share = share_above_zero(sign * (brakes_below * speed - drive),
+                                                        sign * (brakes_below * (driven - load_m_s) - drive));
+    const double braked_share =
+        sign * drive < 0.0
+            ? little_wanted_share * share_below_zero(std::abs(speed) - reverses_below_m_s,
+                                                     sign * (rolling - load_m_s) - reverses_below_m_s)
+            : little_wanted_share;
     linear_before_ = linear_m_s;
     load_before_ = load_m_s;
     now_ = braked_share * driven + (1.0 - braked_share) * unbraked;
@@ -78,6 +90,12 @@ class UnpoweredWheel {
   static double share_above_zero(double from, double to) {
     if (from <= 0.0) return 0.0;
     return to >= 0.0 ? 1.0 : from / (from - to);
+  }
+
+  // Share of a period for which what falls from one value to another is below zero.
+  static double share_below_zero(double from, double to) {
+    if (from <= 0.0) return 1.0;
+    return to >= 0.0 ? 0.0 : to / (to - from);
   }
 
   double linear_before_ = 0.0;
@@ -97,7 +115,7 @@ class CoastingMotors final : public EffectOf<CoastingMotors> {
   void reset() override { left_ = right_ = {}; }
 
  private:
-  std::array<double, 3> parameters_{};
+  std::array<double, 4> parameters_{};
   UnpoweredWheel left_;
   UnpoweredWheel right_;
 };
@@ -131,6 +149,8 @@ class Following final : public EffectOf<Following<Drive>> {
 constexpr std::size_t first_coasting = 2;
 constexpr std::size_t motor_coasting = 4;
 
+constexpr double at_any_speed_m_s = 3.0;
+
 // What stops within a quarter of a second, no motor has let roll.
 std::vector<ParameterInfo> coasting_parameters() {
   return {{"rolling_time", "s", "time constant of a wheel that rolls freely", 0.25, 6.0, {0.5, 1.5}, 0.0},
@@ -149,7 +169,16 @@ std::vector<ParameterInfo> coasting_parameters() {
            0.95,
            {0.0, 0.45},
            0.0,
-           false}};
+           false},
+          {"reverses_below",
+           "m/s",
+           "speed of a wheel below which it is driven the other way; the largest: it is at any speed",
+           0.005,
+           at_any_speed_m_s,
+           {0.03, at_any_speed_m_s},
+           0.0,
+           false,
+           at_any_speed_m_s}};
 }
 
 std::vector<ParameterInfo> motor_parameters() {
@@ -163,6 +192,7 @@ std::vector<double> same_both_ways(const EffectArguments& arguments) {
   std::vector<double> parameters(arguments.parameters.begin(), arguments.parameters.end());
   if (arguments.variant >= first_coasting) {
     parameters[2] = 1.0;
+    parameters[3] = at_any_speed_m_s;
   } else {
     parameters[0] = 0.0;
   }

@@ -42,9 +42,11 @@ LinearModel lagging() {
 }
 
 // A motor that carries current in the direction of its voltage alone, with a load that is constant while it
-// goes forward: its equation of motion in small steps. The voltage turns round at half the speed.
+// goes forward: its equation of motion in small steps. The voltage turns round at half the speed, but drives
+// a wheel the other way only where that is slow enough.
 struct UnpoweredMotor {
-  double load_m_s;
+  double load_m_s = 0.0;
+  double reverses_below_m_s = 3.0;
   double speed_m_s = 0.0;
   double way_m = 0.0;
 
@@ -55,7 +57,8 @@ struct UnpoweredMotor {
     for (int i = 0; i < steps; ++i) {
       const double powered_m_s2 = (command_m_s - speed_m_s) / motor_lag_s;
       const double rolling_m_s2 = -speed_m_s / rolling_time_s;
-      const bool brakes = command_m_s < 0.5 * speed_m_s;
+      const bool waits = command_m_s < 0.0 && speed_m_s > reverses_below_m_s;
+      const bool brakes = !waits && command_m_s < 0.5 * speed_m_s;
       const double motor_m_s2 = brakes ? powered_m_s2 : std::max(powered_m_s2, rolling_m_s2);
       speed_m_s += step_s * (motor_m_s2 - load_m_s / motor_lag_s);
       way_m += step_s * speed_m_s;
@@ -74,7 +77,7 @@ TEST_CASE("A drive with an asymmetric response speeds up with one lag and slows 
 }
 
 TEST_CASE("A motor that cannot brake rolls on until it is as slow as it should be") {
-  ModelSimulation simulation = only({"asymmetric_response", "speed_coasting", {1.0, 0.0, 0.5}});
+  ModelSimulation simulation = only({"asymmetric_response", "speed_coasting", {1.0, 0.0, 0.5, 3.0}});
   CHECK(speed_after(simulation, 0.2, 1) == 0.2);
   CHECK_THAT(speed_after(simulation, 0.15, 10), WithinAbs(0.2 * left_of_way(1.0, 10), 1e-12));
   CHECK(speed_after(simulation, 0.15, 20) == 0.15);
@@ -82,7 +85,7 @@ TEST_CASE("A motor that cannot brake rolls on until it is as slow as it should b
 }
 
 TEST_CASE("A motor that brakes for much less than its speed rolls on from where that is not much less") {
-  ModelSimulation simulation = only({"asymmetric_response", "speed_coasting", {1.0, 0.1, 0.5}});
+  ModelSimulation simulation = only({"asymmetric_response", "speed_coasting", {1.0, 0.1, 0.5, 3.0}});
   const double before_m_s = speed_after(simulation, -0.2, 300);
   const double braked_m_s = speed_after(simulation, -0.05, 7);
   CHECK_THAT(braked_m_s, WithinAbs(-0.05 + (before_m_s + 0.05) * left_of_way(0.1, 7), 1e-12));
@@ -92,7 +95,8 @@ TEST_CASE("A motor that brakes for much less than its speed rolls on from where 
 
 TEST_CASE(
     "A load slows a wheel without current by all its force, and the same wheel under power by its lag") {
-  const EffectSetting coasting{"asymmetric_response", "motor_coasting", {rolling_time_s, motor_lag_s, 0.5}};
+  const EffectSetting coasting{
+      "asymmetric_response", "motor_coasting", {rolling_time_s, motor_lag_s, 0.5, 3.0}};
   const EffectSetting uphill{"floor_slope", "wheel", {-0.004, 0.0}};
   const EffectSetting downhill{"floor_slope", "wheel", {0.002, 0.0}};
   const EffectSetting friction{"coulomb_friction", "", {0.004, motor_lag_s}};
@@ -101,7 +105,7 @@ TEST_CASE(
   for (const auto& [load, load_m_s] : loads) {
     INFO(load.name << " of " << load_m_s);
     ModelSimulation simulation(lagging(), std::vector{coasting, load});
-    UnpoweredMotor motor{load_m_s};
+    UnpoweredMotor motor{.load_m_s = load_m_s};
     double way_m = 0.0;
     double settled_m = 0.0;  // a lag in steps of a period lags by another while
     double slowest_m_s = 1.0;
@@ -119,8 +123,35 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("A drive that waits for its wheel to slow down lets it roll before it drives it the other way") {
+  constexpr double reverses_below_m_s = 0.03;
+  ModelSimulation simulation(
+      lagging(),
+      std::vector<EffectSetting>{
+          {"asymmetric_response", "motor_coasting", {rolling_time_s, motor_lag_s, 0.5, reverses_below_m_s}}});
+  UnpoweredMotor motor{.reverses_below_m_s = reverses_below_m_s};
+  double way_m = 0.0;
+  double settled_m = 0.0;  // a lag in steps of a period lags by another while
+  int rolled = 0;
+  for (int k = 0; k < 400; ++k) {
+    const double command_m_s = k < 80 ? 0.2 : -0.15;
+    const double speed_m_s = simulation.step({command_m_s, command_m_s}).wheel_m_s.left;
+    way_m += period_s * speed_m_s;
+    motor.moved_m(command_m_s);
+    if (k >= 80 && speed_m_s > 0.0) ++rolled;
+    if (k == 79) settled_m = way_m - motor.way_m;
+    if (k >= 80) REQUIRE_THAT(way_m, WithinAbs(motor.way_m + settled_m, 0.003));
+  }
+  CHECK_THAT(rolled * period_s, WithinAbs(rolling_time_s * std::log(0.2 / reverses_below_m_s), 0.1));
+  ModelSimulation command = only({"asymmetric_response", "speed_coasting", {1.0, 0.0, 0.5, 0.1}});
+  speed_after(command, 0.2, 1);
+  CHECK_THAT(speed_after(command, -0.2, 30), WithinAbs(0.2 * left_of_way(1.0, 30), 1e-12));
+  CHECK(speed_after(command, -0.2, 20) == -0.2);
+}
+
 TEST_CASE("A motor acts before its loads, in whatever order a model lists them") {
-  const EffectSetting coasting{"asymmetric_response", "motor_coasting", {rolling_time_s, motor_lag_s, 0.5}};
+  const EffectSetting coasting{
+      "asymmetric_response", "motor_coasting", {rolling_time_s, motor_lag_s, 0.5, 3.0}};
   const EffectSetting friction{"coulomb_friction", "", {0.004, motor_lag_s}};
   ModelSimulation one(lagging(), std::vector{coasting, friction});
   ModelSimulation other(lagging(), std::vector{friction, coasting});

@@ -23,7 +23,7 @@ RobotModel robot_with(const std::vector<EffectSetting>& effects) {
   return model;
 }
 
-const EffectSetting coasting{"asymmetric_response", "motor_coasting", {1.5, lag_s, 0.45}};
+const EffectSetting coasting{"asymmetric_response", "motor_coasting", {1.5, lag_s, 0.45, 3.0}};
 
 const EffectSetting stiff_caster{"caster_kick", "swivel_at_wheels", {0.027, 0.012, 0.13, lag_s, 0.5}};
 

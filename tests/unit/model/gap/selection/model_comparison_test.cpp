@@ -96,8 +96,8 @@ TEST_CASE("A lag that is the same both ways is no asymmetric response, however m
   constexpr std::size_t command = 0, command_coasting = 2;
   CHECK(stands(response(command, {0.1, 0.0})));
   CHECK_FALSE(stands(response(command, {0.0031, 0.1})));
-  CHECK(stands(response(command_coasting, {2.0, 0.05, 0.0})));
-  CHECK_FALSE(stands(response(command_coasting, {0.25, 0.1, 0.95})));  // slows down too gently to roll
+  CHECK(stands(response(command_coasting, {2.0, 0.05, 0.0, 3.0})));
+  CHECK_FALSE(stands(response(command_coasting, {0.25, 0.1, 0.95, 3.0})));  // slows down too gently to roll
 }
 
 TEST_CASE("What training leaves no doubt of needs less on held-out runs to be confirmed") {

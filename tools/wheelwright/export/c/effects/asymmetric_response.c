@@ -23,14 +23,21 @@ static inline double asymmetric_response_coasting(const double* p, double now, d
                                                   double period_s) {
   const double driven = now + (wanted - now) * period_s / (period_s + p[1]);
   const double rolling = now * p[0] / (p[0] + period_s);
-  const int brakes = wanted * now < p[2] * now * now;
-  return !brakes && fabs(driven) < fabs(rolling) ? rolling : driven;
+  const int waits = wanted * now < 0.0 && fabs(now) > p[3];
+  const int brakes = !waits && wanted * now < p[2] * now * now;
+  return !brakes && driven * now < rolling * now ? rolling : driven;
 }
 
 /* Share of a period for which what goes from one value to another is above zero, if it began there. */
 static inline double asymmetric_response_share_above_zero(double from, double to) {
   if (from <= 0.0) return 0.0;
   return to >= 0.0 ? 1.0 : from / (from - to);
+}
+
+/* Share of a period for which what falls from one value to another is below zero. */
+static inline double asymmetric_response_share_below_zero(double from, double to) {
+  if (from <= 0.0) return 1.0;
+  return to >= 0.0 ? 0.0 : to / (to - from);
 }
 
 /* Without current, what loads take from a wheel is not given back by its motor. */
@@ -43,12 +50,14 @@ static inline double asymmetric_response_motor(const double* p, double* now, dou
   const double load = *load_before + (load_now - *load_before) / share;
   const double speed = *now - load_now;
   const double driven = *now + share * (drive - *now);
-  const double rolling =
-      speed * p[0] / (p[0] + period_s) + kept_load + (share - period_s / p[1]) * load;
+  const double rolling = speed * p[0] / (p[0] + period_s) + kept_load + (share - period_s / p[1]) * load;
   const double unbraked = driven * speed < rolling * speed ? rolling : driven;
   const double sign = copysign(1.0, speed);
-  const double braked_share = asymmetric_response_share_above_zero(
-      sign * (p[2] * speed - drive), sign * (p[2] * (driven - load_now) - drive));
+  double braked_share = asymmetric_response_share_above_zero(sign * (p[2] * speed - drive),
+                                                             sign * (p[2] * (driven - load_now) - drive));
+  if (sign * drive < 0.0)
+    braked_share *=
+        asymmetric_response_share_below_zero(fabs(speed) - p[3], sign * (rolling - load_now) - p[3]);
   *linear_before = linear;
   *load_before = load_now;
   *now = braked_share * driven + (1.0 - braked_share) * unbraked;
