@@ -16,10 +16,11 @@ constexpr std::size_t swivel = 2;
 constexpr std::size_t swing = 3;
 constexpr std::size_t ploughing_same = 4;
 constexpr std::size_t ploughing_alternating = 5;
-constexpr std::size_t variants = 6;
+constexpr std::size_t ploughing = 6;
+constexpr std::size_t variants = 7;
 
 bool ploughs(std::size_t variant) {
-  return variant == ploughing_same || variant == ploughing_alternating;
+  return variant == ploughing_same || variant == ploughing_alternating || variant == ploughing;
 }
 
 class CasterKick final : public EffectOf<CasterKick> {
@@ -104,6 +105,8 @@ class Fork {
           .turned_by(half_turn_);
     }
     Direction end() const { return off_after_.turned_by(behind_).turned_back_by(half_turn_); }
+    // From 0 for a fork that trails, or stands across, to 1 for one that its pivot pushes ahead of itself.
+    double ahead_share() const { return std::max(0.0, -0.5 * (off_.x + off_after_.x)); }
     double swivel_rad_s() const {
       const double turned_rad = 2.0 * std::atan((after_ - before_) / (1.0 + after_ * before_));
       return turned_rad / period_s_ - turn_rad_s_;
@@ -230,6 +233,27 @@ class ScrubbingSwing final : public EffectOf<ScrubbingSwing> {
   Fork fork_;
 };
 
+// A wheel that its pivot pushes ahead resists along its fork, and so turns the robot by as much as the fork
+// stands aside, for as long as it has not come round. Its side is a matter of the turn before, too.
+class PloughingFork final : public EffectOf<PloughingFork> {
+ public:
+  explicit PloughingFork(const EffectArguments& arguments)
+      : rate_rad_s_(arguments.parameters[0]),
+        fork_(arguments.parameters[1], arguments.parameters[2], arguments.parameters[3]) {}
+
+  void body(Twist& twist, const StepContext& context) override {
+    const Fork::Step step = fork_.dragged(twist, context.period_s);
+    fork_.move_on(step);
+    const double moving = std::tanh(std::abs(twist.v_m_s) / moving_m_s);
+    twist.w_rad_s += rate_rad_s_ * step.middle().y * step.ahead_share() * moving;
+  }
+  void reset() override { fork_.reset(); }
+
+ private:
+  double rate_rad_s_;
+  Fork fork_;
+};
+
 std::vector<ParameterInfo> swivel_parameters() {
   return {{"push",
            "m/s",
@@ -280,6 +304,15 @@ std::vector<ParameterInfo> swing_parameters() {
            false}};
 }
 
+std::vector<ParameterInfo> ploughing_parameters() {
+  std::vector<ParameterInfo> parameters = swing_parameters();
+  parameters.front() = {"rate", "rad/s", "turn of the robot by a caster that is pushed ahead, across",
+                        -3.0,   3.0,     {-0.1, 0.1},
+                        0.01};
+  parameters[3].sizes = {-0.1, 0.1};
+  return parameters;
+}
+
 std::vector<ParameterInfo> kick_parameters() {
   return {{"angle", "rad", "turn that one kick makes in all", -1.0, 1.0, {-0.05, -0.02, 0.02, 0.05}, 0.002},
           {"distance",
@@ -326,17 +359,20 @@ EffectInfo caster_kick() {
       "A caster swings round and pushes the robot aside while it does. 'same': to the same side at every "
       "flip, 'alternating': to one side when it begins to go forward, to the other when backward; 'swivel': "
       "by the friction of its pivot, in turns as well; 'swing': as it scrubs, to the side to which it stood; "
-      "'ploughing': for as long as it stands across, by time and not by way.",
+      "'ploughing': for as long as it stands across, by time and not by way, and alone also to the side to "
+      "which it stood.",
       {{"same", EffectStage::body},
        {"alternating", EffectStage::body},
        {"swivel", EffectStage::body, swivel_parameters()},
        {"swing", EffectStage::body, swing_parameters()},
        {"ploughing_same", EffectStage::body, plough_parameters()},
-       {"ploughing_alternating", EffectStage::body, plough_parameters()}},
+       {"ploughing_alternating", EffectStage::body, plough_parameters()},
+       {"ploughing", EffectStage::body, ploughing_parameters()}},
       kick_parameters(),
       {.reference = true, .or_gyro = true, .reversal = true},
       [](const EffectArguments& arguments) -> std::unique_ptr<Effect> {
         if (arguments.variant == swivel) return std::make_unique<StiffSwivel>(arguments);
+        if (arguments.variant == ploughing) return std::make_unique<PloughingFork>(arguments);
         if (arguments.variant == swing) return std::make_unique<ScrubbingSwing>(arguments);
         return std::make_unique<CasterKick>(arguments);
       },

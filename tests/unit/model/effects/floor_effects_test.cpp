@@ -184,6 +184,31 @@ TEST_CASE("A scrubbing caster turns the robot to the side to which the turn befo
   CHECK(std::abs(turned_by_flip_after(0.0, 0.1)) > 0.09);
 }
 
+TEST_CASE("A fork that is pushed ahead turns the robot to its side until it has come round") {
+  constexpr double rate_rad_s = 0.3;
+  constexpr double trail_m = 0.02;
+  const auto turned_by_flip = [&](double speed_m_s, double lean_rad, double turn_before_m_s) {
+    ModelSimulation simulation = only({"caster_kick", "ploughing", {rate_rad_s, trail_m, 0.1, lean_rad}});
+    for (int k = 0; k < 200; ++k) simulation.step({0.1 - turn_before_m_s, 0.1 + turn_before_m_s});
+    double turned_rad = 0.0;
+    for (double gone_m = 0.0; gone_m < 0.4; gone_m += speed_m_s * period_s) {
+      turned_rad += period_s * simulation.step({-speed_m_s, -speed_m_s}).twist.w_rad_s;
+    }
+    return turned_rad;
+  };
+  // It begins at twice its lean from where it points ahead, and goes along a tractrix until it stands across.
+  constexpr double lean_rad = 0.02;
+  const double begin_rad = 2.0 * lean_rad;
+  const double area_m =
+      trail_m * (std::cos(lean_rad) * (1.0 - std::sin(begin_rad)) +
+                 std::sin(lean_rad) * (std::log(std::tan(0.5 * begin_rad)) + std::cos(begin_rad)));
+  CHECK_THAT(turned_by_flip(0.05, lean_rad, 0.0), WithinRel(rate_rad_s * area_m / 0.05, 0.01));
+  CHECK_THAT(turned_by_flip(0.1, lean_rad, 0.0), WithinRel(rate_rad_s * area_m / 0.1, 0.01));
+  const double after_left_rad = turned_by_flip(0.1, 0.0, 0.02);
+  CHECK(std::abs(after_left_rad) > 0.01);
+  CHECK_THAT(turned_by_flip(0.1, 0.0, -0.02), WithinAbs(-after_left_rad, 1e-9));
+}
+
 TEST_CASE("A caster turns the robot on after a curve, until its fork has come round behind") {
   const double trail_m = 0.02;
   const double ahead_m = 0.12;

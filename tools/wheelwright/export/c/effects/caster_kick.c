@@ -10,8 +10,8 @@ static inline void caster_kick_reset(caster_kick_state* s, const double* p, int 
   s->direction = 0.0;
   s->kick = 0.0;
   s->swung = 1.0;
-  s->fork.left = variant == 3 ? cos(p[3]) : 1.0;
-  s->fork.right = variant == 3 ? sin(p[3]) : 0.0;
+  s->fork.left = variant == 3 || variant == 6 ? cos(p[3]) : 1.0;
+  s->fork.right = variant == 3 || variant == 6 ? sin(p[3]) : 0.0;
   s->taken.v = 0.0;
   s->taken.w = 0.0;
 }
@@ -66,9 +66,10 @@ static inline double caster_kick_tangent_of_half(ww_pair direction) {
   return fabs(direction.right) * largest > other ? other / direction.right : copysign(largest, direction.right);
 }
 
-/* How fast the fork swivels, seen from the robot; `middle` is where it points in the middle of the period. */
+/* How fast the fork swivels, seen from the robot; `middle` is where it points in the middle of the period, and
+   `ahead` is 1 for a fork that its pivot pushes ahead of itself. */
 static inline double caster_kick_drag(caster_kick_state* s, double trail, double arm, double lean,
-                                      ww_twist twist, double period_s, ww_pair* middle) {
+                                      ww_twist twist, double period_s, ww_pair* middle, double* ahead) {
   const double sideways = twist.w * arm;
   const double pivot = sqrt(twist.v * twist.v + sideways * sideways);
   const double half = 0.5 * twist.w * period_s;
@@ -88,6 +89,7 @@ static inline double caster_kick_drag(caster_kick_state* s, double trail, double
   end.right = 2.0 * after * scale;
   *middle = caster_kick_turned(
       caster_kick_turned(caster_kick_direction(off.left + end.left, off.right + end.right), behind), turn);
+  *ahead = fmax(0.0, -0.5 * (off.left + end.left));
   s->fork = caster_kick_turned_back(caster_kick_turned(end, behind), turn);
   return 2.0 * atan((after - before) / (1.0 + after * before)) / period_s - twist.w;
 }
@@ -101,36 +103,42 @@ static inline void caster_kick_stiff(caster_kick_state* s, const double* p, cons
   caster_kick_state trial = *s;
   ww_twist kept, whole, pushed;
   ww_pair middle, other;
-  double free, sign, slower, part;
+  double free, sign, slower, part, ahead;
   kept.v = (1.0 - share) * s->taken.v;
   kept.w = (1.0 - share) * s->taken.w;
   pushed.v = twist->v + kept.v;
   pushed.w = twist->w + kept.w;
-  free = caster_kick_drag(&trial, p[1], p[2], 0.0, pushed, around->period_s, &middle);
+  free = caster_kick_drag(&trial, p[1], p[2], 0.0, pushed, around->period_s, &middle, &ahead);
   whole.v = push * middle.right;
   whole.w = -push * middle.left * arm;
   sign = copysign(1.0, free);
   pushed.v += sign * whole.v;
   pushed.w += sign * whole.w;
   trial = *s;
-  slower = sign * (free - caster_kick_drag(&trial, p[1], p[2], 0.0, pushed, around->period_s, &other));
+  slower = sign * (free - caster_kick_drag(&trial, p[1], p[2], 0.0, pushed, around->period_s, &other, &ahead));
   part = tanh(free / (p[4] + (slower > 0.0 ? slower : 0.0)));
   s->taken.v = kept.v + part * whole.v;
   s->taken.w = kept.w + part * whole.w;
   twist->v += s->taken.v;
   twist->w += s->taken.w;
-  caster_kick_drag(s, p[1], p[2], 0.0, *twist, around->period_s, &middle);
+  caster_kick_drag(s, p[1], p[2], 0.0, *twist, around->period_s, &middle, &ahead);
 }
 
-/* Variants: same, alternating, swivel, swing, ploughing_same, ploughing_alternating. */
+/* Variants: same, alternating, swivel, swing, ploughing_same, ploughing_alternating, ploughing. */
 static inline void caster_kick_body(caster_kick_state* s, const double* p, int variant,
                                     const ww_around* around, ww_twist* twist) {
+  const double moving = 0.005;
   ww_pair middle;
+  double ahead;
   if (variant == 2) {
     caster_kick_stiff(s, p, around, twist);
   } else if (variant == 3) {
-    const double swivel = caster_kick_drag(s, p[1], p[2], p[3], *twist, around->period_s, &middle);
+    const double swivel = caster_kick_drag(s, p[1], p[2], p[3], *twist, around->period_s, &middle, &ahead);
     twist->w += p[0] / ww_pi * swivel;
+  } else if (variant == 6) {
+    const double share = tanh(fabs(twist->v) / moving);
+    caster_kick_drag(s, p[1], p[2], p[3], *twist, around->period_s, &middle, &ahead);
+    twist->w += p[0] * middle.right * ahead * share;
   } else {
     caster_kick_swing(s, p, variant, around, twist);
   }
