@@ -28,8 +28,7 @@ Finding finding(const GapSearch& search, std::size_t index) {
     const auto entry = best_score.try_emplace(name, candidate.score).first;
     entry->second = std::max(entry->second, candidate.score);
     if (name == found.setting.name && found.heldout_gain_nats == 0.0) {
-      found.heldout_gain_nats = candidate.unseen_nats() / candidate.autocorrelation_factor;
-      found.autocorrelation_factor = candidate.autocorrelation_factor;
+      found.heldout_gain_nats = candidate.deflated_unseen_nats();
       found.p_value = std::clamp(std::exp(-found.heldout_gain_nats), smallest_p, 1.0);
     }
   }

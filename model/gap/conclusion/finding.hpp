@@ -22,10 +22,9 @@ struct Rival {
 struct Finding {
   EffectSetting setting;
   std::vector<ParameterInterval> intervals;
-  double heldout_gain_nats = 0.0;        // divided by autocorrelation_factor
+  double heldout_gain_nats = 0.0;        // deflated for correlation of the residuals
   std::optional<double> test_gain_nats;  // the same on untouched runs
   bool acts_untouched = false;           // whether it moves anything there
-  double autocorrelation_factor = 1.0;
   double p_value = 1.0;
   double posterior = 0.0;
   double rival_share = 0.0;   // of what it explains, what the best rival would explain in its place

@@ -43,8 +43,8 @@ Judgement of_findings(const std::vector<Finding>& found) {
 bool decoy_explains(const GapAnalysis& analysis, const SearchLimits& limits) {
   const auto& last = analysis.search.selection_steps.back().candidates;
   if (last.empty() || !is_decoy(*last.front().effect.info)) return false;
-  const double train_nats = last.front().train_nats / last.front().autocorrelation_factor;
-  const double heldout_nats = last.front().unseen_nats() / last.front().autocorrelation_factor;
+  const double train_nats = last.front().deflated_train_nats();
+  const double heldout_nats = last.front().deflated_unseen_nats();
   if (heldout_nats > beyond_doubt_nats && train_nats > beyond_doubt_nats) return true;
   return heldout_nats > limits.min_heldout_nats && train_nats > limits.min_train_nats &&
          some_figure_above_noise(analysis.tail_held_out ? analysis.train : analysis.test);

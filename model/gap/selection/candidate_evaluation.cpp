@@ -204,7 +204,7 @@ void CandidateEvaluation::place_regions(SelectionStep& selection_step, int steps
 bool CandidateEvaluation::stands_out_of_its_own_noise(const SelectionStep& selection_step) {
   const Candidate* best = nullptr;
   const auto nats = [](const Candidate& one) {
-    return (one.train_nats + one.unseen_nats()) / one.autocorrelation_factor;
+    return one.deflated_train_nats() + one.deflated_unseen_nats();
   };
   for (const auto& candidate : selection_step.candidates) {
     const bool helps = candidate.train_nats > 0.0 && candidate.unseen_nats() > 0.0;

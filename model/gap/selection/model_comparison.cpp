@@ -14,25 +14,31 @@ namespace {
 
 constexpr double max_autocorrelation_factor = 30.0;
 
-// By how much the variance of an effect's likelihood gain exceeds that of white residuals: sums over blocks
-// of time of residual times change, against the sum of squared changes.
-double autocorrelation_factor_of(const Problem& problem, const std::vector<double>& without,
-                                 const std::vector<double>& with) {
+// By how much the variance of a difference of likelihoods exceeds that of white residuals: sums over blocks
+// of time of the better model's residuals times their change, against the sum of squared changes.
+double autocorrelation_factor_of(const Problem& problem, const std::vector<double>& worse,
+                                 const std::vector<double>& better) {
   std::map<std::pair<std::size_t, std::size_t>, double> blocks;
   double power = 0.0;
   const auto& places = problem.places();
-  for (std::size_t i = 0; i < with.size(); ++i) {
-    const double change = without[i] - with[i];
+  for (std::size_t i = 0; i < better.size(); ++i) {
+    const double change = worse[i] - better[i];
     const double period_s = problem.runs()[places[i].run].period_s;
     const auto block =
         static_cast<std::size_t>(static_cast<double>(places[i].period) * period_s / independent_after_s);
-    blocks[{places[i].run, block}] += with[i] * change;
+    blocks[{places[i].run, block}] += better[i] * change;
     power += change * change;
   }
   if (!(power > 0.0)) return 1.0;
   double variance = 0.0;
   for (const auto& [key, sum] : blocks) variance += sum * sum;
   return std::clamp(variance / power, 1.0, max_autocorrelation_factor);
+}
+
+double autocorrelation_factor_of_gain(const Problem& problem, double gain_nats,
+                                      const std::vector<double>& without, const std::vector<double>& with) {
+  return gain_nats < 0.0 ? autocorrelation_factor_of(problem, with, without)
+                         : autocorrelation_factor_of(problem, without, with);
 }
 
 // Of several sizes, all have to be.
@@ -94,12 +100,14 @@ Candidate ModelComparison::judged(const Fit& without, const std::vector<double>&
   candidate.heldout_residuals = heldout_.residuals(fit.model);
   candidate.heldout_nats =
       0.5 * (sum_squares_of(heldout_without) - sum_squares_of(candidate.heldout_residuals));
-  candidate.autocorrelation_factor =
-      std::max(autocorrelation_factor_of(train_, without.residuals, fit.residuals),
-               autocorrelation_factor_of(heldout_, heldout_without, candidate.heldout_residuals));
+  candidate.train_autocorrelation_factor =
+      autocorrelation_factor_of_gain(train_, candidate.train_nats, without.residuals, fit.residuals);
+  candidate.heldout_autocorrelation_factor = autocorrelation_factor_of_gain(
+      heldout_, candidate.heldout_nats, heldout_without, candidate.heldout_residuals);
   if (candidate.effect.info->by_wheel_angle && angles_differ_) {
     // Two angles were taken from each held-out run: that much they explain of mere noise.
-    candidate.heldout_nats -= candidate.autocorrelation_factor * static_cast<double>(heldout_.runs().size());
+    candidate.heldout_nats -=
+        candidate.heldout_autocorrelation_factor * static_cast<double>(heldout_.runs().size());
   }
   // As long as nothing is found, other runs can be held out, in which it acts: that proves more.
   const bool something_found = !without.model.effects.empty();
@@ -114,8 +122,8 @@ Candidate ModelComparison::judged(const Fit& without, const std::vector<double>&
 // Whether training leaves no doubt, and held-out runs neither confirm it, as a first effect or a further one
 // has to be, nor refute it: they may not reach the speed or the turn in which it shows.
 bool ModelComparison::undecided_by_held_out_runs(const Candidate& candidate, bool is_further) const {
-  const double train_nats = candidate.train_nats / candidate.autocorrelation_factor;
-  const double heldout_nats = candidate.heldout_nats / candidate.autocorrelation_factor;
+  const double train_nats = candidate.deflated_train_nats();
+  const double heldout_nats = candidate.deflated_heldout_nats();
   const double confirming_nats = is_further ? limits_.min_further_nats : limits_.min_heldout_nats;
   return train_nats > limits_.clear_train_nats && heldout_nats > -limits_.min_heldout_nats &&
          heldout_nats < confirming_nats;
@@ -206,7 +214,7 @@ double ModelComparison::core_score(const SelectionStep& selection_step, const Fi
       0.5 * (selection_step.heldout_sum_squares - sum_squares_of(heldout_.residuals(richer.model)));
   const double autocorrelation_factor = std::max(
       autocorrelation_factor_of(train_, selection_step.without.residuals, richer.residuals),
-      selection_step.candidates.empty() ? 1.0 : selection_step.candidates.front().autocorrelation_factor);
+      selection_step.candidates.empty() ? 1.0 : selection_step.candidates.front().autocorrelation_factor());
   if (heldout_nats / autocorrelation_factor < limits_.min_linear_part_nats) return 0.0;
   return (train_nats + heldout_nats) / autocorrelation_factor - complexity_penalty(richer.model) +
          complexity_penalty(selection_step.without.model);
@@ -229,27 +237,26 @@ double ModelComparison::advantage(const Fit& one, const Fit& other) const {
 }
 
 double ModelComparison::score_alone(const Candidate& candidate) const {
-  return (candidate.train_nats + candidate.heldout_nats) / candidate.autocorrelation_factor -
+  return (candidate.train_nats + candidate.heldout_nats) / candidate.autocorrelation_factor() -
          complexity_penalty(candidate.effect);
 }
 
 bool ModelComparison::good_enough(const Candidate& candidate) const {
-  const double unseen_nats = candidate.unseen_nats() / candidate.autocorrelation_factor;
-  const double train_nats = candidate.train_nats / candidate.autocorrelation_factor;
+  const double unseen_nats = candidate.deflated_unseen_nats();
+  const double train_nats = candidate.deflated_train_nats();
   const bool both = unseen_nats > limits_.min_heldout_nats && train_nats > limits_.min_train_nats;
   const bool confirmed = unseen_nats > limits_.confirming_nats && train_nats > limits_.clear_train_nats;
   return (both || confirmed) && score_alone(candidate) > 0.0;
 }
 
 bool ModelComparison::clear(const Candidate& candidate) const {
-  return good_enough(candidate) &&
-         candidate.unseen_nats() / candidate.autocorrelation_factor > limits_.min_further_nats &&
-         candidate.train_nats / candidate.autocorrelation_factor > limits_.min_further_nats;
+  return good_enough(candidate) && candidate.deflated_unseen_nats() > limits_.min_further_nats &&
+         candidate.deflated_train_nats() > limits_.min_further_nats;
 }
 
 bool ModelComparison::worth_adding(const Candidate& candidate, std::span<const SelectionStep> so_far) const {
   const auto all_nats = [](const Candidate& one) {
-    return (one.train_nats + one.heldout_nats) / one.autocorrelation_factor;
+    return (one.train_nats + one.heldout_nats) / one.autocorrelation_factor();
   };
   // With counts, what the wheels do of their commands leaves nothing in the motion beyond odometry.
   const auto in_same_readings = [&](const Candidate& other) {
@@ -264,9 +271,9 @@ bool ModelComparison::worth_adding(const Candidate& candidate, std::span<const S
     if (in_same_readings(best)) largest = std::max(largest, all_nats(best));
   }
   // What a wrong shape of the strongest effect leaves, another may fit, but not so that noise alone is left.
-  const double factor = candidate.autocorrelation_factor;
+  const double factor = candidate.autocorrelation_factor();
   const double min_share = std::min(limits_.min_share, limits_.min_share_before_noise * factor * factor);
-  const double unseen_nats = candidate.unseen_nats() / factor;
+  const double unseen_nats = candidate.deflated_unseen_nats();
   return good_enough(candidate) && (!is_further || (unseen_nats > limits_.min_further_nats &&
                                                     all_nats(candidate) > min_share * largest));
 }
@@ -274,13 +281,12 @@ bool ModelComparison::worth_adding(const Candidate& candidate, std::span<const S
 bool ModelComparison::clearly_better(const Fit& with, const Fit& without) const {
   const std::vector<double> heldout_without = heldout_.residuals(without.model);
   const std::vector<double> heldout_with = heldout_.residuals(with.model);
-  const double autocorrelation_factor =
-      std::max(autocorrelation_factor_of(train_, without.residuals, with.residuals),
-               autocorrelation_factor_of(heldout_, heldout_without, heldout_with));
   const double train_nats = 0.5 * (without.sum_squares - with.sum_squares);
   const double heldout_nats = 0.5 * (sum_squares_of(heldout_without) - sum_squares_of(heldout_with));
-  return train_nats / autocorrelation_factor > limits_.min_further_nats &&
-         heldout_nats / autocorrelation_factor > limits_.min_further_nats;
+  return train_nats > limits_.min_further_nats *
+                          autocorrelation_factor_of(train_, without.residuals, with.residuals) &&
+         heldout_nats >
+             limits_.min_further_nats * autocorrelation_factor_of(heldout_, heldout_without, heldout_with);
 }
 
 bool ModelComparison::stands_beside(const Fit& both, const Candidate& other) const {

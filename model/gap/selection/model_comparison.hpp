@@ -2,6 +2,7 @@
 // that were held out.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -18,8 +19,10 @@ struct Candidate {
   double heldout_nats = 0.0;  // the same on the held-out runs, with nothing fitted there
   // Where held-out runs do not decide: the same on each training run, fitted to the others. Else 0.
   double left_out_nats = 0.0;
-  // By which correlation of the residuals makes these gains look too large.
-  double autocorrelation_factor = 1.0;
+  // By which correlation of the residuals makes these gains look too large: of the training runs, and of the
+  // held-out ones.
+  double train_autocorrelation_factor = 1.0;
+  double heldout_autocorrelation_factor = 1.0;
   double score = 0.0;  // both gains, deflated, less the price of the parameters, beside the best one's
   Fit fit;
   std::size_t behind = 0;  // so many of the fit's effects act behind it
@@ -27,6 +30,16 @@ struct Candidate {
 
   // On runs that it was not fitted to.
   double unseen_nats() const { return heldout_nats + left_out_nats; }
+
+  // The same gains, deflated.
+  double deflated_train_nats() const { return train_nats / train_autocorrelation_factor; }
+  double deflated_heldout_nats() const { return heldout_nats / heldout_autocorrelation_factor; }
+  double deflated_unseen_nats() const {
+    return deflated_heldout_nats() + left_out_nats / train_autocorrelation_factor;
+  }
+  double autocorrelation_factor() const {
+    return std::max(train_autocorrelation_factor, heldout_autocorrelation_factor);
+  }
 };
 
 // A delay that no usual linear part could hold is more than another shape of one.

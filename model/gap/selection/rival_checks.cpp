@@ -33,9 +33,8 @@ const Candidate* itself_in(const SelectionStep& check, const EffectInfo* info) {
 double own_nats(const SelectionStep& check, const EffectInfo* info, double min_heldout_nats) {
   const Candidate* itself = itself_in(check, info);
   if (itself == nullptr || itself->train_nats <= 0.0) return 0.0;
-  const double heldout_nats = itself->heldout_nats / itself->autocorrelation_factor;
-  return heldout_nats < min_heldout_nats ? itself->unseen_nats() / itself->autocorrelation_factor
-                                         : heldout_nats;
+  const double heldout_nats = itself->deflated_heldout_nats();
+  return heldout_nats < min_heldout_nats ? itself->deflated_unseen_nats() : heldout_nats;
 }
 
 // Whether the first of a check is not what is present: another effect, or another variant that explains
@@ -203,9 +202,9 @@ bool RivalChecks::shown_by_left_out_runs(const GapSearch& result, const Fit& wit
                                          std::size_t place) const {
   const Candidate* itself = itself_in(result.checks[place], result.final.model.effects[place].info);
   if (itself == nullptr) return false;
-  const double factor = itself->autocorrelation_factor;
-  if (itself->heldout_nats < -limits_.min_heldout_nats * factor) return false;
-  return left_out_runs_gain_nats(train_, without, result.final, place) > limits_.clear_left_out_nats * factor;
+  if (itself->deflated_heldout_nats() < -limits_.min_heldout_nats) return false;
+  return left_out_runs_gain_nats(train_, without, result.final, place) >
+         limits_.clear_left_out_nats * itself->train_autocorrelation_factor;
 }
 
 // One that helps a little and in whose place another would help more does not, nor one that a decoy beats,

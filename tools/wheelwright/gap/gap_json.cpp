@@ -94,7 +94,7 @@ ordered_json rounds_to_json(const std::vector<gap::SelectionStep>& selection_ste
                        {"train_nats", candidate.train_nats},
                        {"heldout_nats", candidate.heldout_nats},
                        {"left_out_nats", candidate.left_out_nats},
-                       {"inflation", candidate.autocorrelation_factor},
+                       {"inflation", candidate.autocorrelation_factor()},
                        {"score", candidate.score}});
     }
     list.push_back(tried);

@@ -120,7 +120,7 @@ std::string selection_steps(const std::vector<gap::SelectionStep>& list, const s
       rows.push_back({with_variant(effect.info->name, effect.info->variants[effect.variant].name),
                       gap::is_decoy(*effect.info) ? "decoy" : "", parameters_text(effect),
                       fixed_number(candidate.train_nats, 1), fixed_number(candidate.unseen_nats(), 1),
-                      fixed_number(candidate.autocorrelation_factor, 1), fixed_number(candidate.score, 1)});
+                      fixed_number(candidate.autocorrelation_factor(), 1), fixed_number(candidate.score, 1)});
     }
     const std::string summary = title + " " + std::to_string(i + 1) + ": effects that could be added to " +
                                 present_effects(list[i].without.model);

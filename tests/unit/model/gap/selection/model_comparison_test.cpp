@@ -167,7 +167,8 @@ TEST_CASE("The less of what an effect leaves is correlated, the smaller it may b
     Candidate candidate;
     candidate.effect = {find_effect("backlash"), 0, {0.01, 300.0, 1.0}};
     candidate.train_nats = candidate.heldout_nats = nats * autocorrelation_factor;
-    candidate.autocorrelation_factor = autocorrelation_factor;
+    candidate.train_autocorrelation_factor = candidate.heldout_autocorrelation_factor =
+        autocorrelation_factor;
     return candidate;
   };
   SelectionStep first;
@@ -182,12 +183,27 @@ TEST_CASE("The less of what an effect leaves is correlated, the smaller it may b
   CHECK_FALSE(comparison.worth_adding(explaining(25.0, 1.0), so_far));
 }
 
+TEST_CASE("Correlated residuals of training runs make no less of what held-out runs say") {
+  const Problem runs = driven(with_effects({}), 300);
+  const ModelComparison comparison(runs, runs, {});
+  const auto named = [&](double train_factor, double heldout_factor) {
+    Candidate candidate;
+    candidate.effect = {find_effect("stiction"), 0, {0.03, 0.01, 0.1, 0.01}};
+    candidate.train_nats = 3000.0;
+    candidate.heldout_nats = 100.0;
+    candidate.train_autocorrelation_factor = train_factor;
+    candidate.heldout_autocorrelation_factor = heldout_factor;
+    return comparison.good_enough(candidate);
+  };
+  CHECK(named(20.0, 4.0));
+  CHECK_FALSE(named(4.0, 20.0));
+}
+
 TEST_CASE("An effect on the motion is not measured by what a strong one of the wheels explains of counts") {
   const auto explaining = [](const char* effect, std::vector<double> parameters, double nats) {
     Candidate candidate;
     candidate.effect = {find_effect(effect), 0, std::move(parameters)};
     candidate.train_nats = candidate.heldout_nats = nats;
-    candidate.autocorrelation_factor = 1.0;
     return candidate;
   };
   SelectionStep first;
