@@ -221,6 +221,15 @@ Smoothing smoothing_of(const Windows& windows) {
   return found;
 }
 
+// Whether a reference's heading turns about as far as the wheels turn the robot, by the scale of its way.
+// Where commands turn the robot hardly, unequal wheels and a floor do, and no delay relates that to the
+// counts.
+bool shows_the_counted_turns(const Curve& heading, double gain_of_way) {
+  constexpr double most_ratio = 1.5;
+  const double ratio = heading.response.sum() / gain_of_way;
+  return ratio > 1.0 / most_ratio && ratio < most_ratio;
+}
+
 // Whether the heading comes at another time than the place.
 bool heading_is_apart(const Windows& windows, const Curve& heading, const Curve& position) {
   if (std::abs(heading.delay_s - position.delay_s) < apart_s) return false;
@@ -241,10 +250,14 @@ std::optional<ReferenceResponse> find_reference_response(std::span<const DriveLo
   if (windows.heading.size() < least_counted_windows) return std::nullopt;
   const Smoothing heading = smoothing_of(windows.heading);
   if (windows.position.size() < least_counted_windows) {
-    if (!heading.is_smoothed) return std::nullopt;
+    if (!heading.is_smoothed || !shows_the_counted_turns(heading.smoothed, 1.0)) return std::nullopt;
     return ReferenceResponse{{}, heading.kernel};
   }
   const Smoothing position = smoothing_of(windows.position);
+  if (!shows_the_counted_turns(heading.delayed, position.delayed.response.sum())) {
+    if (!position.is_smoothed) return std::nullopt;
+    return ReferenceResponse{position.kernel, {}};
+  }
   if (!heading.is_smoothed && !position.is_smoothed &&
       !heading_is_apart(windows.heading, heading.delayed, position.delayed))
     return std::nullopt;

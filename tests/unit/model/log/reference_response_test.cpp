@@ -13,15 +13,20 @@ using namespace wheelwright::gap;
 
 namespace {
 
-std::vector<DriveLog> smoothed_case_runs(const std::string& hidden, std::uint64_t seed) {
+std::vector<DriveLog> case_runs(const std::string& hidden, std::uint64_t seed, test::Program program) {
   test::GapCaseSpec spec;
   spec.name = hidden;
+  spec.program = program;
   spec.severity = test::Severity::large;
   spec.channels = test::Channels::ticks_ref;
   spec.seed = seed;
   spec.runs = 3;
   spec.seconds = 60.0;
   return test::make_gap_case(spec).runs;
+}
+
+std::vector<DriveLog> smoothed_case_runs(const std::string& hidden, std::uint64_t seed) {
+  return case_runs(hidden, seed, test::Program::mixed);
 }
 
 void filter_all(std::vector<DriveLog>& runs, const test::Filter& position, const test::Filter& heading) {
@@ -80,6 +85,19 @@ TEST_CASE("A heading that comes later than the place is found") {
   const auto response = response_of(runs);
   REQUIRE(response.has_value());
   CHECK_THAT(response->heading.mean_s() - response->position.mean_s(), WithinAbs(0.1, 0.02));
+}
+
+TEST_CASE("A heading that no command turns says nothing of when the reference comes") {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+    INFO(seed);
+    auto runs = case_runs("wheel_scale_mismatch", seed, test::Program::straight_only);
+    CHECK_FALSE(response_of(runs).has_value());
+    filter_all(runs, test::low_pass(0.15), test::low_pass(0.15));
+    const auto response = response_of(runs);
+    REQUIRE(response.has_value());
+    CHECK_THAT(response->position.mean_s(), WithinAbs(0.15, 0.02));
+    CHECK(response->heading.weights.empty());
+  }
 }
 
 TEST_CASE("The data gate says that a reference smooths, once for all runs") {
