@@ -42,8 +42,8 @@ class RateLimit final : public EffectOf<RateLimit> {
 
 // Where drag leaves nothing of it at speeds that are asked for, what is limited is speed: saturation.
 bool leaves_speed_free(const EffectArguments& limit, double largest_command_m_s) {
-  constexpr double half_again = 1.5;  // as fast as any command
-  return limit.parameters[0] > limit.parameters[1] * half_again * largest_command_m_s;
+  constexpr double a_tenth_more = 1.1;  // than any command
+  return limit.parameters[0] > limit.parameters[1] * a_tenth_more * largest_command_m_s;
 }
 
 }  // namespace
