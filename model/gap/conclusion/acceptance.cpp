@@ -38,6 +38,7 @@ bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out) {
   const bool some_rises = some_figure_falls(turned_round, 0.1, 0.0);
   const bool little_is_enough = some_figure_above_noise(figures) && !some_rises;
   if (some_is_sure_by(analysis, little_is_enough ? 30.0 : beyond_doubt_nats)) return true;
+  if (all_figures_negligible(figures) && !is_beyond_chance(analysis)) return false;
   return some_figure_falls(figures, min_fall, is_beyond_chance(analysis) ? 0.0 : 1.0);
 }
 

@@ -18,7 +18,8 @@ Excess what_is_left(const GapAnalysis& analysis);
 
 // Whether the effects found show in the figures of the held-out free runs, or are beyond doubt. Linear
 // effects alone have to show. So have other effects if linear ones were left out in their favour
-// (`linear_left_out`).
+// (`linear_left_out`). Where the free runs are off by less than anybody sees, one of the effects has to be
+// beyond chance.
 bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out);
 
 // Whether at least one sure effect explains more of held-out runs than chance does.

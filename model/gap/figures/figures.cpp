@@ -92,6 +92,17 @@ bool some_figure_above_noise(const GapFigures& figures) {
   return false;
 }
 
+bool all_figures_negligible(const GapFigures& figures) {
+  const Values before = values_of(figures.before);
+  bool any = false;
+  for (std::size_t i = first_integrated; i < figure_count; ++i) {
+    if (!before.at(i)) continue;
+    if (*before.at(i) > negligible.at(i)) return false;
+    any = true;
+  }
+  return any;
+}
+
 double largest_share_gone(const GapFigures& figures) {
   std::optional<double> largest;
   for (std::size_t i = first_integrated; i < figure_count; ++i) {

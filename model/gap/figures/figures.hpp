@@ -40,6 +40,10 @@ std::optional<Excess> held_out_alone(const GapFigures& train, const GapFigures& 
 // Whether any figure lies above what noise alone would leave of it, before the analysis.
 bool some_figure_above_noise(const GapFigures& figures);
 
+// Whether distance, position and heading are off by so little, before the analysis, that nobody would see it
+// in a plot; false where there is none of them.
+bool all_figures_negligible(const GapFigures& figures);
+
 // Of the mean square of distance, position or heading before, how much is gone after: the most of the three,
 // negative where all rise. One where there is no such figure.
 double largest_share_gone(const GapFigures& figures);

@@ -20,6 +20,17 @@ TEST_CASE(
   CHECK(closes_the_gap(analysis_with({finding("turn_scrub", 120.0)}, position(0.9, 0.9)), false));
 }
 
+TEST_CASE("Of free runs that are off by less than anybody sees, an effect has to be beyond chance") {
+  const auto names = [](double nats, double before_m) {
+    GapFigures figures = position(100.0 * before_m, 0.3);
+    figures.floor.position_rms_m->value = 0.002;
+    return closes_the_gap(analysis_with({finding("turn_speed_loss", nats)}, figures), false);
+  };
+  CHECK_FALSE(names(19.0, 0.005));
+  CHECK(names(26.0, 0.005));
+  CHECK(names(19.0, 0.007));
+}
+
 TEST_CASE("What is not sure, or explains no more than chance may, is not beyond chance") {
   CHECK_FALSE(is_beyond_chance(analysis_with({finding("caster_kick", 10.0)}, position(1.1, 0.9))));
   CHECK(is_beyond_chance(
