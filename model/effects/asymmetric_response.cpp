@@ -172,7 +172,7 @@ std::vector<ParameterInfo> coasting_parameters() {
            false},
           {"reverses_below",
            "m/s",
-           "speed of a wheel below which it is driven the other way; the largest: it is at any speed",
+           "speed of a wheel below which it is driven the other way; 3 m/s: at any speed",
            0.005,
            at_any_speed_m_s,
            {0.03, at_any_speed_m_s},

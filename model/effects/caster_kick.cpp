@@ -20,7 +20,7 @@ constexpr std::size_t ploughing = 6;
 constexpr std::size_t variants = 7;
 
 bool ploughs(std::size_t variant) {
-  return variant == ploughing_same || variant == ploughing_alternating || variant == ploughing;
+  return variant == ploughing_same || variant == ploughing_alternating;
 }
 
 class CasterKick final : public EffectOf<CasterKick> {
@@ -345,8 +345,10 @@ bool only_kicks(const EffectArguments& caster, double largest_command_m_s) {
   constexpr double largest_kick_rad = 0.5;
   const std::size_t variant = caster.variant % variants;
   if (variant == swivel) return true;
-  // Of a caster that ploughs, at full speed: the area under its push.
-  const double per_size = ploughs(variant) ? 4.0 * caster.parameters[1] / largest_command_m_s : 1.0;
+  // Of a caster that ploughs, at full speed: the area under its push, in distances or trails.
+  const double area = variant == ploughing ? 1.0 : 4.0;
+  const double per_size =
+      ploughs(variant) || variant == ploughing ? area * caster.parameters[1] / largest_command_m_s : 1.0;
   return std::abs(caster.parameters[0]) * per_size < largest_kick_rad;
 }
 
@@ -359,8 +361,8 @@ EffectInfo caster_kick() {
       "A caster swings round and pushes the robot aside while it does. 'same': to the same side at every "
       "flip, 'alternating': to one side when it begins to go forward, to the other when backward; 'swivel': "
       "by the friction of its pivot, in turns as well; 'swing': as it scrubs, to the side to which it stood; "
-      "'ploughing': for as long as it stands across, by time and not by way, and alone also to the side to "
-      "which it stood.",
+      "'ploughing_same', 'ploughing_alternating': for as long as it stands across, by time and not by way; "
+      "'ploughing': likewise, to the side to which it stood.",
       {{"same", EffectStage::body},
        {"alternating", EffectStage::body},
        {"swivel", EffectStage::body, swivel_parameters()},

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/effects/library/effect_library.hpp"
 #include "model/simulation/model_simulation.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/one_effect.hpp"
@@ -204,6 +205,13 @@ TEST_CASE("A fork that is pushed ahead turns the robot to its side until it has 
                  std::sin(lean_rad) * (std::log(std::tan(0.5 * begin_rad)) + std::cos(begin_rad)));
   CHECK_THAT(turned_by_flip(0.05, lean_rad, 0.0), WithinRel(rate_rad_s * area_m / 0.05, 0.01));
   CHECK_THAT(turned_by_flip(0.1, lean_rad, 0.0), WithinRel(rate_rad_s * area_m / 0.1, 0.01));
+  const EffectInfo* info = find_effect("caster_kick");
+  const auto only_kicks = [&](double rate, double largest_command_m_s) {
+    const std::vector<double> parameters{rate, trail_m, 0.1, 0.0};
+    return info->in_character({parameters, variant_index(*info, "ploughing")}, largest_command_m_s);
+  };
+  CHECK(only_kicks(2.0, 0.1));  // 0.4 rad in all
+  CHECK_FALSE(only_kicks(3.0, 0.1));
   const double after_left_rad = turned_by_flip(0.1, 0.0, 0.02);
   CHECK(std::abs(after_left_rad) > 0.01);
   CHECK_THAT(turned_by_flip(0.1, 0.0, -0.02), WithinAbs(-after_left_rad, 1e-9));
