@@ -78,11 +78,13 @@ void add_faults(Table& table, const CalibrationReport& calibration, const LogRep
 }
 
 // Who steers by a pose brings just that pose to where it is wanted; another one says how well.
-std::string_view trust_in(PoseSource by, PoseSource steered, bool best_measured) {
-  if (by == steered || (is_sensorless(by) && is_sensorless(steered))) {
-    return "  (small by construction: the robot was steered by it)";
-  }
-  return best_measured ? "  (measured: believe this one)" : "";
+bool is_small_by_construction(PoseSource by, PoseSource steered) {
+  return by == steered || (is_sensorless(by) && is_sensorless(steered));
+}
+
+// How far the robot may truly be from where the filter has it.
+std::string doubt_of_filter(const HybridOutput& hybrid) {
+  return fmt::format("+- {:.3f} m (95 %)", position_radius95_m(hybrid.covariance));
 }
 
 void add_route(Table& table, const config::DaemonConfig& config, const LogReport& log) {
@@ -94,14 +96,23 @@ void add_route(Table& table, const config::DaemonConfig& config, const LogReport
     table.row("uncertainty of the end", "{:.3f} m (95 % of drives end within it of the prediction)",
               position_radius95_m(last.predicted_covariance));
   }
+  if (config.pose_source == PoseSource::hybrid && last.hybrid) {
+    table.row("uncertainty of the end", "{:.3f} m (95 % of drives end within it of the filter's pose)",
+              position_radius95_m(last.hybrid->covariance));
+  }
   if (!is_closed(*config.route)) return;
-  const auto closure = [&](const std::string& by, PoseSource source, const Pose& pose, bool best_measured) {
+  const auto closure = [&](const std::string& by, PoseSource source, const Pose& pose,
+                           const std::string& measured) {
     table.row("loop closure by " + by, "{:.4f} m{}", std::hypot(pose.x_m, pose.y_m),
-              trust_in(source, config.pose_source, best_measured));
+              is_small_by_construction(source, config.pose_source)
+                  ? "  (small by construction: the robot was steered by it)"
+                  : measured);
   };
-  if (last.has_prediction) closure("the model", PoseSource::arma, last.predicted, false);
-  if (last.hybrid) closure("the filter", PoseSource::hybrid, last.hybrid->pose, true);
-  closure("odometry", PoseSource::odometry, last.odometry, !last.hybrid);
+  if (last.has_prediction) closure("the model", PoseSource::arma, last.predicted, "");
+  if (last.hybrid)
+    closure("the filter", PoseSource::hybrid, last.hybrid->pose,
+            "  " + doubt_of_filter(*last.hybrid) + ", measured by encoders and model");
+  closure("odometry", PoseSource::odometry, last.odometry, last.hybrid ? "" : "  (measured by encoders)");
   if (!is_sensorless(config.pose_source)) {
     table.row("", "{}", "how far the robot truly ended from its start, only a tape measure says");
   }
@@ -172,8 +183,10 @@ std::string route_in_words(const config::DaemonConfig& config, const LogReport& 
       fmt::format("{} of {} checkpoints visited", last.visited, config.route->checkpoints.size());
   if (!is_closed(*config.route)) return text;
   const Pose& end = last.hybrid ? last.hybrid->pose : last.odometry;
-  return text + fmt::format(", and the robot ended {:.3f} m from its start by {}",
-                            std::hypot(end.x_m, end.y_m), last.hybrid ? "the filter" : "odometry");
+  return text + fmt::format(", and the robot ended {:.3f} m{} from its start by {}",
+                            std::hypot(end.x_m, end.y_m),
+                            last.hybrid ? " " + doubt_of_filter(*last.hybrid) : "",
+                            last.hybrid ? "the filter" : "odometry");
 }
 
 std::string summary(const config::DaemonConfig& config, const RunOutcome& outcome,

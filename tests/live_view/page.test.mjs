@@ -146,7 +146,7 @@ test('a run that has finished says so calmly, with what came of it', options, ()
   await bench.startDaemon();
   const page = await open(bench);
   await phase(page, /Driving/);
-  await eventually('the page says how it came out', async () => /finished: 2 of 2 checkpoints visited, and the robot ended 0\.\d+ m from its start by/.test(await textOf(page, 'notice')), 30000);
+  await eventually('the page says how it came out', async () => /finished: 2 of 2 checkpoints visited, and the robot ended 0\.\d+ m \+- 0\.\d+ m \(95 %\) from its start by the filter/.test(await textOf(page, 'notice')), 30000);
   assert.equal(await page.locator('#notice').getAttribute('class'), 'calm');
   assert.deepEqual(page.wrong, []);
 }));
