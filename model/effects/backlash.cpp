@@ -13,19 +13,24 @@ class Backlash final : public EffectOf<Backlash> {
       : gap_(arguments.parameters[0]),
         damping_per_s_(arguments.parameters[1]),
         start_m_(arguments.parameters[2] * gap_),
-        behind_encoder_(arguments.variant == 1) {
+        place_(static_cast<Place>(arguments.variant)) {
     Backlash::reset();
   }
 
+  void command(WheelPair& command_m_s, const StepContext& context) override {
+    if (place_ == Place::before_response) pass(command_m_s, context.period_s);
+  }
   void wheel(WheelPair& speed_m_s, const StepContext& context) override {
-    if (!behind_encoder_) pass(speed_m_s, context.period_s);
+    if (place_ == Place::before_encoder) pass(speed_m_s, context.period_s);
   }
   void floor(WheelPair& speed_m_s, const StepContext& context) override {
-    if (behind_encoder_) pass(speed_m_s, context.period_s);
+    if (place_ == Place::behind_encoder) pass(speed_m_s, context.period_s);
   }
   void reset() override { left_ = right_ = {start_m_, 0.0}; }
 
  private:
+  enum class Place { before_encoder, behind_encoder, before_response };  // as the variants are listed
+
   struct Wheel {
     double in_gap_m = 0.0;  // from the teeth that drive backward to those that drive forward
     double speed_m_s = 0.0;
@@ -48,7 +53,7 @@ class Backlash final : public EffectOf<Backlash> {
   double gap_;
   double damping_per_s_;
   double start_m_;
-  bool behind_encoder_;
+  Place place_;
   Wheel left_;
   Wheel right_;
 };
@@ -60,9 +65,11 @@ EffectInfo backlash() {
           "motion is lost on reversal",
           "Play between motor and wheel: after each change of direction the motor runs a fixed distance "
           "before the wheel follows. A wheel that little brakes crosses the gap while it slows down, and the "
-          "loss comes when the motor speeds up again. 'wheel': the encoder sits on the wheel and sees the "
-          "loss, 'floor': on the motor, and does not.",
-          {{"wheel", EffectStage::wheel}, {"floor", EffectStage::floor}},
+          "loss comes when the motor speeds up again. 'wheel': the motor answers slowly, and wheel and robot "
+          "follow it at once; the encoder sits on the wheel and sees the loss. 'floor': the same, but the "
+          "encoder sits on the motor and does not see it. 'command': a light motor crosses the gap at once, "
+          "and the mass of the robot behind it answers slowly.",
+          {{"wheel", EffectStage::wheel}, {"floor", EffectStage::floor}, {"command", EffectStage::command}},
           {{"gap",
             "m",
             "distance lost at each reversal, at the wheel's rim",

@@ -48,6 +48,21 @@ NormalEquations normal_equations(const Eigen::MatrixXd& columns, const std::vect
   return {std::move(all.of_columns), std::move(all.with_residuals)};
 }
 
+// What a slope says of an effect's parameter holds near its value: one step at most doubles or halves it, or
+// takes it from zero to its smallest size. A parameter that hardly shows where it is, as the damping of a
+// wheel that stops at once, would else be thrown across its range, and no step of the others could be taken.
+Eigen::VectorXd within_reach(const TrialModel& model, Eigen::VectorXd step) {
+  for (std::size_t i = model.linear_part.size(); i < model.parameter_count(); ++i) {
+    const double value = model.parameter(i);
+    const double smallest = smallest_size(*model.parameter_info(i));
+    const double outwards = std::abs(value) + smallest;
+    const double inwards = 0.5 * std::abs(value) + smallest;
+    double& by = step(static_cast<Eigen::Index>(i));
+    by = value >= 0.0 ? std::clamp(by, -inwards, outwards) : std::clamp(by, -outwards, inwards);
+  }
+  return step;
+}
+
 // The parameters of one part, which residuals of that part judge.
 class FitOfPart {
  public:
@@ -66,7 +81,7 @@ class FitOfPart {
     return normal_equations(problem_.jacobian(fit.model, fit.residuals, part_), fit.residuals, parallel_for_);
   }
   std::optional<Fit> moved(const Fit& fit, const Eigen::VectorXd& step) const {
-    const TrialModel model = fit.model.moved(step);
+    const TrialModel model = fit.model.moved(within_reach(fit.model, step));
     if (!model.stable()) return std::nullopt;
     return at(model);
   }

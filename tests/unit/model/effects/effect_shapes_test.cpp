@@ -277,6 +277,21 @@ TEST_CASE("Play is lost on reversal, and where little brakes the wheel, on start
   CHECK_THAT(way_m(from_the_middle, -0.1, 50), WithinAbs(-there_m + 0.004, 1e-5));
 }
 
+TEST_CASE(
+    "Play before the response is crossed by the command, and the robot lags behind what comes through") {
+  ModelSimulation simulation(lagging(),
+                             std::vector{EffectSetting{"backlash", "command", {0.004, 300.0, 1.0}}});
+  const double forward_m_s = speed_after(simulation, 0.1, 200);
+  CHECK_THAT(forward_m_s, WithinAbs(0.1, 1e-6));
+  // A command of -0.1 m/s crosses 4 mm in 2.22 periods of 18 ms; of the third one the rest comes through.
+  const double kept = std::exp(-period_s / motor_lag_s);
+  double lagged_m_s = forward_m_s;
+  for (const double through_m_s : {0.0, 0.0, -0.1 * (3.0 - 0.004 / (0.1 * period_s)), -0.1, -0.1}) {
+    lagged_m_s = kept * lagged_m_s + (1.0 - kept) * through_m_s;
+    CHECK_THAT(speed_after(simulation, -0.1, 1), WithinAbs(lagged_m_s, 1e-3));
+  }
+}
+
 TEST_CASE("A drive that warms by use changes its gain while it works and gets it back at rest") {
   ModelSimulation simulation = only({"gain_drift", "use", {0.1, 10.0}});
   const int longest = 10000;
