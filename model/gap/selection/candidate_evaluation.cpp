@@ -7,6 +7,7 @@
 
 #include "model/gap/candidates/decoys.hpp"
 #include "model/gap/candidates/eccentricity_phase.hpp"
+#include "model/gap/candidates/fork_search.hpp"
 #include "model/gap/candidates/quantization_levels.hpp"
 #include "model/gap/candidates/quantization_search.hpp"
 #include "model/gap/candidates/region_search.hpp"
@@ -132,6 +133,19 @@ std::vector<TrialModel> CandidateEvaluation::instead_of_linear_part(
     }
   }
   return models;
+}
+
+// Of the few best that have a fork, once: its shape is found under one noise and fitted on under another.
+void CandidateEvaluation::shape_forks(SelectionStep& selection_step, int steps) const {
+  bool any = false;
+  for (std::size_t i = 0; i < std::min(few, selection_step.candidates.size()); ++i) {
+    Fit& fit = selection_step.candidates[i].fit;
+    if (!has_fork(fit.model.effects.back())) continue;
+    fit = train_.fit(with_fork_found(train_, fit.model, parallel_for_), steps,
+                     affected_outputs_of_last(fit.model, 1));
+    any = true;
+  }
+  if (any) comparison_.judge(selection_step);
 }
 
 // A step is looked for again only beside more effects than before, which may have hidden it.
@@ -348,6 +362,7 @@ SelectionStep CandidateEvaluation::evaluate(const Fit& without, const std::vecto
   for (std::size_t i = 0; i < tried.singles.size(); ++i)
     selection_step.candidates[i].fit.model = tried.singles[i];
   fit_all(steps_of_a_fit, with_region_found);
+  shape_forks(selection_step, steps_of_a_fit);
   const bool by_pair =
       selection_step.pair && (comparison_.pair_worth_adding(*selection_step.pair, selection_step) ||
                               pair_stands_out_of_its_own_noise(selection_step));

@@ -68,6 +68,7 @@ class CandidateEvaluation {
   TrialModel tuned(const TrialModel& model) const;
   using RegionSearch = TrialModel (*)(const Problem&, TrialModel, const ParallelFor&);
   void place_regions(SelectionStep& selection_step, int steps, RegionSearch placed) const;
+  void shape_forks(SelectionStep& selection_step, int steps) const;
   std::vector<const Candidate*> helpful(const SelectionStep& selection_step) const;
   double own_log_likelihood(Fit& pair) const;
   bool stands_out_of_its_own_noise(const SelectionStep& selection_step);
