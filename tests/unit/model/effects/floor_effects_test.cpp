@@ -298,6 +298,30 @@ TEST_CASE("A tyre holds up to its grip, and gives less once it slides") {
   CHECK_THAT(after_a_period(5.1 * period_s), WithinAbs(1.0 * period_s, 1e-12));
 }
 
+TEST_CASE(
+    "Tyres that slide turn the robot as its mass and inertia let them, and one of them holds where it can") {
+  constexpr double limit_m_s2 = 2.0;
+  constexpr double turning = 1.3;
+  const auto floor_m_s = [](const WheelPair& command_m_s, int periods) {
+    ModelSimulation simulation = only({"acceleration_slip", "tied", {1.0 / limit_m_s2, turning}});
+    WheelPair speed_m_s;
+    for (int k = 0; k < periods; ++k) speed_m_s = simulation.step(command_m_s).floor_m_s;
+    return speed_m_s;
+  };
+  // Straight on, both push by half of the limit times the mass each.
+  CHECK_THAT(floor_m_s({0.3, 0.3}, 5).left, WithinAbs(5 * period_s * limit_m_s2, 1e-12));
+  CHECK_THAT(floor_m_s({0.3, 0.3}, 50).left, WithinAbs(0.3, 1e-12));
+  // On the spot, the same forces turn it: I dw/dt = F b, and a side goes by b/2 times the turn rate.
+  CHECK_THAT(floor_m_s({-0.3, 0.3}, 5).right, WithinAbs(5 * period_s * turning * limit_m_s2, 1e-12));
+  // One side alone: the standing wheel's tyre holds the pivot.
+  const WheelPair about_the_right = floor_m_s({0.3, 0.0}, 5);
+  CHECK_THAT(about_the_right.right, WithinAbs(0.0, 1e-12));
+  CHECK_THAT(about_the_right.left,
+             WithinAbs(5 * period_s * 2.0 * turning / (1.0 + turning) * limit_m_s2, 1e-12));
+  // Gently, nothing slides.
+  CHECK_THAT(floor_m_s({0.01, 0.02}, 1).right, WithinAbs(0.02, 1e-12));
+}
+
 TEST_CASE("Scrubbing tyres take the same of every turn rate, or the more the faster it is") {
   const auto turned = [](ModelSimulation simulation, double half_difference_m_s) {
     return simulation.step({0.1 - half_difference_m_s, 0.1 + half_difference_m_s}).twist.w_rad_s;
