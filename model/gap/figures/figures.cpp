@@ -100,7 +100,7 @@ bool all_figures_negligible(const GapFigures& figures) {
     if (*before.at(i) > negligible.at(i)) return false;
     any = true;
   }
-  return any;
+  return any && common_fall(figures).value_or(0.0) <= 0.0;
 }
 
 double largest_share_gone(const GapFigures& figures) {
@@ -122,7 +122,7 @@ bool goes_further_astray(const GapFigures& figures) {
     if (*after.at(i) <= *before.at(i)) return false;
     any = true;
   }
-  return any;
+  return any && common_fall(figures).value_or(0.0) <= 0.0;
 }
 
 Score bounded_floor(const Score& floor, const Score& after) {

@@ -48,8 +48,8 @@ bool all_figures_negligible(const GapFigures& figures);
 // negative where all rise. One where there is no such figure.
 double largest_share_gone(const GapFigures& figures);
 
-// Whether distance, position and heading rise, all that stand above noise (more_than_noise) before or after.
-// False where none does.
+// Whether distance, position and heading rise: all that stand above noise (more_than_noise) before or after,
+// and the three together (common_fall). False where none stands above noise.
 bool goes_further_astray(const GapFigures& figures);
 
 // The floor of a figure, or the figure after the analysis where that is smaller: noise is a part of what is

@@ -44,7 +44,8 @@ TEST_CASE("Free runs go further astray where every figure above its noise rises"
     return goes_further_astray({before, after, floor});
   };
   CHECK(astray(0.011, 0.040));
-  CHECK(astray(0.011, 0.010));  // the position falls, but within its noise
+  CHECK(astray(0.011, 0.019));        // the position falls, but within its noise
+  CHECK_FALSE(astray(0.011, 0.010));  // it falls by far more than the distance rises
   CHECK_FALSE(astray(0.009, 0.040));
   CHECK_FALSE(goes_further_astray({}));
 }
