@@ -5,6 +5,9 @@
 // friction, y' = (u - y) / lag. The rest obeys the same lag, driven by -f alone, and the drive itself is u =
 // y + lag y'. So friction acts where it does in the robot, behind all dead time, and a standing wheel stands
 // exactly.
+//
+// With a controller that integrates the error of speed, drive is added until nothing is taken any more. Where
+// friction changes its direction, a way of 2 f / recovery_per_s is lost for good.
 #pragma once
 
 #include <cmath>
@@ -16,6 +19,8 @@ struct FrictionLevels {
   double sliding_m_s = 0.0;    // speed that friction costs a moving one
   double lag_s = 0.1;
   double sticking_m_s = 0.002;  // a slower wheel stands again, unless its drive would break it away
+  // A controller of the wheel's speed makes up for what friction takes: drive added' = this * speed taken.
+  double recovery_per_s = 0.0;
 };
 
 class DryFriction {
@@ -23,17 +28,21 @@ class DryFriction {
   // The wheel's speed over the period; `frictionless_m_s` is what the linear part says.
   double step(double frictionless_m_s, const FrictionLevels& levels, double period_s) {
     const double drive =
-        frictionless_m_s + levels.lag_s / period_s * (frictionless_m_s - frictionless_before_);
+        frictionless_m_s + levels.lag_s / period_s * (frictionless_m_s - frictionless_before_) + added_;
     const double before = frictionless_before_;
     frictionless_before_ = frictionless_m_s;
     const double share = period_s / (period_s + levels.lag_s);
     if (rests_) {
-      if (std::abs(drive) <= levels.breakaway_m_s) return 0.0;
+      if (std::abs(drive) <= levels.breakaway_m_s) {
+        added_ += period_s * levels.recovery_per_s * frictionless_m_s;
+        return 0.0;
+      }
       rests_ = false;
       direction_ = std::copysign(1.0, drive);
       taken_ = before;  // all of it, while the wheel stood
     }
-    taken_ += share * (levels.sliding_m_s * direction_ - taken_);
+    taken_ += share * (levels.sliding_m_s * direction_ - added_ - taken_);
+    added_ += period_s * levels.recovery_per_s * taken_;
     const double speed = frictionless_m_s - taken_;
     const bool stopped = speed * direction_ <= 0.0 || std::abs(speed) < levels.sticking_m_s;
     if (stopped && std::abs(drive) <= levels.breakaway_m_s) {
@@ -48,6 +57,7 @@ class DryFriction {
  private:
   double frictionless_before_ = 0.0;
   double taken_ = 0.0;  // from the frictionless speed, by now
+  double added_ = 0.0;  // drive, by a controller
   double direction_ = 1.0;
   bool rests_ = true;
 };

@@ -5,13 +5,17 @@
 namespace wheelwright::effects {
 namespace {
 
+constexpr std::size_t controlled = 1;
+
 class Stiction final : public EffectOf<Stiction> {
  public:
   static constexpr bool loads_motors = true;
 
   explicit Stiction(const EffectArguments& arguments)
       : levels_{arguments.parameters[0] + arguments.parameters[1], arguments.parameters[1],
-                arguments.parameters[2], arguments.parameters[3]} {}
+                arguments.parameters[2], arguments.parameters[3]} {
+    if (arguments.variant == controlled) levels_.recovery_per_s = 1.0 / arguments.parameters[4];
+  }
 
   void wheel(WheelPair& speed_m_s, const StepContext& context) override {
     speed_m_s = {left_.step(speed_m_s.left, levels_, context.period_s),
@@ -28,6 +32,56 @@ class Stiction final : public EffectOf<Stiction> {
   DryFriction right_;
 };
 
+std::vector<ParameterInfo> free_parameters() {
+  return {{"breakaway_excess",
+           "m/s",
+           "drive that a standing wheel needs beyond what friction costs a moving one",
+           0.0,
+           0.3,
+           {0.01, 0.018, 0.028, 0.042, 0.06, 0.085},
+           0.003},
+          {"sliding", "m/s", "speed that friction costs a moving wheel", 0.0, 0.2, {0.0, 0.008}, 0.0, false},
+          {"lag",
+           "s",
+           "with which the wheel answers to a change of friction",
+           0.005,
+           0.6,
+           {0.03, 0.1},
+           0.0,
+           false},
+          {"sticking_speed",
+           "m/s",
+           "at which friction has risen so far that a moving wheel stops (Stribeck)",
+           0.0005,
+           0.1,
+           {0.002, 0.012},
+           0.0,
+           false}};
+}
+
+std::vector<ParameterInfo> controlled_parameters() {
+  std::vector<ParameterInfo> parameters = free_parameters();
+  parameters[0] = {"breakaway_excess",
+                   "m/s",
+                   "drive that a standing wheel needs beyond what friction takes from a moving one",
+                   0.0,
+                   1.0,
+                   {0.02, 0.04, 0.08, 0.15, 0.3},
+                   0.004};
+  parameters[1] = {"sliding", "m/s", "speed that friction would cost a moving wheel without a controller",
+                   0.0,       1.0,   {0.0, 0.02, 0.08},
+                   0.0,       false};
+  parameters.push_back({"recovery",
+                        "s",
+                        "in which the controller makes up for what friction takes",
+                        0.01,
+                        2.0,
+                        {0.05, 0.15, 0.4},
+                        0.0,
+                        false});
+  return parameters;
+}
+
 // One that needs not twice as much to break away as to keep moving has mostly dry friction.
 bool sticks(const EffectArguments& friction, double /*largest_command_m_s*/) {
   return friction.parameters[0] > friction.parameters[1];
@@ -40,32 +94,10 @@ EffectInfo stiction() {
       "stiction",
       "a wheel at rest needs more to break away than to keep moving",
       "Static friction above the sliding one. A slow ramp up starts late, a slow ramp down stops later: the "
-      "threshold of starting lies above that of stopping, which a dead zone's does not.",
-      {{"", EffectStage::wheel}},
-      {{"breakaway_excess",
-        "m/s",
-        "drive that a standing wheel needs beyond what friction costs a moving one",
-        0.0,
-        0.3,
-        {0.01, 0.018, 0.028, 0.042, 0.06, 0.085},
-        0.003},
-       {"sliding", "m/s", "speed that friction costs a moving wheel", 0.0, 0.2, {0.0, 0.008}, 0.0, false},
-       {"lag",
-        "s",
-        "with which the wheel answers to a change of friction",
-        0.005,
-        0.6,
-        {0.03, 0.1},
-        0.0,
-        false},
-       {"sticking_speed",
-        "m/s",
-        "at which friction has risen so far that a moving wheel stops (Stribeck)",
-        0.0005,
-        0.1,
-        {0.002, 0.012},
-        0.0,
-        false}},
+      "threshold of starting lies above that of stopping, which a dead zone's does not. 'controlled': a "
+      "controller of the wheel's speed drives harder the longer the wheel stands, until it breaks away.",
+      {{"", EffectStage::wheel}, {"controlled", EffectStage::wheel, controlled_parameters()}},
+      free_parameters(),
       {.variety = true},
       [](const EffectArguments& arguments) { return std::make_unique<Stiction>(arguments); }};
   info.in_character = sticks;

@@ -75,6 +75,11 @@ void add_scale(const RobotModel& model, const AddedEffect& effect, DriveFigures&
   }
 }
 
+// What a controller of the wheels' speed makes up for costs no speed in the end, and no command is too small.
+bool is_made_up_for(const AddedEffect& friction) {
+  return friction.setting.variant == "controlled";
+}
+
 void add_limit(const RobotModel& model, const AddedEffect& effect, DriveFigures& figures) {
   const double gain = 0.5 * (figures.gain.left + figures.gain.right);
   const double of_speed = effect.setting.variant == "command" ? gain : 1.0;
@@ -86,6 +91,7 @@ void add_limit(const RobotModel& model, const AddedEffect& effect, DriveFigures&
   if (name == "saturation") take(figures.largest_speed_m_s, figure_of(model, effect, 0, to_speed), true);
   if (name == "rate_limit") take(figures.largest_change_m_s2, figure_of(model, effect, 0, to_speed), true);
   if (name == "dead_zone") take(figures.smallest_command_m_s, figure_of(model, effect, 0, same), false);
+  if (is_made_up_for(effect)) return;
   if (name == "coulomb_friction") {
     take(figures.smallest_command_m_s, figure_of(model, effect, 0, to_command), false);
     take(figures.friction_loss_m_s, figure_of(model, effect, 0, same), false);
@@ -171,6 +177,12 @@ std::vector<Unsaid> unsaid_of(const RobotModel& model, std::span<const std::stri
   std::vector<Unsaid> unsaid;
   for (const AddedEffect& effect : model.effects) {
     const std::string& name = effect.setting.name;
+    if (is_made_up_for(effect)) {
+      unsaid.push_back(
+          {full_name(effect.setting),
+           "a controller of the wheels' speed makes up for it; there is no such controller there"});
+      continue;
+    }
     if (std::ranges::find(put, name) != put.end()) continue;
     const auto known = std::ranges::find(reasons, name, &UnsaidReason::effect);
     unsaid.push_back({full_name(effect.setting), known == reasons.end()

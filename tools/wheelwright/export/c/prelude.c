@@ -135,32 +135,38 @@ static inline int ww_unbend(ww_bend bend, double* value) {
    goes in, what friction leaves of it comes out. */
 typedef struct {
   double breakaway, sliding, lag_s, sticking;
+  double recovery_per_s; /* of a controller that makes up for friction; 0 without */
 } ww_friction_levels;
 
 typedef struct {
-  double frictionless_before, taken, direction;
+  double frictionless_before, taken, added, direction;
   int rests;
 } ww_friction;
 
 static inline ww_friction ww_friction_at_rest(void) {
-  const ww_friction rest = {0.0, 0.0, 1.0, 1};
+  const ww_friction rest = {0.0, 0.0, 0.0, 1.0, 1};
   return rest;
 }
 
 static inline double ww_friction_step(ww_friction* s, double frictionless, ww_friction_levels levels,
                                       double period_s) {
-  const double drive = frictionless + levels.lag_s / period_s * (frictionless - s->frictionless_before);
+  const double drive =
+      frictionless + levels.lag_s / period_s * (frictionless - s->frictionless_before) + s->added;
   const double before = s->frictionless_before;
   const double share = period_s / (period_s + levels.lag_s);
   double speed;
   s->frictionless_before = frictionless;
   if (s->rests) {
-    if (fabs(drive) <= levels.breakaway) return 0.0;
+    if (fabs(drive) <= levels.breakaway) {
+      s->added += period_s * levels.recovery_per_s * frictionless;
+      return 0.0;
+    }
     s->rests = 0;
     s->direction = copysign(1.0, drive);
     s->taken = before;
   }
-  s->taken += share * (levels.sliding * s->direction - s->taken);
+  s->taken += share * (levels.sliding * s->direction - s->added - s->taken);
+  s->added += period_s * levels.recovery_per_s * s->taken;
   speed = frictionless - s->taken;
   if ((speed * s->direction <= 0.0 || fabs(speed) < levels.sticking) && fabs(drive) <= levels.breakaway) {
     s->rests = 1;
@@ -170,11 +176,12 @@ static inline double ww_friction_step(ww_friction* s, double frictionless, ww_fr
   return speed;
 }
 
-/* The speed without friction that leaves `*speed`; 0 where a wheel at rest would not begin to move, or a
-   moving one would stick. */
+/* The speed without friction that leaves `*speed` in the end; 0 where a wheel at rest would not begin to move,
+   or a moving one would stick. */
 static inline int ww_friction_undo(ww_friction_levels levels, double* speed) {
   const double size = fabs(*speed);
   if (size == 0.0) return 1;
+  if (levels.recovery_per_s > 0.0) return size >= levels.sticking;
   *speed += copysign(levels.sliding, *speed);
   return size + levels.sliding > levels.breakaway && size >= levels.sticking;
 }
