@@ -54,6 +54,7 @@ std::vector<ParameterInfo> controlled_parameters() {
   parameters[0] = {"speed_loss", "m/s", "steady speed that friction would cost without a controller",
                    0.0,          1.0,   {0.012, 0.025, 0.05, 0.1, 0.2},
                    0.002};
+  parameters[1].sizes = {0.05};
   parameters.push_back({"recovery",
                         "s",
                         "in which the controller makes up for what friction takes",

@@ -66,17 +66,19 @@ std::vector<ParameterInfo> controlled_parameters() {
                    "drive that a standing wheel needs beyond what friction takes from a moving one",
                    0.0,
                    1.0,
-                   {0.02, 0.04, 0.08, 0.15, 0.3},
+                   {0.02, 0.05, 0.12, 0.3},
                    0.004};
   parameters[1] = {"sliding", "m/s", "speed that friction would cost a moving wheel without a controller",
-                   0.0,       1.0,   {0.0, 0.02, 0.08},
+                   0.0,       1.0,   {0.02},
                    0.0,       false};
+  parameters[2].sizes = {0.05};
+  parameters[3].sizes = {0.005};
   parameters.push_back({"recovery",
                         "s",
                         "in which the controller makes up for what friction takes",
                         0.01,
                         2.0,
-                        {0.05, 0.15, 0.4},
+                        {0.08, 0.3},
                         0.0,
                         false});
   return parameters;
