@@ -100,7 +100,7 @@ bool all_figures_negligible(const GapFigures& figures) {
     if (*before.at(i) > negligible.at(i)) return false;
     any = true;
   }
-  return any && common_fall(figures).value_or(0.0) <= 0.0;
+  return any;
 }
 
 double largest_share_gone(const GapFigures& figures) {

@@ -31,6 +31,17 @@ TEST_CASE("A floor without a figure beside it stays as it is") {
   CHECK_FALSE(bounded.heading_rms_rad);
 }
 
+TEST_CASE("What nobody sees is negligible, however much of it is gone after") {
+  Score before;
+  before.distance_rms_m = 0.0025;
+  Score after;
+  after.distance_rms_m = 0.0005;
+  CHECK(all_figures_negligible({before, after, {}}));
+  before.distance_rms_m = 0.0035;
+  CHECK_FALSE(all_figures_negligible({before, after, {}}));
+  CHECK_FALSE(all_figures_negligible({}));
+}
+
 TEST_CASE("Free runs go further astray where every figure above its noise rises") {
   const auto astray = [](double distance_after, double position_after) {
     Score floor;
