@@ -107,19 +107,36 @@ WheelPair SteadyStateMap::command_for(const WheelPair& speed_m_s) const {
 }
 
 // Where commands act in steps, or up to some size not at all, a model knows least of the edges of these
-// levels.
+// levels. Of the fastest speed it knows the edge and nothing of what lies far beyond: a short command there
+// may show or not, as what limits the speed lies behind the motor's lag or before it. So no more is sent than
+// what lies half a level, as wide as the one before, beyond the edge.
 double SteadyStateMap::middle_of_level(const std::vector<Point>& curve,
                                        std::vector<Point>::const_iterator point) {
+  const auto [first, last] = level_at(curve, point);
+  if (first->command <= 0.0 && last->command >= 0.0) return 0.0;
+  const double half_m_s = 0.5 * (last->command - first->command);
+  if (last + 1 == curve.end()) {
+    const auto before = level_at(curve, first - 1);
+    return first->command + std::min(half_m_s, 0.5 * (before.last->command - before.first->command));
+  }
+  if (first == curve.begin()) {
+    const auto before = level_at(curve, last + 1);
+    return last->command - std::min(half_m_s, 0.5 * (before.last->command - before.first->command));
+  }
+  return first->command + half_m_s;
+}
+
+// The points around this one between which the speed hardly changes with the command.
+SteadyStateMap::Level SteadyStateMap::level_at(const std::vector<Point>& curve,
+                                               std::vector<Point>::const_iterator point) {
   constexpr double flat = 0.1;  // speed per command
   const auto level = [](const Point& low, const Point& high) {
     return high.speed - low.speed < flat * (high.command - low.command);
   };
-  auto first = point;
-  while (first != curve.begin() && level(*(first - 1), *first)) --first;
-  auto last = point;
-  while (last + 1 != curve.end() && level(*last, *(last + 1))) ++last;
-  if (first->command <= 0.0 && last->command >= 0.0) return 0.0;
-  return 0.5 * (first->command + last->command);
+  Level found{point, point};
+  while (found.first != curve.begin() && level(*(found.first - 1), *found.first)) --found.first;
+  while (found.last + 1 != curve.end() && level(*found.last, *(found.last + 1))) ++found.last;
+  return found;
 }
 
 double SteadyStateMap::command_on(const std::vector<Point>& curve, double speed) {

@@ -54,3 +54,16 @@ TEST_CASE("Where speeds follow commands without steps, each wheel gets the speed
     CHECK_THAT(left_command_m_s(map, speed_m_s), WithinAbs(speed_m_s + std::copysign(0.01, speed_m_s), 1e-3));
   }
 }
+
+TEST_CASE("Beyond saturation a wheel gets a command close to the edge, where it acts in steps too") {
+  constexpr double step_m_s = 0.03;
+  // The sixth step is 0.18 m/s, and begins at 0.165 m/s.
+  const SteadyStateMap map =
+      map_with({{"command_quantization", "", {step_m_s, 0.5}}, {"saturation", "speed", {0.171, 0.0, 0.0}}});
+  for (const double way : {1.0, -1.0}) {
+    const double command_m_s = way * left_command_m_s(map, way * 0.168);
+    CHECK(command_m_s > 0.17);
+    CHECK(command_m_s < 0.19);
+  }
+  CHECK_THAT(left_command_m_s(map, 0.155), WithinAbs(0.15, 0.004));
+}
