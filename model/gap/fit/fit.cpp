@@ -48,9 +48,7 @@ NormalEquations normal_equations(const Eigen::MatrixXd& columns, const std::vect
   return {std::move(all.of_columns), std::move(all.with_residuals)};
 }
 
-// What a slope says of an effect's parameter holds near its value: one step at most doubles or halves it, or
-// takes it from zero to its smallest size. A parameter that hardly shows where it is, as the damping of a
-// wheel that stops at once, would else be thrown across its range, and no step of the others could be taken.
+// At most, one step doubles or halves a parameter of an effect, or takes it from zero to its smallest size.
 Eigen::VectorXd within_reach(const TrialModel& model, Eigen::VectorXd step) {
   for (std::size_t i = model.linear_part.size(); i < model.parameter_count(); ++i) {
     const double value = model.parameter(i);
@@ -80,13 +78,21 @@ class FitOfPart {
   NormalEquations linearise(const Fit& fit) const {
     return normal_equations(problem_.jacobian(fit.model, fit.residuals, part_), fit.residuals, parallel_for_);
   }
+  // A parameter that hardly shows where it is, as the damping of a wheel that stops at once, is thrown across
+  // its range by the whole step, and spoils what the others gain. Its slope holds near its value alone.
   std::optional<Fit> moved(const Fit& fit, const Eigen::VectorXd& step) const {
-    const TrialModel model = fit.model.moved(within_reach(fit.model, step));
+    auto whole = at_stable(fit.model.moved(step));
+    if (whole && whole->sum_squares < fit.sum_squares) return whole;
+    const Eigen::VectorXd shorter = within_reach(fit.model, step);
+    return shorter == step ? whole : at_stable(fit.model.moved(shorter));
+  }
+
+ private:
+  std::optional<Fit> at_stable(const TrialModel& model) const {
     if (!model.stable()) return std::nullopt;
     return at(model);
   }
 
- private:
   const Problem& problem_;
   Part part_;
   const ParallelFor& parallel_for_;
