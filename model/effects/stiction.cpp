@@ -69,7 +69,7 @@ std::vector<ParameterInfo> controlled_parameters() {
                    {0.02, 0.05, 0.12, 0.3},
                    0.004};
   parameters[1] = {"sliding", "m/s", "speed that friction would cost a moving wheel without a controller",
-                   0.0,       1.0,   {0.02},
+                   0.0,       1.0,   {0.0, 0.02},
                    0.0,       false};
   parameters[2].sizes = {0.05};
   parameters[3].sizes = {0.005};

@@ -48,19 +48,6 @@ NormalEquations normal_equations(const Eigen::MatrixXd& columns, const std::vect
   return {std::move(all.of_columns), std::move(all.with_residuals)};
 }
 
-// At most, one step doubles or halves a parameter of an effect, or takes it from zero to its smallest size.
-Eigen::VectorXd within_reach(const TrialModel& model, Eigen::VectorXd step) {
-  for (std::size_t i = model.linear_part.size(); i < model.parameter_count(); ++i) {
-    const double value = model.parameter(i);
-    const double smallest = smallest_size(*model.parameter_info(i));
-    const double outwards = std::abs(value) + smallest;
-    const double inwards = 0.5 * std::abs(value) + smallest;
-    double& by = step(static_cast<Eigen::Index>(i));
-    by = value >= 0.0 ? std::clamp(by, -inwards, outwards) : std::clamp(by, -outwards, inwards);
-  }
-  return step;
-}
-
 // The parameters of one part, which residuals of that part judge.
 class FitOfPart {
  public:
@@ -78,21 +65,13 @@ class FitOfPart {
   NormalEquations linearise(const Fit& fit) const {
     return normal_equations(problem_.jacobian(fit.model, fit.residuals, part_), fit.residuals, parallel_for_);
   }
-  // A parameter that hardly shows where it is, as the damping of a wheel that stops at once, is thrown across
-  // its range by the whole step, and spoils what the others gain. Its slope holds near its value alone.
   std::optional<Fit> moved(const Fit& fit, const Eigen::VectorXd& step) const {
-    auto whole = at_stable(fit.model.moved(step));
-    if (whole && whole->sum_squares < fit.sum_squares) return whole;
-    const Eigen::VectorXd shorter = within_reach(fit.model, step);
-    return shorter == step ? whole : at_stable(fit.model.moved(shorter));
-  }
-
- private:
-  std::optional<Fit> at_stable(const TrialModel& model) const {
+    const TrialModel model = fit.model.moved(step);
     if (!model.stable()) return std::nullopt;
     return at(model);
   }
 
+ private:
   const Problem& problem_;
   Part part_;
   const ParallelFor& parallel_for_;
