@@ -13,13 +13,12 @@ constexpr std::size_t forks = 160;
 constexpr std::size_t fitted = 4;  // the best of them
 constexpr int steps = 5;
 
-// Of the forks of small robots.
-constexpr double shortest_trail_m = 0.005;
-constexpr double longest_trail_m = 0.04;
-constexpr double largest_lean_rad = 0.15;
-// From the axle to the pivot, in wheel bases.
+// In wheel bases: the fork's own length, and from the axle to its pivot.
+constexpr double shortest_trail = 0.025;
+constexpr double longest_trail = 0.2;
 constexpr double shortest_arm = 0.1;
 constexpr double longest_arm = 0.8;
+constexpr double largest_lean_rad = 0.15;
 
 std::optional<std::size_t> index_of(const TrialEffect& effect, std::string_view name) {
   for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
@@ -46,7 +45,7 @@ TrialEffect fork(TrialEffect effect, std::size_t i, double wheel_base_m) {
   const auto set = [&](std::string_view name, double value) {
     if (const auto index = index_of(effect, name)) effect.parameters[*index] = value;
   };
-  set("trail", shortest_trail_m * std::pow(longest_trail_m / shortest_trail_m, share.trail));
+  set("trail", wheel_base_m * shortest_trail * std::pow(longest_trail / shortest_trail, share.trail));
   const double aside = 2.0 * share.arm - 1.0;
   const double arm = std::copysign(shortest_arm + (longest_arm - shortest_arm) * std::abs(aside), aside);
   set("arm", arm * wheel_base_m);

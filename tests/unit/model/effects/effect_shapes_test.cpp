@@ -41,37 +41,6 @@ LinearModel lagging() {
   return {ModelType::arma, period_s, 0.258, wheel, {{0.0}, {share}, {1.0 - share}}};
 }
 
-// A wheel with dry friction whose speed a controller with proportional and integral part holds: its equation
-// of motion in small steps.
-struct ControlledWheel {
-  double friction_m_s = 0.0;
-  double breakaway_m_s = 0.0;
-  double speed_m_s = 0.0;
-  double integral_m_s = 0.0;
-
-  static constexpr double lag_s = 0.1;  // of the wheel without a controller
-  static constexpr double proportional = 1.5;
-  static constexpr double integral_per_s = 12.0;
-
-  double moved_m(double command_m_s) {
-    constexpr int steps = 400;
-    constexpr double step_s = period_s / steps;
-    double way_m = 0.0;
-    for (int i = 0; i < steps; ++i) {
-      const double error_m_s = command_m_s - speed_m_s;
-      integral_m_s += integral_per_s * error_m_s * step_s;
-      const double drive_m_s = proportional * error_m_s + integral_m_s;
-      if (speed_m_s == 0.0 && std::abs(drive_m_s) <= breakaway_m_s) continue;
-      const double direction = speed_m_s != 0.0 ? speed_m_s : drive_m_s;
-      const double next_m_s =
-          speed_m_s + step_s / lag_s * (drive_m_s - speed_m_s - std::copysign(friction_m_s, direction));
-      speed_m_s = next_m_s * speed_m_s < 0.0 ? 0.0 : next_m_s;
-      way_m += speed_m_s * step_s;
-    }
-    return way_m;
-  }
-};
-
 // A motor that carries current in the direction of its voltage alone, with a load that is constant while it
 // goes forward: its equation of motion in small steps. The voltage turns round at half the speed, but drives
 // a wheel the other way only where that is slow enough.
@@ -350,60 +319,6 @@ TEST_CASE("A gain that bends never makes a wheel slower for a larger command") {
   CHECK(speed_after(steep, 0.4, 1) == speed_after(steep, 0.36, 1));
   ModelSimulation parabola = only({"gain_curve", "command", {0.5, 0.0}});
   CHECK_THAT(speed_after(parabola, 0.2, 1), WithinAbs(0.2 * (1.0 - 0.5 * 0.2), 1e-12));
-}
-
-TEST_CASE("Friction that a controller makes up for is that of the wheel's own equation of motion") {
-  const auto [name, breakaway_excess_m_s] =
-      GENERATE(std::pair{"coulomb_friction", 0.0}, std::pair{"stiction", 0.2});
-  constexpr double friction_m_s = 0.15;
-  // By the proportional part the wheel is quicker, and gives way the less.
-  constexpr double firmer = 1.0 + ControlledWheel::proportional;
-  constexpr double lag_s = ControlledWheel::lag_s / firmer;
-  constexpr double recovery_s = firmer / ControlledWheel::integral_per_s;
-  std::vector<double> parameters{friction_m_s / firmer, lag_s, recovery_s};
-  if (breakaway_excess_m_s > 0.0)
-    parameters = {breakaway_excess_m_s / firmer, friction_m_s / firmer, lag_s, 0.0005, recovery_s};
-  ModelSimulation simulation = only({name, "controlled", parameters});
-  ControlledWheel free;
-  ControlledWheel robot{.friction_m_s = friction_m_s, .breakaway_m_s = friction_m_s + breakaway_excess_m_s};
-  double way_m = 0.0;
-  double of_robot_m = 0.0;
-  double lost_m = 0.0;
-  for (int k = 0; k < 900; ++k) {
-    const double command_m_s = k < 100 ? 0.2 : 0.25 * std::sin(0.03 * k);
-    const double linear_m_s = free.moved_m(command_m_s) / period_s;
-    way_m += period_s * simulation.step({linear_m_s, linear_m_s}).wheel_m_s.left;
-    of_robot_m += robot.moved_m(command_m_s);
-    lost_m = std::max(lost_m, std::abs(of_robot_m - way_m));
-  }
-  CHECK(lost_m < 0.001);
-}
-
-TEST_CASE("A change of direction under a controller costs a way that hangs on its integral part alone") {
-  ModelSimulation simulation = only({"coulomb_friction", "controlled", {0.05, 0.03, 0.2}});
-  const auto way_m = [&](double command_m_s, int periods) {
-    double sum_m = 0.0;
-    for (int k = 0; k < periods; ++k) sum_m += period_s * simulation.step({command_m_s, 0.0}).wheel_m_s.left;
-    return sum_m;
-  };
-  way_m(0.2, 400);
-  CHECK_THAT(way_m(0.2, 1), WithinRel(0.2 * period_s, 1e-6));
-  CHECK_THAT(way_m(-0.2, 400), WithinAbs(-400 * period_s * 0.2 + 2.0 * 0.05 * 0.2, 3e-4));
-}
-
-TEST_CASE("A wheel with stiction stands again at the speed below which friction has risen") {
-  const auto stands_at = [](double sticking_m_s) {
-    ModelSimulation simulation = only({"stiction", "", {0.03, 0.002, 0.01, sticking_m_s}});
-    double moved_at = speed_after(simulation, 0.05, 100);
-    for (double command = 0.05; command > 0.0; command -= 0.0001) {
-      const double speed = speed_after(simulation, command, 1);
-      if (speed == 0.0) return moved_at;
-      moved_at = speed;
-    }
-    return 0.0;
-  };
-  CHECK_THAT(stands_at(0.012), WithinAbs(0.012, 0.0005));
-  CHECK_THAT(stands_at(0.004), WithinAbs(0.004, 0.0005));
 }
 
 TEST_CASE("Steps act on the command as it was sent, after whatever effect they were found") {

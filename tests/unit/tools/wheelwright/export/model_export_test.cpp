@@ -118,6 +118,17 @@ TEST_CASE(
                   "2026-02-03T00:00:00Z\n") != std::string::npos);
 }
 
+TEST_CASE("Friction that a controller makes up for is no dead band and no friction of a joint, and said so") {
+  RobotModel model = linear_model();
+  test::add_effect(model, "coulomb_friction", "controlled", {0.05, 0.03, 0.2});
+  const tools::DriveFigures figures = tools::drive_figures(model);
+  CHECK_FALSE(figures.smallest_command_m_s);
+  CHECK_FALSE(figures.friction_loss_m_s);
+  const auto [text, unsaid] = tools::to_ros2_control(model, radius_m);
+  REQUIRE(unsaid.size() == 1);
+  CHECK_THAT(unsaid.front().reason, ContainsSubstring("controller of the wheels' speed makes up for it"));
+}
+
 TEST_CASE(
     "Counts that were scaled by turning on a wrong wheel base scale the wheels and their distance alike") {
   RobotModel model = linear_model();
