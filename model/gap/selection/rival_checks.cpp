@@ -111,8 +111,7 @@ void RivalChecks::leave_out_rivals_of_something_else(SelectionStep& check, const
 // For each accepted effect: would another one do better in its place, now that the others are there?
 bool RivalChecks::improve_by_swaps(GapSearch& result, Swaps swaps) {
   bool changed = false;
-  result.checks.clear();
-  for (std::size_t i = 0; i < result.final.model.effects.size(); ++i) {
+  for (std::size_t i = result.checks.size(); i < result.final.model.effects.size(); ++i) {
     TrialModel others = result.final.model;
     const TrialEffect present = others.effects[i];
     others.effects.erase(others.effects.begin() + static_cast<std::ptrdiff_t>(i));
@@ -144,6 +143,7 @@ bool RivalChecks::improve_by_swaps(GapSearch& result, Swaps swaps) {
 void RivalChecks::swap_while_better(GapSearch& result) {
   for (int tries = 0; tries < 3 && !result.final.model.effects.empty(); ++tries) {
     const Fit before = result.final;
+    result.checks.clear();
     if (!improve_by_swaps(result, Swaps::made)) return;
     if (result.final.model.effects.size() < before.model.effects.size()) continue;
     const Fit kept = train_.fit(before.model, steps_of_a_refit);
@@ -153,9 +153,12 @@ void RivalChecks::swap_while_better(GapSearch& result) {
     const double margin = simpler ? -resolution_of_a_fit * explained : 0.0;
     if (comparison_.advantage(result.final, kept) > margin) continue;
     result.final = kept;
-    break;
+    for (std::size_t i = 0; i < result.checks.size(); ++i)
+      leave_out_rivals_of_something_else(result.checks[i], kept.model.effects[i].info);
+    improve_by_swaps(result, Swaps::only_looked_at);
+    return;
   }
-  improve_by_swaps(result, Swaps::only_looked_at);
+  check(result);
 }
 
 // Beside other effects, one that helps a little is often the shape of the others: such an effect stays only
@@ -222,6 +225,7 @@ bool RivalChecks::stands_for_itself(const SelectionStep& check, const EffectInfo
 }
 
 void RivalChecks::check(GapSearch& result) {
+  result.checks.clear();
   improve_by_swaps(result, Swaps::only_looked_at);
 }
 

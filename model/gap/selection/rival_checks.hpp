@@ -28,6 +28,7 @@ class RivalChecks {
 
  private:
   enum class Swaps { made, only_looked_at };
+  // From the first effect that has no check yet; true where the model was changed.
   bool improve_by_swaps(GapSearch& result, Swaps swaps);
   void leave_out_decoys_of_something_else(SelectionStep& check, const TrialEffect& present) const;
   void leave_out_rivals_of_something_else(SelectionStep& check, const EffectInfo* than) const;
