@@ -55,14 +55,7 @@ std::vector<ParameterInfo> controlled_parameters() {
                    0.0,          1.0,   {0.012, 0.025, 0.05, 0.1, 0.2},
                    0.002};
   parameters[1].sizes = {0.05};
-  parameters.push_back({"recovery",
-                        "s",
-                        "in which the controller makes up for what friction takes",
-                        0.01,
-                        2.0,
-                        {0.05, 0.15, 0.4},
-                        0.0,
-                        false});
+  parameters.push_back(recovery_parameter({0.05, 0.15, 0.4}));
   return parameters;
 }
 

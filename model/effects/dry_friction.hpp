@@ -11,8 +11,21 @@
 #pragma once
 
 #include <cmath>
+#include <utility>
+#include <vector>
+
+#include "model/effects/effect.hpp"
 
 namespace wheelwright::effects {
+
+// Of a controller: 1 / FrictionLevels::recovery_per_s. `sizes` are those that a search begins with.
+inline ParameterInfo recovery_parameter(std::vector<double> sizes) {
+  ParameterInfo recovery{"recovery", "s", "in which the controller makes up for what friction takes",
+                         0.01,       2.0, {}};
+  recovery.sizes = std::move(sizes);
+  recovery.scales_effect = false;
+  return recovery;
+}
 
 struct FrictionLevels {
   double breakaway_m_s = 0.0;  // drive that a standing wheel needs

@@ -73,14 +73,7 @@ std::vector<ParameterInfo> controlled_parameters() {
                    0.0,       false};
   parameters[2].sizes = {0.05};
   parameters[3].sizes = {0.005};
-  parameters.push_back({"recovery",
-                        "s",
-                        "in which the controller makes up for what friction takes",
-                        0.01,
-                        2.0,
-                        {0.08, 0.3},
-                        0.0,
-                        false});
+  parameters.push_back(recovery_parameter({0.08, 0.3}));
   return parameters;
 }
 

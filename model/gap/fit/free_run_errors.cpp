@@ -1,8 +1,8 @@
 #include "model/gap/fit/free_run_errors.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "model/gap/fit/path_motion.hpp"
 #include "model/gap/runs/gyro_turns.hpp"
 
 namespace wheelwright::gap {
@@ -66,44 +66,6 @@ Path simulate(ModelSimulation& simulation, const GapRun& run, const Known& known
   return path;
 }
 
-double between(double a, double b, double share) {
-  return a + share * (b - a);
-}
-
-struct Increment {
-  double forward = 0.0;
-  double aside = 0.0;
-  double turn = 0.0;
-};
-
-// Motion from one pose to another, seen in the direction halfway through the turn.
-Increment increment(const Pose& from, const Pose& to) {
-  const double middle = 0.5 * (from.theta_rad + to.theta_rad);
-  const double dx = to.x_m - from.x_m;
-  const double dy = to.y_m - from.y_m;
-  const auto [c, s] = direction_of(middle);
-  return {c * dx + s * dy, -s * dx + c * dy, to.theta_rad - from.theta_rad};
-}
-
-// Calls `step(k, share)` for each period between two grid times, with the share of it that lies between them.
-template <typename Step>
-void for_each_period(const GridTime& from, const GridTime& to, Step step) {
-  for (std::size_t k = from.period; k <= to.period; ++k) {
-    const double begin = k == from.period ? from.share : 0.0;
-    const double end = k == to.period ? to.share : 1.0;
-    if (end > begin) step(k, end - begin);
-  }
-}
-
-// The pose after the steps between two grid times, seen from the one before them.
-Pose passed(const std::vector<OdometryStep>& steps, const GridTime& from, const GridTime& to) {
-  Pose pose;
-  for_each_period(from, to, [&](std::size_t k, double share) {
-    if (k < steps.size()) pose = move_along_arc(pose, {steps[k].forward_m, steps[k].turn_rad}, share);
-  });
-  return pose;
-}
-
 void wheel_errors(const GapRun& run, const Path& path, Channel channel, std::vector<double>& errors) {
   const Series& series = run[channel];
   const auto travel = [&](const GridTime& at) {
@@ -112,54 +74,11 @@ void wheel_errors(const GapRun& run, const Path& path, Channel channel, std::vec
     };
     const double a = side(path.distance_m[at.period]);
     if (at.share == 0.0) return a;
-    return between(a, side(path.distance_m[at.period + 1]), at.share);
+    return interpolated(a, side(path.distance_m[at.period + 1]), at.share);
   };
   errors.reserve(series.at.size());
   for (std::size_t i = 0; i < series.at.size(); ++i) errors.push_back(series.value[i] - travel(series.at[i]));
 }
-
-// The steps of a run as the poses that its references show, at each grid point.
-std::vector<Pose> shown_path(const GapRun& run, const std::vector<OdometryStep>& steps,
-                             const ModelSimulation* measured_by) {
-  std::vector<Pose> poses;
-  poses.reserve(steps.size() + 1);
-  Pose pose;
-  const auto add = [&] { poses.push_back(measured_by == nullptr ? pose : measured_by->observed(pose)); };
-  add();
-  for (const OdometryStep& step : steps) {
-    pose = move_along_arc(pose, {step.forward_m, step.turn_rad}, 1.0);
-    add();
-  }
-  return shown_by(run.reference_response, poses, run.period_s);
-}
-
-// How a path moves from one grid time to another.
-class PathMotion {
- public:
-  PathMotion(const GapRun& run, const std::vector<OdometryStep>& steps,
-             const ModelSimulation* measured_by = nullptr)
-      : steps_(steps), measured_by_(measured_by) {
-    if (!run.reference_response.is_immediate()) shown_ = shown_path(run, steps, measured_by);
-  }
-  Increment increment(const GridTime& from, const GridTime& to) const {
-    if (!shown_.empty()) return wheelwright::gap::increment(shown_at(from), shown_at(to));
-    const Pose motion = passed(steps_, from, to);
-    if (measured_by_ == nullptr) return wheelwright::gap::increment({}, motion);
-    return wheelwright::gap::increment(measured_by_->observed({}), measured_by_->observed(motion));
-  }
-
- private:
-  Pose shown_at(const GridTime& when) const {
-    const Pose& a = shown_[std::min(when.period, shown_.size() - 1)];
-    const Pose& b = shown_[std::min(when.period + 1, shown_.size() - 1)];
-    return {between(a.x_m, b.x_m, when.share), between(a.y_m, b.y_m, when.share),
-            between(a.theta_rad, b.theta_rad, when.share)};
-  }
-
-  const std::vector<OdometryStep>& steps_;
-  const ModelSimulation* measured_by_;
-  std::vector<Pose> shown_;  // empty where the references show the robot at once
-};
 
 void motion_errors(const GapRun& run, const ModelSimulation& simulation, const Path& path, double lag_s,
                    RunErrors& errors) {
@@ -188,7 +107,7 @@ void motion_errors(const GapRun& run, const ModelSimulation& simulation, const P
 
 double at(const std::vector<double>& turned_rad, const GridTime& when) {
   const double a = turned_rad[when.period];
-  return when.share == 0.0 ? a : between(a, turned_rad[when.period + 1], when.share);
+  return when.share == 0.0 ? a : interpolated(a, turned_rad[when.period + 1], when.share);
 }
 
 std::vector<double> turned_by(const std::vector<OdometryStep>& steps) {

@@ -1,41 +1,17 @@
 #include "model/gap/selection/candidate_evaluation.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 
 #include "model/gap/candidates/decoys.hpp"
-#include "model/gap/candidates/eccentricity_phase.hpp"
 #include "model/gap/candidates/fork_search.hpp"
-#include "model/gap/candidates/quantization_levels.hpp"
 #include "model/gap/candidates/quantization_search.hpp"
 #include "model/gap/candidates/region_search.hpp"
 #include "model/gap/candidates/threshold_search.hpp"
+#include "model/gap/selection/default_linear_part.hpp"
 
 namespace wheelwright::gap {
-namespace {
-
-constexpr double min_screened_nats = 4.0;
-constexpr double min_screened_share = 0.08;  // of the best one's: less does not become the best by a fit
-constexpr std::array default_lags_s{0.03, 0.06, 0.15};
-
-// A linear part that remembers longer than a motor can has taken up something else.
-bool reaches_far(const TrialModel& model) {
-  constexpr double longest_lag_s = 0.5;
-  const LinearModel linear_part = model.linear();
-  return std::max(largest_pole(linear_part.left), largest_pole(linear_part.right)) >
-         std::exp(-model.period_s / longest_lag_s);
-}
-
-TrialModel with_default_linear_part(TrialModel model, double lag_s) {
-  const double delay_s = 2.0 * model.period_s;
-  model.linear_part =
-      first_guess(model.shape, model.period_s, model.wheel_base_m, lag_s, delay_s).linear_part;
-  return model;
-}
-
-}  // namespace
 
 void CandidateEvaluation::set_noise_left_by(const TrialModel& model) {
   const NoiseModel noise = train_.noise_left_by(model);
@@ -61,78 +37,15 @@ Fit CandidateEvaluation::settle(TrialModel model, int passes) {
   return fit;
 }
 
-std::vector<const EffectInfo*> CandidateEvaluation::absent_from(const TrialModel& model) const {
-  std::vector<const EffectInfo*> absent;
-  for (const EffectInfo* info : candidate_effects_) {
-    const auto same = [info](const TrialEffect& effect) { return effect.info == info; };
-    if (std::ranges::none_of(model.effects, same)) absent.push_back(info);
-  }
-  return absent;
-}
-
-std::optional<TrialEffect> CandidateEvaluation::align_wheels(
-    const Fit& without, const std::vector<const EffectInfo*>& candidate_effects) {
-  const auto info = std::ranges::find_if(candidate_effects, &EffectInfo::by_wheel_angle);
-  if (info == candidate_effects.end()) return std::nullopt;
-  const auto angles = find_eccentricity_phases(train_, heldout_, without, **info, parallel_for_);
-  if (!angles) return std::nullopt;
-  comparison_.set_angles_differ(angles->differ);
-  train_.set_initial_travel(angles->train_rolled_m);
-  heldout_.set_initial_travel(angles->heldout_rolled_m);
-  return angles->start;
-}
-
-const TrialModel& CandidateEvaluation::closest(const std::vector<TrialModel>& models) const {
-  std::vector<double> sum_squares(models.size());
-  parallel_for_(models.size(),
-                [&](std::size_t i) { sum_squares[i] = sum_squares_of(train_.residuals(models[i])); });
-  return models[static_cast<std::size_t>(std::ranges::min_element(sum_squares) - sum_squares.begin())];
-}
-
 Fit CandidateEvaluation::with_refitted_linear_part(const Fit& fit) {
   std::vector<TrialModel> models;
   models.reserve(default_lags_s.size());
   for (const double lag_s : default_lags_s) models.push_back(with_default_linear_part(fit.model, lag_s));
   constexpr double within_reach = 1.05;  // of the squares
-  Fit afresh = train_.fit(closest(models), steps_of_a_fit);
+  Fit afresh = train_.fit(closest_to_runs(train_, models, parallel_for_), steps_of_a_fit);
   if (afresh.sum_squares > within_reach * fit.sum_squares) return fit;
   afresh = train_.fit(afresh.model, steps_of_a_fit);
   return afresh.sum_squares < fit.sum_squares ? afresh : fit;
-}
-
-// What a linear part has taken up, it does not give back step by step: one of these effects beside a
-// linear part that has not seen the data.
-TrialModel CandidateEvaluation::beside_default_linear_part(const TrialModel& without,
-                                                           const std::vector<TrialEffect>& effects,
-                                                           std::span<const double> lags_s) const {
-  std::vector<TrialModel> models;
-  for (const double lag_s : lags_s) {
-    for (const TrialEffect& effect : effects) {
-      models.push_back(with_default_linear_part(without, lag_s));
-      models.back().effects.push_back(effect);
-    }
-  }
-  return closest(models);
-}
-
-// Effects that hold what a linear part usually holds: a delay, two lags.
-std::vector<TrialModel> CandidateEvaluation::instead_of_linear_part(
-    const TrialModel& without, const std::vector<const EffectInfo*>& candidate_effects) const {
-  constexpr std::array nothing_beside_s{0.01};
-  std::vector<TrialModel> models;
-  for (const EffectInfo* info : candidate_effects) {
-    std::vector<TrialEffect> effects;
-    if (info->linear) {
-      for (const double size : info->parameters.front().sizes) effects.push_back({info, 0, {size}});
-      models.push_back(beside_default_linear_part(without, effects, default_lags_s));
-    } else if (info->name == "asymmetric_response") {
-      for (const double extra_lag_s : {-0.1, -0.04, 0.05, 0.15}) {
-        for (const double quick_lag_s : {0.04, 0.1}) effects.push_back({info, 1, {extra_lag_s, quick_lag_s}});
-      }
-      models.push_back(beside_default_linear_part(without, effects, nothing_beside_s));
-    }
-  }
-  return models;
 }
 
 // Of the few best that have a fork, once: its shape is found under one noise and fitted on under another.
@@ -146,47 +59,6 @@ void CandidateEvaluation::shape_forks(SelectionStep& selection_step, int steps) 
     any = true;
   }
   if (any) comparison_.judge(selection_step);
-}
-
-// A step is looked for again only beside more effects than before, which may have hidden it.
-std::optional<TrialEffect> CandidateEvaluation::steps_beside(const Fit& without, const EffectInfo& info) {
-  if (!steps_beside_ || without.model.effects.size() > *steps_beside_) {
-    steps_beside_ = without.model.effects.size();
-    steps_ = find_command_steps(train_, without, info, parallel_for_);
-  }
-  return steps_;
-}
-
-CandidateEvaluation::Starts CandidateEvaluation::starts(const Fit& without,
-                                                        const std::vector<TrialModel>& more_models) {
-  std::vector<TrialEffect> more_starts;
-  const std::vector<const EffectInfo*> absent = absent_from(without.model);
-  if (const auto rippling = align_wheels(without, absent)) more_starts.push_back(*rippling);
-  const auto stepping = std::ranges::find(absent, "command_quantization", &EffectInfo::name);
-  if (stepping != absent.end()) {
-    if (const auto steps = steps_beside(without, **stepping)) more_starts.push_back(*steps);
-  }
-  const Screening screening = screen(train_, without, absent, parallel_for_);
-  for (const auto& screened : screening.best) {
-    const std::size_t fits = more_models.size() + more_starts.size();
-    if (fits >= limits_.max_fits || screened.gain_nats < min_screened_nats) break;
-    if (screened.gain_nats < min_screened_share * screening.best.front().gain_nats) break;
-    more_starts.push_back(screened.start);
-  }
-  Starts all;
-  all.singles = more_models;
-  std::ranges::move(instead_of_linear_part(without.model, absent), std::back_inserter(all.singles));
-  const bool far = reaches_far(without.model);
-  for (const auto& effect : more_starts) {
-    all.singles.push_back(without.model);
-    all.singles.back().effects.push_back(effect);
-    if (far) all.singles.push_back(beside_default_linear_part(without.model, {effect}, default_lags_s));
-  }
-  if (screening.pair) {
-    all.pair = without.model;
-    std::ranges::copy(screening.pair->start, std::back_inserter(all.pair->effects));
-  }
-  return all;
 }
 
 // In which the last effects of a model show.
@@ -341,7 +213,7 @@ void CandidateEvaluation::pair_the_best(SelectionStep& selection_step) {
 
 SelectionStep CandidateEvaluation::evaluate(const Fit& without, const std::vector<TrialModel>& more_models) {
   SelectionStep selection_step{without, 0.0, {}, {}};
-  const Starts tried = starts(without, more_models);
+  const CandidateStarts::Models tried = starts_.beside(without, more_models);
   selection_step.candidates.resize(tried.singles.size());
   if (tried.pair) selection_step.pair.emplace().model = *tried.pair;
   const auto fit_all = [&](int steps, RegionSearch placed) {

@@ -7,8 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "model/gap/candidates/screening.hpp"
-#include "model/gap/selection/model_comparison.hpp"
+#include "model/gap/selection/candidate_starts.hpp"
 
 namespace wheelwright::gap {
 
@@ -25,9 +24,9 @@ class CandidateEvaluation {
       : train_(train),
         heldout_(heldout),
         comparison_(comparison),
-        candidate_effects_(candidate_effects.begin(), candidate_effects.end()),
         limits_(limits),
-        parallel_for_(std::move(parallel_for)) {}
+        parallel_for_(std::move(parallel_for)),
+        starts_(train, heldout, comparison, candidate_effects, limits, parallel_for_) {}
 
   // Noise is what the model leaves; it holds from here on.
   void set_noise_left_by(const TrialModel& model);
@@ -49,22 +48,11 @@ class CandidateEvaluation {
   // had taken up of an effect that has come in since, it does not give back step by step.
   Fit with_refitted_linear_part(const Fit& fit);
 
-  std::vector<const EffectInfo*> absent_from(const TrialModel& model) const;
+  std::vector<const EffectInfo*> absent_from(const TrialModel& model) const {
+    return starts_.absent_from(model);
+  }
 
  private:
-  const TrialModel& closest(const std::vector<TrialModel>& models) const;
-  TrialModel beside_default_linear_part(const TrialModel& without, const std::vector<TrialEffect>& effects,
-                                        std::span<const double> lags_s) const;
-  std::vector<TrialModel> instead_of_linear_part(
-      const TrialModel& without, const std::vector<const EffectInfo*>& candidate_effects) const;
-  std::optional<TrialEffect> align_wheels(const Fit& without,
-                                          const std::vector<const EffectInfo*>& candidate_effects);
-  std::optional<TrialEffect> steps_beside(const Fit& without, const EffectInfo& info);
-  struct Starts {
-    std::vector<TrialModel> singles;
-    std::optional<TrialModel> pair;
-  };
-  Starts starts(const Fit& without, const std::vector<TrialModel>& more_models);
   TrialModel tuned(const TrialModel& model) const;
   using RegionSearch = TrialModel (*)(const Problem&, TrialModel, const ParallelFor&);
   void place_regions(SelectionStep& selection_step, int steps, RegionSearch placed) const;
@@ -80,11 +68,9 @@ class CandidateEvaluation {
   Problem& train_;
   Problem& heldout_;
   ModelComparison& comparison_;
-  std::vector<const EffectInfo*> candidate_effects_;
   SearchLimits limits_;
   ParallelFor parallel_for_;
-  std::optional<TrialEffect> steps_;  // in which commands seem to act
-  std::optional<std::size_t> steps_beside_;
+  CandidateStarts starts_;
 };
 
 // The best candidate that has a name; nothing where only decoys were left.

@@ -2,44 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "model/gap/candidates/decoys.hpp"
-#include "model/gap/noise/correlation_time.hpp"
 #include "model/gap/runs/fastest_command.hpp"
+#include "model/gap/selection/autocorrelation_factor.hpp"
 #include "model/gap/selection/left_out_runs.hpp"
 
 namespace wheelwright::gap {
 namespace {
-
-constexpr double max_autocorrelation_factor = 30.0;
-
-// By how much the variance of a difference of likelihoods exceeds that of white residuals: sums over blocks
-// of time of the better model's residuals times their change, against the sum of squared changes.
-double autocorrelation_factor_of(const Problem& problem, const std::vector<double>& worse,
-                                 const std::vector<double>& better) {
-  std::map<std::pair<std::size_t, std::size_t>, double> blocks;
-  double power = 0.0;
-  const auto& places = problem.places();
-  for (std::size_t i = 0; i < better.size(); ++i) {
-    const double change = worse[i] - better[i];
-    const double period_s = problem.runs()[places[i].run].period_s;
-    const auto block =
-        static_cast<std::size_t>(static_cast<double>(places[i].period) * period_s / independent_after_s);
-    blocks[{places[i].run, block}] += better[i] * change;
-    power += change * change;
-  }
-  if (!(power > 0.0)) return 1.0;
-  double variance = 0.0;
-  for (const auto& [key, sum] : blocks) variance += sum * sum;
-  return std::clamp(variance / power, 1.0, max_autocorrelation_factor);
-}
-
-double autocorrelation_factor_of_gain(const Problem& problem, double gain_nats,
-                                      const std::vector<double>& without, const std::vector<double>& with) {
-  return gain_nats < 0.0 ? autocorrelation_factor_of(problem, with, without)
-                         : autocorrelation_factor_of(problem, without, with);
-}
 
 // Of several sizes, all have to be.
 bool negligible(const TrialEffect& effect) {
