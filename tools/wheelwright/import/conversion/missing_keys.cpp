@@ -73,6 +73,10 @@ std::string what_is_missing(const Mapping& mapping) {
   if (!not_known.empty())
     what += (what.empty() ? "" : "; ") + not_known + (unknown > 1 ? " are" : " is") + " not known";
   if (what.empty()) return what;
+  // Where commands in m/s do not explain how far the wheels go, their unit says how far a count is.
+  const bool may_be_by_command = mapping.command && !mapping.command->is_duty() &&
+                                 mapping.command->unit == "m/s" && mapping.wheels &&
+                                 mapping.wheels->kind == WheelKind::counts && !wheel_scale(*mapping.wheels);
   const bool two_sides = !mapping.command && !is_one_wheel(mapping);
   const bool may_be_speeds = mapping.command && mapping.command->second &&
                              mapping.command->kind == CommandKind::duty &&
@@ -80,7 +84,8 @@ std::string what_is_missing(const Mapping& mapping) {
                              !mapping.command->full_scale_m_s;
   return what + "; give" + example +
          (two_sides ? " (forward and turning speed are command.linear and command.angular)" : "") +
-         (may_be_speeds ? " (of commands that are no duty but mm/s, --set command.unit=mm/s)" : "");
+         (may_be_speeds ? " (of commands that are no duty but mm/s, --set command.unit=mm/s)" : "") +
+         (may_be_by_command ? " (or what the commands are in, if not m/s: --set command.unit=mm/s)" : "");
 }
 
 }  // namespace wheelwright::import

@@ -197,6 +197,20 @@ TEST_CASE("A file without commands says what is missing, with the option") {
   CHECK_THAT(outcome.conversion.error(), ContainsSubstring("are command.linear and command.angular"));
 }
 
+TEST_CASE("Commands too fast for metres per second are asked for their unit, which gives the counts theirs") {
+  const auto drive = foreign_drive();
+  const auto text =
+      foreign_text(drive, "t,cmd_left,cmd_right,ticks_left,ticks_right", [&](const ForeignRow& row) {
+        return number(row.t_s) + "," + std::to_string(std::lround(1000.0 * row.command_left)) + "," +
+               std::to_string(std::lround(1000.0 * row.command_right)) + "," + counts(row);
+      });
+  const auto refused = import_text(text, {base});
+  REQUIRE_FALSE(refused.conversion);
+  CHECK_THAT(refused.conversion.error(), ContainsSubstring("--set wheels.metres_per_count="));
+  CHECK_THAT(refused.conversion.error(), ContainsSubstring("--set command.unit=mm/s"));
+  check_same(import_text(text, {base, "command.unit=mm/s"}), drive, 0.01);
+}
+
 TEST_CASE("Two files at different rates make one run with the rows of the wheels") {
   const auto drive = foreign_drive();
   std::string commands = "t,cmd_left,cmd_right\n";
