@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <utility>
 
 #include "model/gap/candidates/eccentricity_phase.hpp"
 #include "model/gap/candidates/quantization_levels.hpp"
@@ -81,10 +82,8 @@ std::optional<TrialEffect> CandidateStarts::steps_beside(const Fit& without, con
   return steps_;
 }
 
-// The effects with which a round begins, most promising first, but for those that an own search has found; no
-// more than there may be fits. Two that mask each other are `pair`.
-std::vector<TrialEffect> CandidateStarts::promising(const Fit& without, std::size_t fits_already,
-                                                    std::optional<ScreenedPair>& pair) {
+// First what has a search of its own, then by screening.
+CandidateStarts::Promising CandidateStarts::promising(const Fit& without, std::size_t fits_already) {
   std::vector<TrialEffect> effects;
   const std::vector<const EffectInfo*> absent = absent_from(without.model);
   if (const auto rippling = align_wheels(without, absent)) effects.push_back(*rippling);
@@ -98,14 +97,12 @@ std::vector<TrialEffect> CandidateStarts::promising(const Fit& without, std::siz
     if (screened.gain_nats < min_screened_share * screening.best.front().gain_nats) break;
     effects.push_back(screened.start);
   }
-  pair = screening.pair;
-  return effects;
+  return {std::move(effects), screening.pair};
 }
 
 CandidateStarts::Models CandidateStarts::beside(const Fit& without,
                                                 const std::vector<TrialModel>& more_models) {
-  std::optional<ScreenedPair> pair;
-  const std::vector<TrialEffect> effects = promising(without, more_models.size(), pair);
+  const auto [effects, pair] = promising(without, more_models.size());
   Models all;
   all.singles = more_models;
   std::ranges::move(instead_of_linear_part(without.model, absent_from(without.model)),

@@ -43,8 +43,11 @@ class CandidateStarts {
   std::optional<TrialEffect> align_wheels(const Fit& without,
                                           const std::vector<const EffectInfo*>& candidate_effects);
   std::optional<TrialEffect> steps_beside(const Fit& without, const EffectInfo& info);
-  std::vector<TrialEffect> promising(const Fit& without, std::size_t fits_already,
-                                     std::optional<ScreenedPair>& pair);
+  struct Promising {
+    std::vector<TrialEffect> effects;  // no more than there may be fits
+    std::optional<ScreenedPair> pair;
+  };
+  Promising promising(const Fit& without, std::size_t fits_already);
 
   Problem& train_;
   Problem& heldout_;

@@ -73,10 +73,11 @@ std::string what_is_missing(const Mapping& mapping) {
   if (!not_known.empty())
     what += (what.empty() ? "" : "; ") + not_known + (unknown > 1 ? " are" : " is") + " not known";
   if (what.empty()) return what;
-  // Where commands in m/s do not explain how far the wheels go, their unit says how far a count is.
-  const bool may_be_by_command = mapping.command && !mapping.command->is_duty() &&
-                                 mapping.command->unit == "m/s" && mapping.wheels &&
-                                 mapping.wheels->kind == WheelKind::counts && !wheel_scale(*mapping.wheels);
+  // Where commands in m/s do not explain how far the wheels go, their unit says how far a count or a turn is.
+  const bool may_be_by_command =
+      mapping.command && !mapping.command->is_duty() && mapping.command->unit == "m/s" && mapping.wheels &&
+      (mapping.wheels->kind == WheelKind::counts || mapping.wheels->kind == WheelKind::angle) &&
+      !wheel_scale(*mapping.wheels);
   const bool two_sides = !mapping.command && !is_one_wheel(mapping);
   const bool may_be_speeds = mapping.command && mapping.command->second &&
                              mapping.command->kind == CommandKind::duty &&

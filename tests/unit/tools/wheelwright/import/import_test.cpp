@@ -211,6 +211,25 @@ TEST_CASE("Commands too fast for metres per second are asked for their unit, whi
   check_same(import_text(text, {base, "command.unit=mm/s"}), drive, 0.01);
 }
 
+TEST_CASE("Commands too fast for metres per second are asked for their unit beside wheel angles, too") {
+  constexpr double radius_m = 0.036;
+  const auto angle = [](std::int64_t ticks) {
+    return number(static_cast<double>(ticks) * ForeignDrive::metres_per_count / radius_m);
+  };
+  const auto text = foreign_text(
+      foreign_drive(), "t,cmd_left,cmd_right,left_angle_rad,right_angle_rad", [&](const ForeignRow& row) {
+        return number(row.t_s) + "," + std::to_string(std::lround(1000.0 * row.command_left)) + "," +
+               std::to_string(std::lround(1000.0 * row.command_right)) + "," + angle(row.counts_left) + "," +
+               angle(row.counts_right);
+      });
+  const auto refused = import_text(text, {base});
+  REQUIRE_FALSE(refused.conversion);
+  CHECK_THAT(refused.conversion.error(), ContainsSubstring("--set command.unit=mm/s"));
+  const auto outcome = import_text(text, {base, "command.unit=mm/s"});
+  REQUIRE(outcome.conversion);
+  CHECK_THAT(*outcome.understood.mapping.wheels->wheel_radius_m, WithinRel(radius_m, 0.02));
+}
+
 TEST_CASE("Two files at different rates make one run with the rows of the wheels") {
   const auto drive = foreign_drive();
   std::string commands = "t,cmd_left,cmd_right\n";
