@@ -40,11 +40,11 @@ CheckStatistic statistic_of(const ChannelWords& of, const PeriodicResidual& foun
       std::string("periodic residual") + (over_time ? "" : " over travel") + ", " + std::string(of.name);
   statistic.p_value = found.p_value;
   statistic.size = found.amplitude;
-  statistic.visible = is_visible(found.amplitude, of.channel);
+  statistic.visible = is_visible(2.0 * found.amplitude, of.channel);  // from crest to trough
   const std::string every =
       over_time ? in_digits(found.period, 3) + " s" : in_digits(1000.0 * found.period, 3) + " mm of travel";
   statistic.sentence = "the error of the " + std::string(of.name) + " swings every " + every + " by " +
-                       size_in_words(found.amplitude, of.angle);
+                       size_in_words(found.amplitude, of.angle) + " to either side";
   statistic.regime = "a swing every " + every;
   statistic.curve = {over_time ? "time within a period [s]" : "travel within a period [m]",
                      "error of the " + std::string(of.name) + (of.angle ? " [mrad]" : " [mm]"),

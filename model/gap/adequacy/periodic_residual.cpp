@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "model/gap/adequacy/swing_amplitude.hpp"
 #include "model/gap/adequacy/tail_probability.hpp"
 #include "model/statistics/order_statistics.hpp"
 
@@ -86,22 +87,6 @@ double median_around(const std::vector<double>& power, std::size_t place) {
   }
   if (context.empty()) return 0.0;
   return median(std::move(context));
-}
-
-// Of the free-run error at one frequency, its line from first to last value taken out, under a Hann window.
-double amplitude(const ResidualTrack& track, std::span<const double> at, double frequency) {
-  const std::size_t count = track.error.size();
-  if (count < 2 || at.back() <= at.front()) return 0.0;
-  std::complex<double> sum;
-  double weights = 0.0;
-  for (std::size_t k = 0; k < count; ++k) {
-    const double share = static_cast<double>(k) / static_cast<double>(count - 1);
-    const double line = track.error.front() + share * (track.error.back() - track.error.front());
-    const double weight = 1.0 - std::cos(2.0 * std::numbers::pi * share);
-    sum += weight * (track.error[k] - line) * std::polar(1.0, 2.0 * std::numbers::pi * frequency * at[k]);
-    weights += weight;
-  }
-  return 2.0 * std::abs(sum) / weights;
 }
 
 // Mean square of the free-run error about its line over each four periods.
@@ -190,17 +175,21 @@ std::optional<PeriodicResidual> periodic_residual(std::span<const ResidualTrack*
   // series the peak is that of 1.6 independent ones for each.
   const double independent = 1.6 * static_cast<double>(frequencies.count);
   found.p_value = smallest_of(chi_squared_tail(2.0 * median * highest, degrees), independent);
+  SwingAmplitude swing(found.period);
   double mean_square = 0.0;
   double largest = -1.0;
   for (std::size_t t = 0; t < tracks.size(); ++t) {
-    const double of_track = amplitude(*tracks[t], at[t], frequencies.at(peak));
-    if (of_track > largest) found.folded = folded(*tracks[t], at[t], found.period);
-    largest = std::max(largest, of_track);
-    found.amplitude += of_track * of_track / static_cast<double>(tracks.size());
+    const std::vector<double>& error = tracks[t]->error;
+    swing.add(error, at[t]);
     mean_square += mean_square_within(*tracks[t], at[t], found.period) / static_cast<double>(tracks.size());
+    SwingAmplitude of_track(found.period);
+    of_track.add(error, at[t]);
+    if (of_track.amplitude() <= largest) continue;
+    largest = of_track.amplitude();
+    found.folded = folded(*tracks[t], at[t], found.period);
   }
-  if (mean_square > 0.0) found.share = std::min(1.0, 0.5 * found.amplitude / mean_square);
-  found.amplitude = std::sqrt(found.amplitude);
+  found.amplitude = swing.amplitude();
+  if (mean_square > 0.0) found.share = std::min(1.0, 0.5 * swing.mean_square() / mean_square);
   return found;
 }
 

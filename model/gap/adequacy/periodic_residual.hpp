@@ -13,7 +13,7 @@ namespace wheelwright::gap {
 struct PeriodicResidual {
   enum class Over { time, travel } over = Over::time;
   double period = 0.0;     // s or m
-  double amplitude = 0.0;  // of the free-run error, m or rad; root mean square over the tracks
+  double amplitude = 0.0;  // of the free-run error, m or rad: see swing_amplitude.hpp
   double share = 0.0;      // of the error's mean square within four periods
   std::vector<std::pair<double, double>>
       folded;            // position within a period, mean error there; of the largest track

@@ -7,6 +7,7 @@
 
 #include "model/gap/adequacy/dependence.hpp"
 #include "model/gap/adequacy/periodic_residual.hpp"
+#include "model/gap/adequacy/swing_amplitude.hpp"
 #include "model/gap/adequacy/tail_probability.hpp"
 #include "tests/support/catch.hpp"
 
@@ -97,6 +98,43 @@ TEST_CASE("A swing within a random walk is found with its period and its size") 
   CHECK(found->p_value < 1e-4);
   CHECK_THAT(found->period, WithinRel(1.43, 0.02));
   CHECK_THAT(found->amplitude, WithinRel(0.006, 0.3));
+}
+
+TEST_CASE("A swing that is struck again and again in any phase has the size that a plot shows") {
+  constexpr double amplitude_m = 0.008;
+  const auto struck = [](double time_s) {
+    const double blow = std::floor(time_s / 7.0);
+    const double phase = 2.4 * blow * blow;  // of another phase each time
+    return amplitude_m * std::sin(2.0 * std::numbers::pi * time_s / 1.1 + phase);
+  };
+  const auto found = TwoRuns(3, struck).periodic();
+  REQUIRE(found);
+  CHECK(found->p_value < 1e-4);
+  CHECK_THAT(found->amplitude, WithinRel(amplitude_m, 0.3));
+}
+
+TEST_CASE("A swing that comes now and then has the size that it has there") {
+  const auto at_times = [](double time_s) {
+    const bool swings = std::fmod(time_s, 20.0) < 6.0;
+    return swings ? 0.012 * std::sin(2.0 * std::numbers::pi * time_s / 0.7) : 0.0;
+  };
+  const auto found = TwoRuns(4, at_times).periodic();
+  REQUIRE(found);
+  CHECK_THAT(found->period, WithinRel(0.7, 0.03));
+  CHECK_THAT(found->amplitude, WithinRel(0.012, 0.3));
+}
+
+TEST_CASE("A random walk without a swing has no amplitude to speak of at any period") {
+  for (const double period_s : {0.5, 1.0, 2.0, 4.0}) {
+    SwingAmplitude swing(period_s);
+    for (unsigned seed = 0; seed < 40; ++seed) {
+      const ResidualTrack track = track_of(9100 + seed, none);
+      swing.add(track.error, track.time_s);
+    }
+    // The walk itself goes 7 mm within a second.
+    CHECK(std::sqrt(swing.mean_square()) < 0.0015 * std::sqrt(period_s));
+    CHECK(swing.amplitude() < 0.0025 * std::sqrt(period_s));
+  }
 }
 
 TEST_CASE("White innovations seldom show a period: p-values are uniform within what 200 series tell") {
