@@ -94,14 +94,26 @@ Eigen::VectorXd vector_of(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
+// What the model's own parameters leave of the residuals, and a basis of what they could take up. Over all
+// readings: what counts say of the wheels is not free to explain the motion.
+struct Explained {
+  Explained(const Problem& problem, const Fit& fit)
+      : basis(basis_of(problem.jacobian(fit.model, fit.residuals))), residuals(vector_of(fit.residuals)) {
+    left = residuals - basis * (basis.transpose() * residuals);
+  }
+  Eigen::MatrixXd basis;
+  Eigen::VectorXd residuals;
+  Eigen::VectorXd left;
+};
+
 // What effects of one part change of its residuals, and what that has to do with what the fit leaves there.
 class PartResponses {
  public:
-  PartResponses(const Problem& problem, const Fit& fit, const Eigen::MatrixXd& columns, Part part)
+  PartResponses(const Problem& problem, const Fit& fit, const Explained& explained, Part part)
       : problem_(problem), fit_(fit), part_(part), rows_(rows_of(problem, part)) {
-    basis_ = basis_of(columns(rows_, Eigen::all));
-    without_ = vector_of(fit.residuals)(rows_);
-    left_ = without_ - basis_ * (basis_.transpose() * without_);
+    basis_ = explained.basis(rows_, Eigen::all);
+    without_ = explained.residuals(rows_);
+    left_ = explained.left(rows_);
   }
 
   Common common(std::span<const TrialEffect> effects, const ParallelFor& parallel_for) const {
@@ -139,10 +151,10 @@ class PartResponses {
 class Responses {
  public:
   Responses(const Problem& problem, const Fit& fit) : problem_(problem) {
-    const Eigen::MatrixXd columns = problem.jacobian(fit.model, fit.residuals);
+    const Explained explained(problem, fit);
     for (const Part part : {Part::all, Part::wheels, Part::motion}) {
       if ((part == Part::all) == problem.parts_touch())
-        parts_.emplace(part, PartResponses(problem, fit, columns, part));
+        parts_.emplace(part, PartResponses(problem, fit, explained, part));
     }
   }
 
