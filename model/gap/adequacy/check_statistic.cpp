@@ -46,7 +46,8 @@ CheckStatistic statistic_of(const ChannelWords& of, const PeriodicResidual& foun
   statistic.sentence = "the error of the " + std::string(of.name) + " swings every " + every + " by " +
                        size_in_words(found.amplitude, of.angle) + " to either side";
   statistic.regime = "a swing every " + every;
-  statistic.curve = {over_time ? "time within a period [s]" : "travel within a period [m]",
+  statistic.curve = {over_time ? "time within a period, where it swings most [s]"
+                               : "travel within a period, where it swings most [m]",
                      "error of the " + std::string(of.name) + (of.angle ? " [mrad]" : " [mm]"),
                      in_milli(found.folded)};
   statistic.share_of_gap = found.share;

@@ -106,21 +106,21 @@ double mean_square_within(const ResidualTrack& track, std::span<const double> at
   return count > 0.0 ? sum_squares / count : 0.0;
 }
 
-// The error about its mean over each period, folded onto one period.
-std::vector<std::pair<double, double>> folded(const ResidualTrack& track, std::span<const double> at,
+// The error about its mean over each period of a window, folded onto one period.
+std::vector<std::pair<double, double>> folded(std::span<const double> error, std::span<const double> at,
                                               double period) {
   constexpr std::size_t bins = 24;
   std::array<double, bins> sums{};
   std::array<double, bins> counts{};
-  for (std::size_t from = 0; from < track.error.size();) {
+  for (std::size_t from = 0; from < error.size();) {
     std::size_t to = from;
-    while (to + 1 < track.error.size() && std::abs(at[to + 1] - at[from]) < period) ++to;
+    while (to + 1 < error.size() && std::abs(at[to + 1] - at[from]) < period) ++to;
     double mean = 0.0;
-    for (std::size_t i = from; i <= to; ++i) mean += track.error[i] / static_cast<double>(to - from + 1);
+    for (std::size_t i = from; i <= to; ++i) mean += error[i] / static_cast<double>(to - from + 1);
     for (std::size_t i = from; i <= to; ++i) {
       const double turns = at[i] / period;
       const auto bin = static_cast<std::size_t>((turns - std::floor(turns)) * static_cast<double>(bins));
-      sums.at(std::min(bin, bins - 1)) += track.error[i] - mean;
+      sums.at(std::min(bin, bins - 1)) += error[i] - mean;
       counts.at(std::min(bin, bins - 1)) += 1.0;
     }
     from = to + 1;
@@ -177,19 +177,15 @@ std::optional<PeriodicResidual> periodic_residual(std::span<const ResidualTrack*
   found.p_value = smallest_of(chi_squared_tail(2.0 * median * highest, degrees), independent);
   SwingAmplitude swing(found.period);
   double mean_square = 0.0;
-  double largest = -1.0;
   for (std::size_t t = 0; t < tracks.size(); ++t) {
-    const std::vector<double>& error = tracks[t]->error;
-    swing.add(error, at[t]);
+    swing.add(tracks[t]->error, at[t]);
     mean_square += mean_square_within(*tracks[t], at[t], found.period) / static_cast<double>(tracks.size());
-    SwingAmplitude of_track(found.period);
-    of_track.add(error, at[t]);
-    if (of_track.amplitude() <= largest) continue;
-    largest = of_track.amplitude();
-    found.folded = folded(*tracks[t], at[t], found.period);
   }
   found.amplitude = swing.amplitude();
   if (mean_square > 0.0) found.share = std::min(1.0, 0.5 * swing.mean_square() / mean_square);
+  const auto& [series, from, to] = swing.strongest();
+  found.folded = folded(std::span(tracks[series]->error).subspan(from, to - from),
+                        std::span(at[series]).subspan(from, to - from), found.period);
   return found;
 }
 

@@ -16,7 +16,7 @@ struct PeriodicResidual {
   double amplitude = 0.0;  // of the free-run error, m or rad: see swing_amplitude.hpp
   double share = 0.0;      // of the error's mean square within four periods
   std::vector<std::pair<double, double>>
-      folded;            // position within a period, mean error there; of the largest track
+      folded;            // position within a period, mean error there; where it swings most
   double p_value = 1.0;  // of a peak as high anywhere among the frequencies
 };
 

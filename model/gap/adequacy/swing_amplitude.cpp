@@ -43,14 +43,20 @@ void SwingAmplitude::add(std::span<const double> values, std::span<const double>
   for (std::size_t from = 0; from < values.size();) {
     std::size_t to = from;
     while (to < values.size() && std::abs(at[to] - at[from]) < window_periods * period_) ++to;
-    if (to == values.size()) return;
+    if (to == values.size()) break;
     const auto part = values.subspan(from, to - from);
     const auto where = at.subspan(from, to - from);
-    swing_.add(squared_amplitude(part, where, 1.0 / period_));
+    const double squared = squared_amplitude(part, where, 1.0 / period_);
+    if (squared > strongest_squared_) {
+      strongest_squared_ = squared;
+      strongest_ = {series_, from, to};
+    }
+    swing_.add(squared);
     below_.add(squared_amplitude(part, where, 0.5 / period_));
     above_.add(squared_amplitude(part, where, 1.5 / period_));
     from = to;
   }
+  ++series_;
 }
 
 double SwingAmplitude::amplitude() const {

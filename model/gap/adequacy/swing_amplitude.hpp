@@ -1,6 +1,7 @@
 // How far series swing with a given period, in a phase that need not last.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 namespace wheelwright::gap {
@@ -22,6 +23,15 @@ class SwingAmplitude {
   // Mean of the squared amplitude over all, with no weights.
   double mean_square() const;
 
+  // The four periods in which it swings most: of the series that was added so many others before, the values
+  // in [from, to).
+  struct Window {
+    std::size_t series = 0;
+    std::size_t from = 0;
+    std::size_t to = 0;
+  };
+  const Window& strongest() const { return strongest_; }
+
  private:
   struct Sums {
     double count = 0.0;
@@ -33,6 +43,9 @@ class SwingAmplitude {
   };
 
   double period_;
+  std::size_t series_ = 0;
+  Window strongest_;
+  double strongest_squared_ = 0.0;
   Sums swing_;
   Sums below_;
   Sums above_;

@@ -1,4 +1,5 @@
 // Statistics of the predictive check on series whose law is known.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -122,6 +123,9 @@ TEST_CASE("A swing that comes now and then has the size that it has there") {
   REQUIRE(found);
   CHECK_THAT(found->period, WithinRel(0.7, 0.03));
   CHECK_THAT(found->amplitude, WithinRel(0.012, 0.3));
+  const auto crest = std::ranges::max_element(found->folded, {}, &std::pair<double, double>::second);
+  REQUIRE(crest != found->folded.end());
+  CHECK_THAT(crest->second, WithinRel(0.012, 0.4));
 }
 
 TEST_CASE("A random walk without a swing has no amplitude to speak of at any period") {
