@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 #include "model/gap/candidates/decoys.hpp"
 #include "model/gap/conclusion/acceptance.hpp"
 #include "model/gap/data_checks/commanded_stillness.hpp"
+#include "model/statistics/significant_digits.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -128,9 +127,7 @@ std::string gains_in_words(const TrialModel& model) {
       2.0 * (right.from_right + right.from_left - left.from_left - left.from_right) / drives;
   const double turns_more = turns / drives - 1.0;
   const auto in_percent = [](double share) {
-    std::ostringstream text;
-    text << std::setprecision(2) << 100.0 * std::abs(share) << " % " << (share < 0.0 ? "less" : "more");
-    return text.str();
+    return in_digits(100.0 * std::abs(share), 2) + " % " + (share < 0.0 ? "less" : "more");
   };
   std::string words;
   if (std::abs(excess) > worth_saying)
@@ -148,12 +145,11 @@ std::string gains_in_words(const TrialModel& model) {
 constexpr double min_reported_gyro_scale = 0.05;
 
 std::string gyro_scale_in_words(double scale) {
-  std::ostringstream words;
-  words << "The gyro shows " << (std::abs(scale) < largest_gyro_scale ? "" : "at least ")
-        << std::setprecision(2) << 100.0 * std::abs(scale) << " % " << (scale > 0.0 ? "more" : "less")
-        << " turn than the counts: the wheel base or the gyro's scale is off, and only turns against an "
-        << "outside mark show which.";
-  return words.str();
+  return std::string("The gyro shows ") + (std::abs(scale) < largest_gyro_scale ? "" : "at least ") +
+         in_digits(100.0 * std::abs(scale), 2) + " % " + (scale > 0.0 ? "more" : "less") +
+         " turn than the counts: the wheel base or the gyro's scale is off, and only turns against an "
+         "outside "
+         "mark show which.";
 }
 
 // What was found holds for a run whose wheels begin at a known angle: that has to be said.

@@ -90,9 +90,13 @@ struct Cell {
 
 void add_quantiles(std::vector<Cell>& cells, const std::vector<Moment>& moments, const std::string& name,
                    const std::string& unit, const std::function<double(const Moment&)>& value) {
+  constexpr double negligible = 1e-3;  // of the largest: a wheel that has all but settled
+  double largest = 0.0;
+  for (const auto& moment : moments) largest = std::max(largest, value(moment));  // not-a-number: unknown
+  const double least = negligible * largest;
   std::vector<double> values;
   for (const auto& moment : moments) {
-    if (value(moment) > 0.0) values.push_back(value(moment));
+    if (value(moment) > least) values.push_back(value(moment));
   }
   if (values.size() < 50) return;
   for (const double share : {0.5, 0.8}) {
@@ -100,8 +104,8 @@ void add_quantiles(std::vector<Cell>& cells, const std::vector<Moment>& moments,
     cells.push_back({name + " > " + number(limit) + unit, [=](const Moment& m) { return value(m) > limit; }});
   }
   const double low = quantile(values, 0.25);
-  cells.push_back(
-      {name + " < " + number(low) + unit, [=](const Moment& m) { return value(m) > 0.0 && value(m) < low; }});
+  cells.push_back({name + " < " + number(low) + unit,
+                   [=](const Moment& m) { return value(m) > least && value(m) < low; }});
 }
 
 std::vector<Cell> cells_for(const Problem& problem, const std::vector<Moment>& moments) {
