@@ -166,17 +166,41 @@ std::vector<const Candidate*> CandidateEvaluation::helpful(const SelectionStep& 
   return best;
 }
 
-// Of all runs under the noise that a model with two more effects leaves, refitted, less the price of its
+// Of all runs under the noise that a model with so many more effects leaves, refitted, less the price of its
 // parameters: what noise that was estimated with another model has taken up, it has to explain, too.
-double CandidateEvaluation::own_log_likelihood(Fit& pair) const {
+double CandidateEvaluation::own_log_likelihood(Fit& fit, std::size_t effects) const {
   Problem train = train_;
   Problem heldout = heldout_;
-  const NoiseModel noise = train.noise_left_by(pair.model);
+  const NoiseModel noise = train.noise_left_by(fit.model);
   train.set_noise(noise);
   heldout.set_noise(noise);
-  pair = train.fit(pair.model, steps_of_a_refit, affected_outputs_of_last(pair.model, 2));
-  return train.log_likelihood(pair.residuals) + heldout.log_likelihood(heldout.residuals(pair.model)) -
-         comparison_.complexity_penalty(pair.model);
+  fit = train.fit(fit.model, steps_of_a_refit, affected_outputs_of_last(fit.model, effects));
+  return train.log_likelihood(fit.residuals) + heldout.log_likelihood(heldout.residuals(fit.model)) -
+         comparison_.complexity_penalty(fit.model);
+}
+
+// Of the best few that come near the first one's score: under a noise that none of them has left, the one
+// that is there may be behind.
+TrialModel CandidateEvaluation::likeliest_under_its_own_noise(const SelectionStep& selection_step) const {
+  constexpr double near = 0.5;  // of the first one's score
+  struct Contender {
+    Fit fit;
+    double log_likelihood = 0.0;
+  };
+  std::vector<Contender> contenders;
+  for (const Candidate& candidate : selection_step.candidates) {
+    const bool known = std::ranges::any_of(contenders, [&](const Contender& other) {
+      return other.fit.model.effects.back().info == candidate.effect.info;
+    });
+    if (known) continue;
+    if (contenders.size() == few || candidate.score < near * selection_step.candidates.front().score) break;
+    contenders.emplace_back().fit = candidate.fit;
+  }
+  if (contenders.size() == 1) return contenders.front().fit.model;
+  parallel_for_(contenders.size(), [&](std::size_t i) {
+    contenders[i].log_likelihood = own_log_likelihood(contenders[i].fit, 1);
+  });
+  return std::ranges::max_element(contenders, {}, &Contender::log_likelihood)->fit.model;
 }
 
 void CandidateEvaluation::pair_the_best(SelectionStep& selection_step) {
@@ -197,7 +221,7 @@ void CandidateEvaluation::pair_the_best(SelectionStep& selection_step) {
   parallel_for_(pairs.size(), [&](std::size_t i) {
     Fit& fit = pairs[i].fit;
     fit = train_.fit(fit.model, steps_of_a_fit, affected_outputs_of_last(fit.model, 2));
-    pairs[i].log_likelihood = own_log_likelihood(fit);
+    pairs[i].log_likelihood = own_log_likelihood(fit, 2);
   });
   selection_step.pair = std::ranges::max_element(pairs, {}, &Pair::log_likelihood)->fit;
   if (!pair_stands_out_of_its_own_noise(selection_step)) return selection_step.pair.reset();
@@ -241,7 +265,7 @@ SelectionStep CandidateEvaluation::evaluate(const Fit& without, const std::vecto
   const bool by_single =
       !selection_step.candidates.empty() && selection_step.candidates.front().score >= limits_.min_train_nats;
   if (by_pair || by_single) {
-    set_noise_left_by(by_pair ? selection_step.pair->model : selection_step.candidates.front().fit.model);
+    set_noise_left_by(by_pair ? selection_step.pair->model : likeliest_under_its_own_noise(selection_step));
   } else if (!stands_out_of_its_own_noise(selection_step)) {
     return selection_step;
   }

@@ -36,7 +36,8 @@ class CandidateEvaluation {
   // Screens all that the model does not hold, fits the most promising ones beside the linear part and judges
   // them. `more_models`, each with one effect more than `without`, are tried in any case, and two effects at
   // once where each masks the other. The noise is then what the best one leaves, since before, it holds what
-  // is missing; and all are fitted again under it.
+  // is missing; and all are fitted again under it. Of several that are nearly as good, the best one is the
+  // likeliest, each under the noise that it leaves.
   SelectionStep evaluate(const Fit& without, const std::vector<TrialModel>& more_models = {});
 
   // What hides each other explains little one by one, and the noise that both together leave is smaller than
@@ -58,7 +59,8 @@ class CandidateEvaluation {
   void place_regions(SelectionStep& selection_step, int steps, RegionSearch placed) const;
   void shape_forks(SelectionStep& selection_step, int steps) const;
   std::vector<const Candidate*> helpful(const SelectionStep& selection_step) const;
-  double own_log_likelihood(Fit& pair) const;
+  double own_log_likelihood(Fit& fit, std::size_t effects) const;
+  TrialModel likeliest_under_its_own_noise(const SelectionStep& selection_step) const;
   bool stands_out_of_its_own_noise(const SelectionStep& selection_step);
   bool pair_stands_out_of_its_own_noise(const SelectionStep& selection_step);
   Fit with_linear_part_of(const Fit& without, const TrialModel& candidate) const;
