@@ -8,15 +8,17 @@
 
 namespace wheelwright {
 
-// With so many significant digits, without zeros at the end; below a million as a person writes it: 2430, not
-// 2.43e+03.
+// With so many significant digits, without zeros at the end. From 0.0001 up to a million as a person writes
+// it: 2430, not 2.43e+03.
 inline std::string in_digits(double value, int digits) {
+  if (value == 0.0) return "0";  // and not -0
   std::ostringstream text;
-  const double magnitude = std::abs(value);
-  const int before_point = magnitude >= 1.0 ? static_cast<int>(std::floor(std::log10(magnitude))) + 1 : 1;
-  if (before_point >= digits && magnitude < 1e6) {
-    const double unit = std::pow(10.0, before_point - digits);
-    text << std::fixed << std::setprecision(0) << unit * std::round(value / unit);
+  const double unit = std::isfinite(value)
+                          ? std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1.0 - digits)
+                          : 0.0;  // of the last digit
+  const double rounded = unit >= 1.0 ? unit * std::round(value / unit) : value;
+  if (unit >= 1.0 && std::abs(rounded) < 1e6) {
+    text << std::fixed << std::setprecision(0) << rounded;
   } else {
     text << std::setprecision(digits) << value;
   }

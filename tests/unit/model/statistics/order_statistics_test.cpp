@@ -2,7 +2,6 @@
 
 #include <random>
 
-#include "model/statistics/significant_digits.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace wheelwright;
@@ -28,10 +27,4 @@ TEST_CASE("The median size of normal deviations gives their standard deviation")
   std::vector<double> sizes;
   for (int i = 0; i < 20000; ++i) sizes.push_back(std::abs(normal(random)));
   CHECK_THAT(deviations_of_median_size * median(sizes), WithinAbs(3.0, 0.1));
-}
-
-TEST_CASE("A number in a sentence has as many digits as count") {
-  CHECK(in_digits(0.012345, 3) == "0.0123");
-  CHECK(in_digits(2.5, 3) == "2.5");
-  CHECK(in_digits(1234.0, 2) == "1.2e+03");
 }
