@@ -89,7 +89,7 @@ double median_around(const std::vector<double>& power, std::size_t place) {
   return median(std::move(context));
 }
 
-// Mean square of the free-run error about its line over each four periods.
+// Mean square of the free-run error about its mean over each four periods.
 double mean_square_within(const ResidualTrack& track, std::span<const double> at, double period) {
   constexpr double periods = 4.0;
   double sum_squares = 0.0;
@@ -178,7 +178,7 @@ std::optional<PeriodicResidual> periodic_residual(std::span<const ResidualTrack*
   SwingAmplitude swing(found.period);
   double mean_square = 0.0;
   for (std::size_t t = 0; t < tracks.size(); ++t) {
-    swing.add(tracks[t]->error, at[t]);
+    swing.add(tracks[t]->error, at[t], tracks[t]->discontinuity);
     mean_square += mean_square_within(*tracks[t], at[t], found.period) / static_cast<double>(tracks.size());
   }
   found.amplitude = swing.amplitude();
