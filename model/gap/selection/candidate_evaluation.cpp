@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "model/gap/candidates/decoys.hpp"
 #include "model/gap/candidates/fork_search.hpp"
@@ -175,8 +176,10 @@ double CandidateEvaluation::own_log_likelihood(Fit& fit, std::size_t effects) co
   train.set_noise(noise);
   heldout.set_noise(noise);
   fit = train.fit(fit.model, steps_of_a_refit, affected_outputs_of_last(fit.model, effects));
-  return train.log_likelihood(fit.residuals) + heldout.log_likelihood(heldout.residuals(fit.model)) -
-         comparison_.complexity_penalty(fit.model);
+  const double log_likelihood = train.log_likelihood(fit.residuals) +
+                                heldout.log_likelihood(heldout.residuals(fit.model)) -
+                                comparison_.complexity_penalty(fit.model);
+  return std::isfinite(log_likelihood) ? log_likelihood : -std::numeric_limits<double>::infinity();
 }
 
 // Of the best few that come near the first one's score: under a noise that none of them has left, the one
@@ -264,17 +267,17 @@ SelectionStep CandidateEvaluation::evaluate(const Fit& without, const std::vecto
                               pair_stands_out_of_its_own_noise(selection_step));
   const bool by_single =
       !selection_step.candidates.empty() && selection_step.candidates.front().score >= limits_.min_train_nats;
+  std::optional<TrialModel> likeliest;
+  if (by_single) likeliest = likeliest_under_its_own_noise(selection_step);
   if (by_pair || by_single) {
-    set_noise_left_by(by_pair ? selection_step.pair->model : likeliest_under_its_own_noise(selection_step));
+    set_noise_left_by(by_pair ? selection_step.pair->model : *likeliest);
   } else if (!stands_out_of_its_own_noise(selection_step)) {
     return selection_step;
   }
   selection_step.without = train_.fit(selection_step.without.model, steps_of_a_refit);
   if (by_pair)
     selection_step.without = with_linear_part_of(selection_step.without, selection_step.pair->model);
-  if (by_single)
-    selection_step.without =
-        with_linear_part_of(selection_step.without, selection_step.candidates.front().fit.model);
+  if (likeliest) selection_step.without = with_linear_part_of(selection_step.without, *likeliest);
   start_from_linear_part_of(selection_step.without.model, selection_step.candidates);
   fit_all(steps_of_a_refit, with_region_tuned);
   return selection_step;

@@ -36,8 +36,8 @@ class CandidateEvaluation {
   // Screens all that the model does not hold, fits the most promising ones beside the linear part and judges
   // them. `more_models`, each with one effect more than `without`, are tried in any case, and two effects at
   // once where each masks the other. The noise is then what the best one leaves, since before, it holds what
-  // is missing; and all are fitted again under it. Of several that are nearly as good, the best one is the
-  // likeliest, each under the noise that it leaves.
+  // is missing; and all are fitted again under it. Where the best few come near each other, it is what the
+  // likeliest of them leaves, each under the noise that it leaves itself.
   SelectionStep evaluate(const Fit& without, const std::vector<TrialModel>& more_models = {});
 
   // What hides each other explains little one by one, and the noise that both together leave is smaller than
