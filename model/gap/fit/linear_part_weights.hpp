@@ -1,0 +1,24 @@
+// Weights of commands in a linear part, and the parameters that stand for them.
+#pragma once
+
+#include <vector>
+
+#include "model/gap/fit/trial_model.hpp"
+
+namespace wheelwright::gap {
+
+// Later by a part of a period, the gain being the same.
+std::vector<double> delayed(const std::vector<double>& weights, double periods);
+
+// Times 1 - pole z^-1.
+std::vector<double> times_a_pole(const std::vector<double>& polynomial, double pole);
+
+// Of the other wheel's command, where its weights are its own. `values` are the parameters behind those of
+// the wheel's own weights.
+std::vector<double> cross_coupling_weights(const LinearPartShape& shape, const double* values);
+
+// Adds these weights to a linear part, as parameters of that cross coupling.
+void add_cross_coupling_weights(std::vector<double>& linear_part, CrossCoupling cross_coupling,
+                                const std::vector<double>& weights);
+
+}  // namespace wheelwright::gap

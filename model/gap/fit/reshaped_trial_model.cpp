@@ -1,0 +1,130 @@
+// Trial models that behave as one does, with another shape of their linear part.
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <iterator>
+
+#include "model/gap/fit/linear_part_weights.hpp"
+#include "model/gap/fit/trial_model.hpp"
+
+namespace wheelwright::gap {
+
+// Both sides of the difference equation times the same: the response stays what it is.
+TrialModel TrialModel::with_higher_order(double pole) const {
+  TrialModel larger = *this;
+  larger.shape.poles += 1;
+  larger.shape.weights += 1;
+  larger.linear_part.clear();
+  for (std::size_t wheel = 0; wheel < shape.of_responses(); wheel += shape.per_wheel()) {
+    const auto begin = linear_part.begin() + static_cast<std::ptrdiff_t>(wheel);
+    const auto weights = begin + static_cast<std::ptrdiff_t>(shape.poles);
+    const auto rest = weights + static_cast<std::ptrdiff_t>(shape.weights);
+    std::vector<double> past{1.0};
+    std::transform(begin, weights, std::back_inserter(past), std::negate<>{});
+    past = times_a_pole(past, pole);
+    std::transform(past.begin() + 1, past.end(), std::back_inserter(larger.linear_part), std::negate<>{});
+    std::ranges::copy(times_a_pole({weights, rest}, pole), std::back_inserter(larger.linear_part));
+    if (shape.cross_coupling == CrossCoupling::share) larger.linear_part.push_back(*rest);
+    if (shape.crosses_by_weights()) {
+      add_cross_coupling_weights(larger.linear_part, shape.cross_coupling,
+                                 times_a_pole(cross_coupling_weights(shape, &*rest), pole));
+    }
+  }
+  larger.linear_part.insert(larger.linear_part.end(),
+                            linear_part.begin() + static_cast<std::ptrdiff_t>(shape.of_responses()),
+                            linear_part.end());
+  return larger;
+}
+
+TrialModel TrialModel::with_cross_coupling(CrossCoupling cross_coupling) const {
+  TrialModel crossed = *this;
+  crossed.shape.cross_coupling = cross_coupling;
+  crossed.linear_part.clear();
+  for (std::size_t wheel = 0; wheel < shape.of_responses(); wheel += shape.per_wheel()) {
+    const auto begin = linear_part.begin() + static_cast<std::ptrdiff_t>(wheel);
+    const auto cross_couplings = begin + static_cast<std::ptrdiff_t>(shape.poles + shape.weights);
+    crossed.linear_part.insert(crossed.linear_part.end(), begin, cross_couplings);
+    if (shape.crosses_by_weights()) {
+      add_cross_coupling_weights(crossed.linear_part, cross_coupling,
+                                 cross_coupling_weights(shape, &*cross_couplings));
+      continue;
+    }
+    const double share = shape.cross_coupling == CrossCoupling::share ? *cross_couplings : 0.0;
+    for (std::size_t i = 0; i < crossed.shape.cross_coupling_size(); ++i) {
+      crossed.linear_part.push_back(share * begin[static_cast<std::ptrdiff_t>(shape.poles + i)]);
+    }
+  }
+  crossed.linear_part.insert(crossed.linear_part.end(),
+                             linear_part.begin() + static_cast<std::ptrdiff_t>(shape.of_responses()),
+                             linear_part.end());
+  return crossed;
+}
+
+TrialModel TrialModel::with_later_linear_part(double delay_s) const {
+  const auto whole = static_cast<std::size_t>(delay_s / period_s);
+  const double rest = delay_s / period_s - static_cast<double>(whole);
+  TrialModel later = *this;
+  later.shape.weights += whole + 1;
+  later.linear_part.clear();
+  const auto put_off = [&](const std::vector<double>& weights) {
+    std::vector<double> put(whole, 0.0);
+    std::ranges::copy(delayed(weights, rest), std::back_inserter(put));
+    return put;
+  };
+  for (std::size_t wheel = 0; wheel < shape.of_responses(); wheel += shape.per_wheel()) {
+    const auto begin = linear_part.begin() + static_cast<std::ptrdiff_t>(wheel);
+    const auto weights = begin + static_cast<std::ptrdiff_t>(shape.poles);
+    const auto cross_coupling = weights + static_cast<std::ptrdiff_t>(shape.weights);
+    later.linear_part.insert(later.linear_part.end(), begin, weights);
+    std::ranges::copy(put_off({weights, cross_coupling}), std::back_inserter(later.linear_part));
+    if (shape.cross_coupling == CrossCoupling::share) later.linear_part.push_back(*cross_coupling);
+    if (shape.crosses_by_weights()) {
+      add_cross_coupling_weights(later.linear_part, shape.cross_coupling,
+                                 put_off(cross_coupling_weights(shape, &*cross_coupling)));
+    }
+  }
+  later.linear_part.insert(later.linear_part.end(),
+                           linear_part.begin() + static_cast<std::ptrdiff_t>(shape.of_responses()),
+                           linear_part.end());
+  return later;
+}
+
+TrialModel TrialModel::with_delay_in_linear_part() const {
+  const auto delay = std::ranges::find(effects, "transport_delay",
+                                       [](const TrialEffect& effect) { return effect.info->name; });
+  if (delay == effects.end()) return *this;
+  TrialModel later = with_later_linear_part(delay->parameters[0]);
+  later.effects.erase(later.effects.begin() + (delay - effects.begin()));
+  return later;
+}
+
+TrialModel TrialModel::with_unequal_lags() const {
+  TrialModel unequal_lags = *this;
+  unequal_lags.shape.unequal_lags = true;
+  unequal_lags.linear_part.insert(
+      unequal_lags.linear_part.begin() + static_cast<std::ptrdiff_t>(shape.of_wheels()), 0.0);
+  return unequal_lags;
+}
+
+TrialModel TrialModel::with_parted_linear_part() const {
+  const LinearModel as_one = linear();
+  TrialModel parted = *this;
+  parted.shape.shared = parted.shape.unequal_lags = false;
+  parted.shape.weights = as_one.left.from_left.size();
+  parted.linear_part.clear();
+  const auto add = [&](const std::vector<double>& past, const std::vector<double>& own,
+                       const std::vector<double>& other) {
+    std::ranges::copy(past, std::back_inserter(parted.linear_part));
+    std::ranges::copy(own, std::back_inserter(parted.linear_part));
+    if (shape.cross_coupling == CrossCoupling::share) parted.linear_part.push_back(share_of_other_wheel());
+    if (shape.crosses_by_weights())
+      add_cross_coupling_weights(parted.linear_part, shape.cross_coupling, other);
+  };
+  add(as_one.left.from_own_past, as_one.left.from_left, as_one.left.from_right);
+  add(as_one.right.from_own_past, as_one.right.from_right, as_one.right.from_left);
+  if (shape.reference_lag) parted.linear_part.push_back(reference_lag_s());
+  if (shape.gyro_scaled) parted.linear_part.push_back(gyro_scale());
+  return parted;
+}
+
+}  // namespace wheelwright::gap
