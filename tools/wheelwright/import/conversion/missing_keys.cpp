@@ -5,7 +5,7 @@
 
 #include "config/load/ascii_text.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
-#include "tools/wheelwright/import/inference/register_units.hpp"
+#include "tools/wheelwright/import/inference/units/register_units.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {

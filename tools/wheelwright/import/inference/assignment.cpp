@@ -6,7 +6,7 @@
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/inference/column_names.hpp"
 #include "tools/wheelwright/import/inference/column_shapes.hpp"
-#include "tools/wheelwright/import/inference/gain_units.hpp"
+#include "tools/wheelwright/import/inference/units/gain_units.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "config/load/text_format.hpp"
-#include "tools/wheelwright/import/inference/gain_units.hpp"
 #include "tools/wheelwright/import/inference/response_rows.hpp"
+#include "tools/wheelwright/import/inference/units/gain_units.hpp"
 
 namespace wheelwright::import {
 namespace {

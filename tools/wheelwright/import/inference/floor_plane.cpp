@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "model/statistics/order_statistics.hpp"
-#include "tools/wheelwright/import/inference/gain_units.hpp"
+#include "tools/wheelwright/import/inference/units/gain_units.hpp"
 
 namespace wheelwright::import {
 namespace {

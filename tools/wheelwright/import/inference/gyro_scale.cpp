@@ -11,7 +11,7 @@
 #include "tools/wheelwright/import/conversion/run_repair.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
 #include "tools/wheelwright/import/inference/column_shapes.hpp"
-#include "tools/wheelwright/import/inference/gain_units.hpp"
+#include "tools/wheelwright/import/inference/units/gain_units.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {

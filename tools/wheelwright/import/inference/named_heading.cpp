@@ -7,8 +7,8 @@
 #include "tools/wheelwright/import/inference/column_names.hpp"
 #include "tools/wheelwright/import/inference/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/floor_plane.hpp"
-#include "tools/wheelwright/import/inference/gain_units.hpp"
 #include "tools/wheelwright/import/inference/name_words.hpp"
+#include "tools/wheelwright/import/inference/units/gain_units.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {

@@ -8,10 +8,10 @@
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/inference/column_shapes.hpp"
-#include "tools/wheelwright/import/inference/gain_units.hpp"
 #include "tools/wheelwright/import/inference/name_words.hpp"
 #include "tools/wheelwright/import/inference/named_channels.hpp"
 #include "tools/wheelwright/import/inference/named_reference.hpp"
+#include "tools/wheelwright/import/inference/units/gain_units.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {

@@ -10,8 +10,8 @@
 #include "tools/wheelwright/import/conversion/wheel_command.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
 #include "tools/wheelwright/import/inference/column_names.hpp"
-#include "tools/wheelwright/import/inference/gain_units.hpp"
-#include "tools/wheelwright/import/inference/reference_units.hpp"
+#include "tools/wheelwright/import/inference/units/gain_units.hpp"
+#include "tools/wheelwright/import/inference/units/reference_units.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {

@@ -8,8 +8,8 @@
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
 #include "tools/wheelwright/import/inference/assignment.hpp"
-#include "tools/wheelwright/import/inference/gain_units.hpp"
 #include "tools/wheelwright/import/inference/response_rows.hpp"
+#include "tools/wheelwright/import/inference/units/gain_units.hpp"
 
 namespace wheelwright::import {
 namespace {

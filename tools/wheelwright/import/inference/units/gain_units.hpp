@@ -6,8 +6,8 @@
 
 namespace wheelwright::import {
 
-// Within a third of the unit, with its sign.
 inline constexpr double near_gain = 1.35;  // a unit is taken where the gain is within this factor of it
+// Within that factor of the unit, and of the same sign.
 bool is_near(double gain, double unit);
 
 inline constexpr double fastest_m_s = 3.0;  // larger numbers are in no metres per second

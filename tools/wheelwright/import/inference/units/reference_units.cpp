@@ -1,4 +1,4 @@
-#include "tools/wheelwright/import/inference/reference_units.hpp"
+#include "tools/wheelwright/import/inference/units/reference_units.hpp"
 
 #include <array>
 #include <cmath>
@@ -9,8 +9,8 @@
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/run_repair.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
-#include "tools/wheelwright/import/inference/gain_units.hpp"
 #include "tools/wheelwright/import/inference/path_scale.hpp"
+#include "tools/wheelwright/import/inference/units/gain_units.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {

@@ -1,4 +1,4 @@
-#include "tools/wheelwright/import/inference/time_unit.hpp"
+#include "tools/wheelwright/import/inference/units/time_unit.hpp"
 
 #include <cmath>
 #include <optional>
@@ -8,8 +8,8 @@
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/conversion/time_units.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
-#include "tools/wheelwright/import/inference/gain_units.hpp"
 #include "tools/wheelwright/import/inference/response_rows.hpp"
+#include "tools/wheelwright/import/inference/units/gain_units.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {

@@ -1,4 +1,4 @@
-#include "tools/wheelwright/import/inference/units_by_motion.hpp"
+#include "tools/wheelwright/import/inference/units/units_by_motion.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,10 +10,10 @@
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
 #include "tools/wheelwright/import/inference/column_shapes.hpp"
-#include "tools/wheelwright/import/inference/gain_units.hpp"
-#include "tools/wheelwright/import/inference/reference_units.hpp"
-#include "tools/wheelwright/import/inference/register_units.hpp"
 #include "tools/wheelwright/import/inference/response_rows.hpp"
+#include "tools/wheelwright/import/inference/units/gain_units.hpp"
+#include "tools/wheelwright/import/inference/units/reference_units.hpp"
+#include "tools/wheelwright/import/inference/units/register_units.hpp"
 #include "tools/wheelwright/import/inference/wheel_directions.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 

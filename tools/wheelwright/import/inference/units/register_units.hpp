@@ -12,10 +12,10 @@
 
 namespace wheelwright::import {
 
-// That of people.
+// Among the units that motion can show (Unit::is_found_by_motion).
 std::optional<Unit> unit_of_gain(double gain, const std::optional<WheelMapping>& wheels);
 
-// That of the registers of a servo, within a tenth: others are near it.
+// Among those of the registers of a servo, within a tenth, because other units are near them.
 std::optional<Unit> register_unit(double gain, const std::optional<WheelMapping>& wheels);
 
 // Whether a name is that of such a register: "goal_velocity", "present_speed".

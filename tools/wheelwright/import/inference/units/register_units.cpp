@@ -1,11 +1,11 @@
-#include "tools/wheelwright/import/inference/register_units.hpp"
+#include "tools/wheelwright/import/inference/units/register_units.hpp"
 
 #include <cmath>
 
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
 #include "tools/wheelwright/import/inference/column_shapes.hpp"
-#include "tools/wheelwright/import/inference/gain_units.hpp"
 #include "tools/wheelwright/import/inference/name_words.hpp"
+#include "tools/wheelwright/import/inference/units/gain_units.hpp"
 
 namespace wheelwright::import {
 

@@ -1,4 +1,4 @@
-#include "tools/wheelwright/import/inference/gain_units.hpp"
+#include "tools/wheelwright/import/inference/units/gain_units.hpp"
 
 #include <algorithm>
 #include <array>
