@@ -15,12 +15,12 @@ namespace {
 
 struct Factored {
   LeastSquaresAccumulator::Factor factor;
-  TravelNoise noise;
+  RelativeTravelNoise noise;
   double log_variance_sum = 0.0;
 };
 
 Factored factor_equations(std::span<const DriveLog> logs, double period_s, std::size_t taps,
-                          const TravelNoise& noise) {
+                          const RelativeTravelNoise& noise) {
   LeastSquaresAccumulator accumulator(static_cast<Eigen::Index>(2 * taps), 2);
   const double log_variance_sum =
       whitened_travel_equations(logs, period_s, taps, noise,
@@ -39,9 +39,9 @@ double negative_log_likelihood(const Factored& candidate) {
   return value;
 }
 
-TravelNoise most_likely_noise(std::span<const DriveLog> logs, double period_s, std::size_t taps,
-                              double tick_m) {
-  return most_likely_travel_noise(tick_m, period_s, [&](const TravelNoise& candidate) {
+RelativeTravelNoise most_likely_noise(std::span<const DriveLog> logs, double period_s, std::size_t taps,
+                                      double tick_m) {
+  return most_likely_travel_noise(tick_m, period_s, [&](const RelativeTravelNoise& candidate) {
     return negative_log_likelihood(factor_equations(logs, period_s, taps, candidate));
   });
 }
@@ -115,7 +115,7 @@ WheelResponse to_response(const Eigen::VectorXd& columns) {
   return response;
 }
 
-WheelFit describe(const ResponseEstimate& estimate, const TravelNoise& noise, double period_s) {
+WheelFit describe(const ResponseEstimate& estimate, const RelativeTravelNoise& noise, double period_s) {
   const Eigen::Index columns = estimate.response.size();
   WheelFit fit;
   const auto channel = [&](Eigen::Index first, double& gain, double& standard_error) {
@@ -139,7 +139,8 @@ tl::expected<FirFit, Refusal> fit_fir(std::span<const DriveLog> logs, const FirF
   const std::size_t longest = options.length.value_or(longest_shown(logs, period_s, options.longest));
 
   const double tick_m = 0.5 * (logs.front().metres_per_tick->left + logs.front().metres_per_tick->right);
-  const TravelNoise noise = most_likely_noise(logs, period_s, std::min<std::size_t>(longest, 20), tick_m);
+  const RelativeTravelNoise noise =
+      most_likely_noise(logs, period_s, std::min<std::size_t>(longest, 20), tick_m);
   const Factored factored = factor_equations(logs, period_s, longest, noise);
   if (factored.factor.rows < static_cast<Eigen::Index>(4 * longest)) {
     const std::size_t needed = 4 * options.length.value_or(options.longest);

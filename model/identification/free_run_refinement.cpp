@@ -22,7 +22,7 @@ struct Whitening {
   double log_variance_sum = 0.0;
 };
 
-Whitening whitening_of(const FreeRunProblem& problem, const TravelNoise& noise) {
+Whitening whitening_of(const FreeRunProblem& problem, const RelativeTravelNoise& noise) {
   Whitening result;
   WhiteningGains gains(noise);
   for (const auto& run : problem.runs) {
@@ -170,7 +170,7 @@ RefinedResponse refine_free_run(const FreeRunProblem& problem, const WheelRespon
   for (int round = 0; round < 2; ++round) {
     const auto residuals = residuals_m(problem, result.response);
     result.noise =
-        most_likely_travel_noise(problem.tick_m, problem.period_s, [&](const TravelNoise& candidate) {
+        most_likely_travel_noise(problem.tick_m, problem.period_s, [&](const RelativeTravelNoise& candidate) {
           return negative_log_likelihood(problem, misfit(residuals, whitening_of(problem, candidate)));
         });
     whitening = whitening_of(problem, result.noise);

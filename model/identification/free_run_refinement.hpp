@@ -34,7 +34,7 @@ struct RefinedResponse {
   WheelResponse response;
   SmallSolution last_step;      // of the linearised problem, for the covariance of the weights
   double noise_variance = 0.0;  // m^2, of the white part of a reading
-  TravelNoise noise;
+  RelativeTravelNoise noise;
   double objective = 0.0;  // negative log-likelihood of the data and the prior together
 };
 

@@ -10,7 +10,7 @@
 namespace wheelwright {
 
 double whitened_travel_equations(std::span<const DriveLog> logs, double period_s, std::size_t taps,
-                                 const TravelNoise& noise, const EquationSink& sink) {
+                                 const RelativeTravelNoise& noise, const EquationSink& sink) {
   const auto columns = static_cast<Eigen::Index>(2 * taps);
   WhiteningGains gains(noise);
   TravelWhitener whitener(columns + 2);

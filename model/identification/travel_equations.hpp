@@ -22,6 +22,6 @@ using EquationSink =
 // The equations handed on are whitened and carry no unknown starting position. Returns the sum of log
 // variances of the whitening, which the likelihood of `noise` needs.
 double whitened_travel_equations(std::span<const DriveLog> logs, double period_s, std::size_t taps,
-                                 const TravelNoise& noise, const EquationSink& sink);
+                                 const RelativeTravelNoise& noise, const EquationSink& sink);
 
 }  // namespace wheelwright

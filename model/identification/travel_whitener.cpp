@@ -53,12 +53,12 @@ bool TravelWhitener::filter(const Eigen::RowVectorXd& row, const WhiteningStep& 
 // it, in which a wheel at one tick per period makes one tick, like the rounding to ticks itself. Then how
 // much the wheels drift, as if they never came back, then for how long, then how much once more: the
 // likelihood hardly couples the two.
-TravelNoise most_likely_travel_noise(
+RelativeTravelNoise most_likely_travel_noise(
     double tick_m, double period_s,
-    const std::function<double(const TravelNoise&)>& negative_log_likelihood) {
-  TravelNoise best;
+    const std::function<double(const RelativeTravelNoise&)>& negative_log_likelihood) {
+  RelativeTravelNoise best;
   double best_value = std::numeric_limits<double>::infinity();
-  const auto consider = [&](const TravelNoise& candidate) {
+  const auto consider = [&](const RelativeTravelNoise& candidate) {
     const double value = negative_log_likelihood(candidate);
     if (value >= best_value) return;
     best_value = value;

@@ -12,7 +12,7 @@ namespace wheelwright {
 // at first and fades later. Where the drift fades (wheel ripple, a speed controller that catches up), travel
 // over long times is more exact than a random walk (slip) would leave it. A robot that refreshes its sensors
 // on a clock of its own adds the age of each reading times the speed.
-struct TravelNoise {
+struct RelativeTravelNoise {
   double drift_ratio = 0.0;  // growth of the drift's variance per period, in variances of the white part
   double memory_periods = std::numeric_limits<double>::infinity();  // in which it fades by e; infinite: never
   // Commanded speed at which the unknown age of a reading doubles the white variance; infinite: ages are
@@ -40,7 +40,7 @@ struct WhiteningStep {
 // starts without knowledge, the drift at zero.
 class WhiteningGains {
  public:
-  explicit WhiteningGains(const TravelNoise& noise) : noise_(noise) {}
+  explicit WhiteningGains(const RelativeTravelNoise& noise) : noise_(noise) {}
 
   // The next reading belongs to another run, or follows a hole: its level is not known.
   void restart() { started_ = false; }
@@ -49,7 +49,7 @@ class WhiteningGains {
   WhiteningStep next(double periods, double reading_variance);
 
  private:
-  TravelNoise noise_;
+  RelativeTravelNoise noise_;
   double level_variance_ = 1.0;
   double drift_variance_ = 0.0;
   double covariance_ = 0.0;
@@ -72,7 +72,8 @@ class TravelWhitener {
 
 // The noise with the smallest negative log-likelihood, by search. `tick_m` over `period_s` is the speed at
 // which the age of a reading would matter as much as its rounding.
-TravelNoise most_likely_travel_noise(
-    double tick_m, double period_s, const std::function<double(const TravelNoise&)>& negative_log_likelihood);
+RelativeTravelNoise most_likely_travel_noise(
+    double tick_m, double period_s,
+    const std::function<double(const RelativeTravelNoise&)>& negative_log_likelihood);
 
 }  // namespace wheelwright
