@@ -35,7 +35,7 @@ class Restarts {
 
   // Keeps the note. Returns why it could not, in one line; then the robot is not to be armed.
   std::optional<std::string> armed();
-  // The process has run long enough to be no part of a row of failures.
+  // The process has run so long that its end, whenever it comes, does not count with the failures before.
   void lasted();
   // The robot stands, and no drive was interrupted: forgets the failures and the note.
   void ended_in_order();

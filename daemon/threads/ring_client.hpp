@@ -1,4 +1,6 @@
-// The sensor loop's end of the wiring. Called on the loop's thread; neither blocks nor allocates.
+// The side of the wiring that the sensor loop calls, on its own thread: frames, events and lateness go into
+// the rings, commands come out of one. Neither blocks nor allocates; what a full ring cannot take is dropped
+// (wiring.hpp).
 #pragma once
 
 #include "daemon/wiring/wiring.hpp"

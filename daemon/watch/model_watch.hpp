@@ -4,7 +4,8 @@
 // `wheelwright gap` is a process of its own, at the lowest priority and within 100 MB, so that no tick of the
 // loop waits for it. Its answer is in the folder of the run (gap/). A new model takes the place of the model
 // file where it is proven on drives that it has not seen, which takes four drives; the former one is kept
-// beside it. It is driven by from the next start, or the next SIGHUP, on.
+// as gap/former_model.yaml. The daemon drives by the new model from the next start, or the next SIGHUP, on.
+// What notices a changed floor during a drive is model/filter/environment_monitor.hpp.
 #pragma once
 
 #include <sys/signal.h>

@@ -4,7 +4,7 @@
 #include <array>
 #include <tuple>
 
-#include "model/gap/adequacy/check_statistic.hpp"
+#include "model/gap/adequacy/statistic_in_words.hpp"
 #include "model/gap/adequacy/tail_probability.hpp"
 
 namespace wheelwright::gap {

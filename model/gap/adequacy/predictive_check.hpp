@@ -40,7 +40,7 @@ struct CheckStatistic {
   double size = 0.0;     // m or rad
   bool visible = false;
   bool predictable = true;    // false where nothing in the runs says when it comes
-  std::string sentence;       // "the heading error swings every 1.43 s by 35 mrad"
+  std::string sentence;       // "the error of the heading swings every 1.43 s by 35 mrad to either side"
   std::string regime;         // where: "heading from 1.2 to 2.0 rad"
   double share_of_gap = 0.0;  // of the free-run error
   double share_of_time = 1.0;

@@ -1,5 +1,6 @@
-// Whether the names that a search came to are an answer: what free runs, decoys and what is left say of them.
-// conclusion/withdrawal.hpp has what the untouched runs say afterwards.
+// Whether the names that a search ended with are given: they have to bring free runs of the held-out runs
+// closer, or to gain enough likelihood there. Also how far noise may drift before it counts as a gap.
+// conclusion/withdrawal.hpp decides by the untouched runs afterwards.
 #pragma once
 
 #include "model/gap/conclusion/analysis_result.hpp"
@@ -29,7 +30,7 @@ bool is_beyond_chance(const GapAnalysis& analysis);
 // under a model that lacks something.
 constexpr double largest_drift_m_per_sqrt_s = 0.015;
 constexpr double largest_drift_rad_per_sqrt_s = 0.025;
-// The same noise, drifting by no more than that.
+// The same noise, with drifts cut to these.
 NoiseModel no_more_than_noise(const NoiseModel& noise);
 
 }  // namespace wheelwright::gap

@@ -1,4 +1,5 @@
-// Counts that stand still or miss edges are lost, or true of a wheel that something held: references tell.
+// Counts that stand still or miss edges: were they lost, or did something hold the wheel? A reference that
+// saw the robot move meanwhile says that they were lost.
 #pragma once
 
 #include <span>
@@ -8,22 +9,23 @@
 
 namespace wheelwright::gap {
 
-// Counts that may be lost, and the travel that would be lost with them, with its sign.
+// Counts that may be lost (freeze: the rows, commanded_stillness.hpp), and the travel of the wheel that would
+// be lost with them, with its sign.
 struct Suspect {
   Freeze freeze;
   double lost_m = 0.0;
 };
 
-// Whether a reference saw the robot move as the counts say, to within so much travel of one wheel. False
-// where it saw the robot not.
+// Whether a reference saw the robot move from row `first` to row `end` as the counts say, to within so much
+// travel of one wheel. False where no reference saw the robot.
 bool moved_as_counted(const GateState& gate, std::size_t first, std::size_t end, double within_m);
 
-// All suspects that references saw. Each is watched from as long before it as it lasts to as long after it:
-// a late reference shows a stop late.
+// What references saw of all suspects together (data_gate.hpp). Each is watched over three times its
+// duration, with itself in the middle, because a late reference shows a stop late.
 SeenRolling seen_rolling(const GateState& gate, std::span<const Suspect> suspects);
 
-// Whether references saw, of all of it together, that the wheels did not turn: they err by too much to tell
-// of each short stop by itself.
+// Whether references saw, of all suspects together, that the wheels did not turn. Their errors are too large
+// to decide each short stop by itself.
 bool were_held(const SeenRolling& here, const SeenRolling& elsewhere);
 
 }  // namespace wheelwright::gap

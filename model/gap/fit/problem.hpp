@@ -1,4 +1,6 @@
-// Runs, their noise, and the fit of a whole model to them: linear part and effects together, in free run.
+// A least-squares problem: runs, the noise of their readings, and the fit of a whole model to them, linear
+// part and effects together. Residuals are free-run errors divided by what noise makes of them
+// (whitening.hpp), and have no unit.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +36,8 @@ double sum_squares_of(const std::vector<double>& values);
 
 struct Fit {
   TrialModel model;
-  double sum_squares = 0.0;  // sum of squared innovations: minus twice the log likelihood
+  double sum_squares =
+      0.0;  // of innovations: minus twice the log likelihood, but for what hangs on the noise alone
   std::vector<double> residuals;
 };
 
@@ -48,7 +51,8 @@ class Problem {
   bool has_motion() const;  // references, near or far
   std::size_t readings() const { return size_; }
 
-  // The noise under which what a model leaves is most likely, judged by readings so far apart.
+  // The noise under which the errors of a model are most likely. Only readings that lie at least
+  // `min_apart_s` apart are used.
   NoiseModel noise_left_by(const TrialModel& model, double min_apart_s = 0.0,
                            double longest_lasting_s = lasting_of_motors_s) const;
   void set_noise(const NoiseModel& noise);

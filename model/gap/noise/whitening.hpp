@@ -15,6 +15,7 @@
 
 namespace wheelwright::gap {
 
+// In m, or in rad for a heading.
 struct TravelNoise {
   double reading = 1e-3;          // standard deviation of one reading, by itself
   double walk_per_sqrt_s = 1e-3;  // of the drifting, per square root of time, before it returns
@@ -24,7 +25,7 @@ struct TravelNoise {
   double tracker_lasts_s = 0.0;  // until that is forgotten
   double steady_share = 1.0;     // of the drifting that is left where commands are steady
 
-  // Of what is left of it after some time.
+  // Share of the tracker's common error that is left after some time.
   double tracker_kept(double duration_s) const;
 };
 

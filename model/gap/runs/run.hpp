@@ -41,7 +41,7 @@ struct Series {
 struct Reference {
   GridTime at;
   Pose pose;
-  bool anew = false;  // there are counts, but since the reference before they do not tell all
+  bool anew = false;  // counts were lost since the reference before
 };
 
 // Body motion by odometry over one period.

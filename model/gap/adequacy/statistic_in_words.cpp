@@ -1,4 +1,4 @@
-#include "model/gap/adequacy/check_statistic.hpp"
+#include "model/gap/adequacy/statistic_in_words.hpp"
 
 #include <algorithm>
 #include <iomanip>
