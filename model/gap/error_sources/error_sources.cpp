@@ -90,7 +90,7 @@ struct Cell {
 
 void add_quantiles(std::vector<Cell>& cells, const std::vector<Moment>& moments, const std::string& name,
                    const std::string& unit, const std::function<double(const Moment&)>& value) {
-  constexpr double negligible = 1e-3;  // of the largest: a speed that has all but settled, the first moments of a run
+  constexpr double negligible = 1e-3;  // of the largest: what has all but settled
   double largest = 0.0;
   for (const auto& moment : moments) largest = std::max(largest, value(moment));  // not-a-number: unknown
   const double least = negligible * largest;
