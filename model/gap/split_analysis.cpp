@@ -169,9 +169,9 @@ bool SplitAnalysis::leave_out_linear_effects() {
 
 // A short delay alone is one parameter in the place of several of a linear part that could hold it.
 bool SplitAnalysis::is_of_a_linear_part() const {
-  const auto& effects = result_.search.final.model.effects;
-  return !effects.empty() && std::ranges::all_of(effects, [](const TrialEffect& effect) {
-    return effect.info->linear && !beyond_a_linear_part(effect);
+  const TrialModel& model = result_.search.final.model;
+  return !model.effects.empty() && std::ranges::all_of(model.effects, [&](const TrialEffect& effect) {
+    return effect.info->linear && !beyond_a_linear_part(model, effect);
   });
 }
 

@@ -28,6 +28,20 @@ const TrialEffect& effect_of(const Candidate& candidate) {
   return effects[effects.size() - 1 - candidate.behind];
 }
 
+// Mean delay of a wheel's own weights, of both wheels.
+double delay_of_weights_s(const TrialModel& model) {
+  const LinearModel linear = model.linear();
+  double moment = 0.0;
+  double sum = 0.0;
+  for (const auto* weights : {&linear.left.from_left, &linear.right.from_right}) {
+    for (std::size_t i = 0; i < weights->size(); ++i) {
+      moment += static_cast<double>(i) * (*weights)[i];
+      sum += (*weights)[i];
+    }
+  }
+  return sum > 0.0 ? model.period_s * std::max(0.0, moment / sum) : 0.0;
+}
+
 }  // namespace
 
 ModelComparison::ModelComparison(const Problem& train, const Problem& heldout, const SearchLimits& limits)
@@ -38,10 +52,11 @@ ModelComparison::ModelComparison(const Problem& train, const Problem& heldout, c
 }
 
 // A sound robot acts 50 to 100 ms late (source paper), and its motor's lag adds to that: a linear part
-// holds it.
-bool beyond_a_linear_part(const TrialEffect& effect) {
+// holds it. What a fit leaves to its weights and what to the effect is chance.
+bool beyond_a_linear_part(const TrialModel& model, const TrialEffect& effect) {
   constexpr double reach_of_a_linear_part_s = 0.12;
-  return effect.info->linear && effect.parameters.front() > reach_of_a_linear_part_s;
+  return effect.info->linear &&
+         effect.parameters.front() + delay_of_weights_s(model) > reach_of_a_linear_part_s;
 }
 
 double ModelComparison::penalty_per_parameter() const {

@@ -42,8 +42,9 @@ struct Candidate {
   }
 };
 
-// A delay that no usual linear part could hold is more than another shape of one.
-bool beyond_a_linear_part(const TrialEffect& effect);
+// A delay that no usual linear part could hold, together with that of the model's own, is more than another
+// shape of one.
+bool beyond_a_linear_part(const TrialModel& model, const TrialEffect& effect);
 
 // One look at a model: who could be added to it, best first.
 struct SelectionStep {

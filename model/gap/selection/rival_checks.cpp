@@ -180,7 +180,7 @@ bool RivalChecks::drop_idle(GapSearch& result) {
     const bool stands = stands_for_itself(result.checks[place], effects[place].info, nats[place], largest);
     const bool linear = effects[place].info->linear;
     const double min_nats = linear ? limits_.clear_delay_nats : limits_.min_idle_nats;
-    const bool of_a_linear_part = linear && !beyond_a_linear_part(effects[place]);
+    const bool of_a_linear_part = linear && !beyond_a_linear_part(result.final.model, effects[place]);
     const bool is_clear = stands && nats[place] >= min_nats;
     if (is_clear && !of_a_linear_part) continue;
     TrialModel others = result.final.model;

@@ -328,3 +328,13 @@ TEST_CASE("What explains as much beside another as alone is no rival of it") {
   CHECK(stands_beside(gain, dead_zone));
   CHECK_FALSE(stands_beside(same_here, gain));
 }
+
+TEST_CASE("A delay is beyond a linear part together with what the linear part's own weights hold of it") {
+  const TrialEffect delay{find_effect("transport_delay"), 0, {0.07}};
+  constexpr double period_s = 0.02;
+  const auto with_weights_late_by = [](double delay_s) {
+    return first_guess({.weights = 6}, period_s, 0.25, 0.06, delay_s);
+  };
+  CHECK_FALSE(beyond_a_linear_part(with_weights_late_by(0.02), delay));
+  CHECK(beyond_a_linear_part(with_weights_late_by(0.08), delay));
+}
