@@ -157,8 +157,8 @@ TEST_CASE("A swing at the end of a run that is no whole number of windows long i
 
 TEST_CASE("A jump is no swing, and what is shorter than four periods is not measured") {
   std::vector<double> error_m(1000, 0.0);
-  std::vector<double> at_s;
-  for (int k = 0; k < 1000; ++k) at_s.push_back(0.01 * k);
+  std::vector<double> at_s(1000);
+  for (std::size_t k = 0; k < at_s.size(); ++k) at_s[k] = 0.01 * static_cast<double>(k);
   std::vector<char> breaks(1000, 0);
   breaks[520] = 1;
   std::fill(error_m.begin() + 520, error_m.end(), 0.065);
