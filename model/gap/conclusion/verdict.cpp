@@ -147,9 +147,8 @@ constexpr double min_reported_gyro_scale = 0.05;
 std::string gyro_scale_in_words(double scale) {
   return std::string("The gyro shows ") + (std::abs(scale) < largest_gyro_scale ? "" : "at least ") +
          in_digits(100.0 * std::abs(scale), 2) + " % " + (scale > 0.0 ? "more" : "less") +
-         " turn than the counts: the wheel base or the gyro's scale is off, and only turns against an "
-         "outside "
-         "mark show which.";
+         " turn than the counts: the wheel base or the gyro's scale is off, and only turns against "
+         "an outside mark show which.";
 }
 
 // What was found holds for a run whose wheels begin at a known angle: that has to be said.
