@@ -22,10 +22,25 @@ std::vector<double> times_a_pole(const std::vector<double>& polynomial, double p
   return product;
 }
 
-std::vector<double> cross_coupling_weights(const LinearPartShape& shape, const double* values) {
+std::vector<double> cross_coupling_weights(const LinearPartShape& shape, const std::vector<double>& own,
+                                           const double* values) {
   std::vector<double> weights(values, values + shape.cross_coupling_size());
-  if (shape.cross_coupling == CrossCoupling::balanced) {
-    weights.push_back(-std::accumulate(weights.begin(), weights.end(), 0.0));
+  const auto times = [](std::vector<double> all, double factor) {
+    for (double& weight : all) weight *= factor;
+    return all;
+  };
+  switch (shape.cross_coupling) {
+    case CrossCoupling::none:
+      return times(own, 0.0);
+    case CrossCoupling::share:
+      return times(own, *values);
+    case CrossCoupling::lag:
+      return times(times_a_pole(own, 1.0), *values);
+    case CrossCoupling::balanced:
+      weights.push_back(-std::accumulate(weights.begin(), weights.end(), 0.0));
+      break;
+    case CrossCoupling::free:
+      break;
   }
   return weights;
 }

@@ -13,11 +13,12 @@ std::vector<double> delayed(const std::vector<double>& weights, double periods);
 // Times 1 - pole z^-1.
 std::vector<double> times_a_pole(const std::vector<double>& polynomial, double pole);
 
-// Of the other wheel's command, where its weights are its own. `values` are the parameters behind those of
-// the wheel's own weights.
-std::vector<double> cross_coupling_weights(const LinearPartShape& shape, const double* values);
+// Of the other wheel's command; as many as there are `own`, of the wheel's own command, or one more. `values`
+// are the parameters behind those of the own weights.
+std::vector<double> cross_coupling_weights(const LinearPartShape& shape, const std::vector<double>& own,
+                                           const double* values);
 
-// Adds these weights to a linear part, as parameters of that cross coupling.
+// Adds these weights to a linear part, as parameters of that cross coupling, which is one by weights.
 void add_cross_coupling_weights(std::vector<double>& linear_part, CrossCoupling cross_coupling,
                                 const std::vector<double>& weights);
 

@@ -24,10 +24,10 @@ TrialModel TrialModel::with_higher_order(double pole) const {
     past = times_a_pole(past, pole);
     std::transform(past.begin() + 1, past.end(), std::back_inserter(larger.linear_part), std::negate<>{});
     std::ranges::copy(times_a_pole({weights, rest}, pole), std::back_inserter(larger.linear_part));
-    if (shape.cross_coupling == CrossCoupling::share) larger.linear_part.push_back(*rest);
+    if (shape.crosses_by_one_value()) larger.linear_part.push_back(*rest);
     if (shape.crosses_by_weights()) {
       add_cross_coupling_weights(larger.linear_part, shape.cross_coupling,
-                                 times_a_pole(cross_coupling_weights(shape, &*rest), pole));
+                                 times_a_pole(cross_coupling_weights(shape, {weights, rest}, &*rest), pole));
     }
   }
   larger.linear_part.insert(larger.linear_part.end(),
@@ -42,16 +42,14 @@ TrialModel TrialModel::with_cross_coupling(CrossCoupling cross_coupling) const {
   crossed.linear_part.clear();
   for (std::size_t wheel = 0; wheel < shape.of_responses(); wheel += shape.per_wheel()) {
     const auto begin = linear_part.begin() + static_cast<std::ptrdiff_t>(wheel);
-    const auto cross_couplings = begin + static_cast<std::ptrdiff_t>(shape.poles + shape.weights);
-    crossed.linear_part.insert(crossed.linear_part.end(), begin, cross_couplings);
-    if (shape.crosses_by_weights()) {
-      add_cross_coupling_weights(crossed.linear_part, cross_coupling,
-                                 cross_coupling_weights(shape, &*cross_couplings));
-      continue;
-    }
-    const double share = shape.cross_coupling == CrossCoupling::share ? *cross_couplings : 0.0;
-    for (std::size_t i = 0; i < crossed.shape.cross_coupling_size(); ++i) {
-      crossed.linear_part.push_back(share * begin[static_cast<std::ptrdiff_t>(shape.poles + i)]);
+    const auto weights = begin + static_cast<std::ptrdiff_t>(shape.poles);
+    const auto rest = weights + static_cast<std::ptrdiff_t>(shape.weights);
+    crossed.linear_part.insert(crossed.linear_part.end(), begin, rest);
+    if (crossed.shape.crosses_by_one_value()) crossed.linear_part.push_back(0.0);
+    if (crossed.shape.crosses_by_weights()) {
+      std::vector<double> other = cross_coupling_weights(shape, {weights, rest}, &*rest);
+      other.resize(shape.weights);
+      add_cross_coupling_weights(crossed.linear_part, cross_coupling, other);
     }
   }
   crossed.linear_part.insert(crossed.linear_part.end(),
@@ -77,10 +75,11 @@ TrialModel TrialModel::with_later_linear_part(double delay_s) const {
     const auto cross_coupling = weights + static_cast<std::ptrdiff_t>(shape.weights);
     later.linear_part.insert(later.linear_part.end(), begin, weights);
     std::ranges::copy(put_off({weights, cross_coupling}), std::back_inserter(later.linear_part));
-    if (shape.cross_coupling == CrossCoupling::share) later.linear_part.push_back(*cross_coupling);
+    if (shape.crosses_by_one_value()) later.linear_part.push_back(*cross_coupling);
     if (shape.crosses_by_weights()) {
-      add_cross_coupling_weights(later.linear_part, shape.cross_coupling,
-                                 put_off(cross_coupling_weights(shape, &*cross_coupling)));
+      add_cross_coupling_weights(
+          later.linear_part, shape.cross_coupling,
+          put_off(cross_coupling_weights(shape, {weights, cross_coupling}, &*cross_coupling)));
     }
   }
   later.linear_part.insert(later.linear_part.end(),
@@ -110,13 +109,14 @@ TrialModel TrialModel::with_parted_linear_part() const {
   const LinearModel as_one = linear();
   TrialModel parted = *this;
   parted.shape.shared = parted.shape.unequal_lags = false;
-  parted.shape.weights = as_one.left.from_left.size();
+  parted.shape.weights = as_one.left.from_left.size() - (shape.cross_coupling == CrossCoupling::lag ? 1 : 0);
   parted.linear_part.clear();
   const auto add = [&](const std::vector<double>& past, const std::vector<double>& own,
                        const std::vector<double>& other) {
     std::ranges::copy(past, std::back_inserter(parted.linear_part));
-    std::ranges::copy(own, std::back_inserter(parted.linear_part));
-    if (shape.cross_coupling == CrossCoupling::share) parted.linear_part.push_back(share_of_other_wheel());
+    parted.linear_part.insert(parted.linear_part.end(), own.begin(),
+                              own.begin() + static_cast<std::ptrdiff_t>(parted.shape.weights));
+    if (shape.crosses_by_one_value()) parted.linear_part.push_back(linear_part[shape.per_wheel() - 1]);
     if (shape.crosses_by_weights())
       add_cross_coupling_weights(parted.linear_part, shape.cross_coupling, other);
   };

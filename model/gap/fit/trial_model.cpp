@@ -30,14 +30,10 @@ WheelResponse response(const LinearPartShape& shape, const double* values, bool 
   if (shape.unequal_lags) own = delayed(own, of.lag_periods);
   for (double& weight : own) weight *= of.gain;
   std::vector<double>& other = left ? wheel.from_right : wheel.from_left;
-  const double* cross_coupling = values + shape.poles + shape.weights;
-  if (shape.crosses_by_weights()) {
-    other = cross_coupling_weights(shape, cross_coupling);
-    other.resize(own.size(), 0.0);
-  } else {
-    const double share = shape.cross_coupling == CrossCoupling::share ? *cross_coupling : 0.0;
-    for (const double weight : own) other.push_back(share * weight);
-  }
+  other = cross_coupling_weights(shape, own, values + shape.poles + shape.weights);
+  const std::size_t size = std::max(own.size(), other.size());
+  own.resize(size, 0.0);
+  other.resize(size, 0.0);
   return wheel;
 }
 

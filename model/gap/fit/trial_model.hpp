@@ -37,6 +37,7 @@ struct TrialEffect {
 enum class CrossCoupling {
   none,
   share,     // each wheel also feels a share of the other's command, as it feels its own
+  lag,       // and that by its changes alone: turns answer later than travel, or sooner, by the same gain
   balanced,  // with weights of its own whose sum is 0: turns answer otherwise than travel, by the same gain
   free       // with as many weights of its own as its own command has
 };
@@ -55,6 +56,7 @@ struct LinearPartShape {
       case CrossCoupling::none:
         return 0;
       case CrossCoupling::share:
+      case CrossCoupling::lag:
         return 1;
       case CrossCoupling::balanced:
         return weights - 1;  // the last one makes up for the others
@@ -64,6 +66,7 @@ struct LinearPartShape {
     return weights;
   }
   bool crosses_by_weights() const { return cross_coupling >= CrossCoupling::balanced; }
+  bool crosses_by_one_value() const { return cross_coupling_size() == 1 && !crosses_by_weights(); }
   std::size_t per_wheel() const { return poles + weights + cross_coupling_size(); }
   std::size_t of_responses() const { return shared ? per_wheel() : 2 * per_wheel(); }
   std::size_t of_wheels() const { return of_responses() + (shared ? 1 : 0); }
@@ -86,10 +89,6 @@ struct TrialModel {
   std::vector<TrialEffect> effects;
 
   LinearModel linear() const;
-  // The left wheel's; 0 where it has weights of its own.
-  double share_of_other_wheel() const {
-    return shape.cross_coupling == CrossCoupling::share ? linear_part[shape.per_wheel() - 1] : 0.0;
-  }
   // Of the right wheel's gain over the left's, relative; 0 where each has a response of its own.
   double excess_of_right() const { return shape.shared ? linear_part[shape.per_wheel()] : 0.0; }
   double reference_lag_s() const { return shape.reference_lag ? linear_part[shape.lag_index()] : 0.0; }
@@ -107,7 +106,7 @@ struct TrialModel {
   // The same model with a linear part of one more pole, `pole`, and one more weight, which hides it for a
   // start.
   TrialModel with_higher_order(double pole = 0.0) const;
-  // The same model with a linear part that is crossed, by as much as before for a start.
+  // The same model with a linear part that is crossed: by weights of its own as much as before, for a start.
   TrialModel with_cross_coupling(CrossCoupling cross_coupling) const;
   // The same model with a linear part that answers so much later, by as many more weights as that takes.
   TrialModel with_later_linear_part(double delay_s) const;

@@ -88,8 +88,9 @@ std::vector<TrialModel> Search::higher_order_parts(const TrialModel& present) co
   }
   // A body is not turned as it is pushed. That it also turns with another gain than it drives is for counts
   // to tell, or for let_turns_have_a_gain.
-  const auto cross_couplings = train_.has_counts() ? std::vector{CrossCoupling::share, CrossCoupling::free}
-                                                   : std::vector{CrossCoupling::balanced};
+  using enum CrossCoupling;
+  const auto cross_couplings =
+      train_.has_counts() ? std::vector{share, lag, free} : std::vector{lag, balanced};
   for (const CrossCoupling cross_coupling : cross_couplings) {
     if (cross_coupling > present.shape.cross_coupling)
       richer.push_back(present.with_cross_coupling(cross_coupling));
@@ -233,7 +234,7 @@ void Search::let_turns_have_a_gain(GapSearch& result) {
   const TrialModel& found = result.final.model;
   if (train_.has_counts() || found.effects.empty()) return;
   const CrossCoupling with_gain =
-      found.shape.crosses_by_weights() ? CrossCoupling::free : CrossCoupling::share;
+      found.shape.cross_coupling == CrossCoupling::none ? CrossCoupling::share : CrossCoupling::free;
   Fit crossed = train_.fit(found.with_cross_coupling(with_gain), steps_of_a_refit);
   if (comparison_.advantage(crossed, result.final) < limits_.min_linear_part_nats) return;
   if (free_runs_.closer(found, crossed.model)) result.final = std::move(crossed);

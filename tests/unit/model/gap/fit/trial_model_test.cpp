@@ -32,6 +32,19 @@ std::vector<double> answer(const TrialModel& model) {
   return speeds;
 }
 
+// Of the wheels, until they go steadily under a command.
+WheelPair travel(const TrialModel& model, const WheelPair& command_m_s) {
+  ModelSimulation simulation = model.simulation();
+  simulation.reset({});
+  WheelPair sum_m;
+  for (int k = 0; k < 500; ++k) {
+    const WheelPair speed = simulation.step(command_m_s).wheel_m_s;
+    sum_m.left += speed.left * model.period_s;
+    sum_m.right += speed.right * model.period_s;
+  }
+  return sum_m;
+}
+
 void check_same(const std::vector<double>& one, const std::vector<double>& other) {
   REQUIRE(one.size() == other.size());
   for (std::size_t i = 0; i < one.size(); ++i) REQUIRE_THAT(one[i], WithinAbs(other[i], 1e-9));
@@ -61,8 +74,8 @@ TEST_CASE("A richer core begins with the answer of the one that it came from") {
 }
 
 TEST_CASE("A core that is later answers as its own does behind a delay") {
-  const CrossCoupling cross_coupling =
-      GENERATE(CrossCoupling::none, CrossCoupling::share, CrossCoupling::balanced, CrossCoupling::free);
+  const CrossCoupling cross_coupling = GENERATE(CrossCoupling::none, CrossCoupling::share, CrossCoupling::lag,
+                                                CrossCoupling::balanced, CrossCoupling::free);
   const TrialModel linear_part = some_linear_part(false).with_cross_coupling(cross_coupling);
   const EffectInfo* info = find_effect("transport_delay");
   for (const double delay_s : {0.005, 0.04, 0.077}) {
@@ -78,11 +91,32 @@ TEST_CASE("A core that feels the other wheel by a share feels as much by weights
   TrialModel share = some_linear_part(false).with_cross_coupling(CrossCoupling::share);
   share.linear_part[share.shape.per_wheel() - 1] = 0.03;
   share.linear_part.back() = -0.02;
-  CHECK(share.share_of_other_wheel() == 0.03);
   const TrialModel free = share.with_cross_coupling(CrossCoupling::free);
   CHECK(free.linear_part.size() == share.linear_part.size() + 2 * (share.shape.weights - 1));
   check_same(answer(free), answer(share));
   check_same(answer(free.with_higher_order(0.9)), answer(share));
+}
+
+TEST_CASE(
+    "A core that turns later than it travels has the same gain for both, and keeps the lag in any shape") {
+  const auto shared = GENERATE(false, true);
+  constexpr double periods = 0.4;
+  const TrialModel linear_part = some_linear_part(shared);
+  TrialModel lag = linear_part.with_cross_coupling(CrossCoupling::lag);
+  check_same(answer(lag), answer(linear_part));
+  lag.linear_part[lag.shape.per_wheel() - 1] = periods;
+  if (!shared) lag.linear_part.back() = periods;
+  const auto later_by = [&](double right_m_s) {
+    const WheelPair command{0.2, right_m_s};
+    return travel(linear_part, command).left - travel(lag, command).left;
+  };
+  const double gain = dc_gain(linear_part.linear().left).from_left;
+  const double period_m = 0.2 * gain * linear_part.period_s;
+  CHECK_THAT(later_by(0.2), WithinAbs(-periods * period_m, 1e-9));
+  CHECK_THAT(later_by(-0.2), WithinAbs(periods * period_m, 1e-9));
+  check_same(answer(lag.with_higher_order(0.9)), answer(lag));
+  if (shared) check_same(answer(lag.with_parted_linear_part()), answer(lag));
+  CHECK(lag.with_parted_linear_part().shape.weights == lag.shape.weights);
 }
 
 TEST_CASE("A core whose crossing is balanced turns otherwise than it travels, by the same gain") {
