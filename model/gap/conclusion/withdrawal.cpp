@@ -20,16 +20,22 @@ bool is_in(const RobotModel& model, const Finding& found) {
       model.effects, [&](const AddedEffect& effect) { return effect.setting.name == found.setting.name; });
 }
 
+// Whether held-out and untouched runs put a name beyond doubt, whatever their figures do: where a wheel that
+// sticks comes loose is beyond prediction, and free runs then depart from each other however right the name.
+bool some_is_beyond_doubt_untouched(const GapAnalysis& analysis) {
+  return analysis.untouched && std::ranges::any_of(analysis.found, [&](const Finding& found) {
+           return of_free_runs(found) && found.acts_untouched && !is_in(analysis.before, found) &&
+                  is_sure_by(found, beyond_doubt_nats) &&
+                  found.test_gain_nats.value_or(0.0) > beyond_doubt_nats;
+         });
+}
+
 }  // namespace
 
 bool closes_nothing_untouched(const GapAnalysis& analysis) {
   const auto acts_there = [](const Finding& found) { return of_free_runs(found) && found.acts_untouched; };
   if (!analysis.untouched || std::ranges::none_of(analysis.found, acts_there)) return false;
-  const bool is_beyond_doubt = std::ranges::any_of(analysis.found, [&](const Finding& found) {
-    return acts_there(found) && !is_in(analysis.before, found) && is_sure_by(found, beyond_doubt_nats) &&
-           found.test_gain_nats.value_or(0.0) > beyond_doubt_nats;
-  });
-  if (is_beyond_doubt) return false;
+  if (some_is_beyond_doubt_untouched(analysis)) return false;
   const auto fall = common_fall(analysis.test);
   return !some_figure_falls(analysis.test, min_fall, 0.0) || (fall && *fall < min_fall);
 }
@@ -44,7 +50,7 @@ bool explains_the_smaller_part(const GapAnalysis& analysis, const GapFigures& te
   constexpr double half = 0.5;
   if (analysis.check.passed || std::ranges::none_of(analysis.found, of_free_runs)) return false;
   const bool explains_little = share_of_evidence(analysis) < sure && largest_share_gone(test) < half;
-  return explains_little || goes_further_astray(test);
+  return explains_little || (goes_further_astray(test) && !some_is_beyond_doubt_untouched(analysis));
 }
 
 }  // namespace wheelwright::gap

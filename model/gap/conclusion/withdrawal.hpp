@@ -18,9 +18,10 @@ double share_of_evidence(const GapAnalysis& analysis);
 
 // Whether the names explain the smaller part of what is missing: the predictive check fails, and either they
 // explain neither nine tenths of the evidence (`sure`) nor half of a figure of `test` (largest_share_gone),
-// or `test` goes further astray by them (goes_further_astray). Nine tenths and not half: the p-value is that
-// of one statistic, and an effect that explains what it shows would gain more. Either is enough: an effect
-// may hardly move free runs that drift, and what is left may lie in readings that the names do not touch.
+// or `test` goes further astray by them (goes_further_astray) and none is beyond doubt as above. Nine tenths
+// and not half: the p-value is that of one statistic, and an effect that explains what it shows would gain
+// more. Either is enough: an effect may hardly move free runs that drift, and what is left may lie in
+// readings that the names do not touch.
 bool explains_the_smaller_part(const GapAnalysis& analysis, const GapFigures& test);
 
 }  // namespace wheelwright::gap
