@@ -37,7 +37,7 @@ struct TrialEffect {
 enum class CrossCoupling {
   none,
   share,     // each wheel also feels a share of the other's command, as it feels its own
-  lag,       // and that by its changes alone: turns answer later than travel, or sooner, by the same gain
+  lag,       // each wheel also feels the changes of the other's command: turns lag behind travel, or lead it
   balanced,  // with weights of its own whose sum is 0: turns answer otherwise than travel, by the same gain
   free       // with as many weights of its own as its own command has
 };
@@ -106,7 +106,8 @@ struct TrialModel {
   // The same model with a linear part of one more pole, `pole`, and one more weight, which hides it for a
   // start.
   TrialModel with_higher_order(double pole = 0.0) const;
-  // The same model with a linear part that is crossed: by weights of its own as much as before, for a start.
+  // The same model with a linear part that is crossed. A single value begins at 0; weights of its own begin
+  // with the crossing that was there.
   TrialModel with_cross_coupling(CrossCoupling cross_coupling) const;
   // The same model with a linear part that answers so much later, by as many more weights as that takes.
   TrialModel with_later_linear_part(double delay_s) const;
