@@ -21,6 +21,9 @@ struct GapOptions {
   // Whose gap is shown, and whose linear part is compared; its effects are not taken for given.
   std::optional<RobotModel> simulation = std::nullopt;
   std::optional<double> period_s = std::nullopt;  // of the models; else the shortest of the runs
+  // Names effects that are beyond chance, too, where no figure of a free run shows them. A simulation's small
+  // effects are no gap of its own, but the robot's sizes are compared with theirs.
+  bool names_small_effects = false;
   SearchLimits limits = {};
 };
 

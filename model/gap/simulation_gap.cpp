@@ -120,7 +120,9 @@ tl::expected<SimulationGap, GapRefusal> analyse_simulation_gap(std::span<const D
   const auto second_half = [&](const std::string& what, double share) {
     progress("robot: " + what, 0.5 + 0.5 * share);
   };
-  auto simulation = analyse_gap(simulated, {}, options, parallel_for, first_half);
+  GapOptions of_simulation = options;
+  of_simulation.names_small_effects = true;
+  auto simulation = analyse_gap(simulated, {}, of_simulation, parallel_for, first_half);
   if (!simulation) return tl::unexpected(simulation.error());
   if (simulation->verdict == Verdict::bad_data || simulation->verdict == Verdict::not_testable)
     return tl::unexpected(

@@ -113,6 +113,7 @@ void SplitAnalysis::put_slow_noise_into_floors() {
 // Linear effects alone have to show above noise over seconds, too: what drifts slowly, a delay may follow.
 // So has what chance may do: it does it to figures that noise over seconds makes as large.
 bool SplitAnalysis::closes_the_gap() const {
+  if (context_.options.names_small_effects && is_beyond_chance(result_)) return true;
   if (!gap::closes_the_gap(result_, linear_left_out_)) return false;
   const auto& effects = result_.search.final.model.effects;
   const bool linear = std::ranges::all_of(effects, [](const TrialEffect& e) { return e.info->linear; });

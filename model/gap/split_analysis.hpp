@@ -35,6 +35,7 @@ class SplitAnalysis {
   const Problem& train() const { return *train_; }
   const Problem& held_out() const { return *held_out_; }
   const ModelOrigin& origin() const { return origin_; }
+  bool names_small_effects() const { return context_.options.names_small_effects; }
 
   // Withdraws every effect that the search found, and gives the verdict on the linear model alone.
   void withdraw_names();

@@ -195,10 +195,15 @@ int main(int argc, char** argv) {
   int pairs = 40;
   app.add_option("--seed", seed, "Of the pairs")->capture_default_str();
   app.add_option("--pairs", pairs, "Simulators and robots")->capture_default_str();
+  int from = 0;
+  app.add_option("--from", from, "The first pair to try, counted from 0")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   std::mt19937_64 random(seed);
   Tally tally;
-  for (int i = 0; i < pairs; ++i) try_pair(random_pair(random), tally);
+  for (int i = 0; i < from + pairs; ++i) {
+    const Pair pair = random_pair(random);
+    if (i >= from) try_pair(pair, tally);
+  }
   std::cout << "said rightly\n";
   for (const auto& [kind, count] : tally.right) print(std::string(gap::kind_name(kind)), count);
   print("95 % interval of a size, holds the truth", tally.size);

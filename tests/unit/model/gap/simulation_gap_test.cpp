@@ -13,13 +13,13 @@ namespace {
 
 std::vector<DriveLog> runs_with(const std::string& effects, std::uint64_t seed,
                                 test::Severity severity = test::Severity::large, double period_s = 0.018,
-                                int count = 2) {
+                                int count = 2, double seconds = 24.0) {
   test::GapCaseSpec spec;
   spec.name = effects;
   spec.severity = severity;
   spec.seed = seed;
   spec.runs = count;
-  spec.seconds = 24.0;
+  spec.seconds = seconds;
   spec.period_s = period_s;
   return test::make_gap_case(spec).runs;
 }
@@ -80,6 +80,15 @@ TEST_CASE("Of the same effect in two sizes, both sizes are said") {
   REQUIRE(threshold.simulation);
   CHECK(threshold.simulation->value < threshold.robot->value);
   CHECK_THAT(gap.robot.summary, ContainsSubstring("Its dead_zone is wrong: threshold "));
+}
+
+TEST_CASE("An effect that shows in no free run of the simulation is the simulation's all the same") {
+  constexpr std::uint64_t seed = 4883352381655160406;
+  const auto gap = gap_between(runs_with("dead_zone", seed, test::Severity::small, 0.018, 3, 40.0),
+                               runs_with("dead_zone", seed));
+  const EffectDifference* difference = difference_of(gap, "dead_zone");
+  REQUIRE(difference != nullptr);
+  CHECK(difference->kind == DifferenceKind::wrong_size);
 }
 
 TEST_CASE("A simulation that does as the robot does has nothing missing, whatever effects both have") {
