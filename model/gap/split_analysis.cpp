@@ -110,7 +110,8 @@ void SplitAnalysis::put_slow_noise_into_floors() {
   if (!result_.tail_held_out) result_.test.floor = slow_floor(runs_.test.logs);
 }
 
-// Linear effects alone have to show above noise over seconds, too: what drifts slowly, a delay may follow.
+// Linear effects alone have to show above noise over seconds, too: what drifts slowly, a short delay may
+// follow.
 // So has what chance may do: it does it to figures that noise over seconds makes as large.
 bool SplitAnalysis::closes_the_gap() const {
   if (context_.options.names_small_effects && is_beyond_chance(result_)) return true;
@@ -121,7 +122,8 @@ bool SplitAnalysis::closes_the_gap() const {
   const GapFigures& figures = result_.tail_held_out ? result_.train : result_.test;
   const auto& logs = result_.tail_held_out ? runs_.train.logs : runs_.test.logs;
   const GapFigures above_slow_noise{figures.before, figures.after, slow_floor(logs)};
-  return linear ? shows(above_slow_noise) : some_figure_falls(above_slow_noise, min_fall, 1.0);
+  if (linear) return shows(above_slow_noise) || has_long_delay_beyond_doubt(result_);
+  return some_figure_falls(above_slow_noise, min_fall, 1.0);
 }
 
 void SplitAnalysis::describe_where() {

@@ -33,8 +33,9 @@ inline GapAnalysis analysis_with(const std::vector<Finding>& found, const GapFig
   GapAnalysis analysis;
   analysis.found = found;
   analysis.train = analysis.test = figures;
+  analysis.search.final.model = first_guess({}, 0.02, 0.25, 0.1, 0.02);
   for (const Finding& one : found) {
-    analysis.search.final.model.effects.push_back({find_effect(one.setting.name), 0, {}});
+    analysis.search.final.model.effects.push_back({find_effect(one.setting.name), 0, one.setting.parameters});
   }
   analysis.search.selection_steps.emplace_back();
   return analysis;

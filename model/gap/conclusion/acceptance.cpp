@@ -25,13 +25,23 @@ bool is_beyond_chance(const GapAnalysis& analysis) {
   return some_is_sure_by(analysis, not_by_chance_nats);
 }
 
+bool has_long_delay_beyond_doubt(const GapAnalysis& analysis) {
+  const TrialModel& model = analysis.search.final.model;
+  return std::ranges::any_of(analysis.found, [&](const Finding& found) {
+    const auto effect = std::ranges::find_if(
+        model.effects, [&](const TrialEffect& one) { return one.info->name == found.setting.name; });
+    return effect != model.effects.end() && beyond_a_linear_part(model, *effect) &&
+           is_sure_by(found, beyond_doubt_nats);
+  });
+}
+
 bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out) {
   const GapFigures& figures = analysis.tail_held_out ? analysis.train : analysis.test;
   const auto& effects = analysis.search.final.model.effects;
   const bool linear = linear_left_out || std::ranges::all_of(effects, [](const TrialEffect& effect) {
                         return effect.info->linear;
                       });
-  if (linear) return shows(figures);
+  if (linear) return shows(figures) || has_long_delay_beyond_doubt(analysis);
   // Where no figure lies above the noise, or one becomes worse, a small regularity of the robot is not a gap,
   // and a figure may fall by chance.
   const GapFigures turned_round{figures.after, figures.before, figures.floor};

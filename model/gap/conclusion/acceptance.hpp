@@ -17,10 +17,14 @@ bool is_sure_by(const Finding& found, double nats);
 // How far the figures of the model found are above their noise floors.
 Excess what_is_left(const GapAnalysis& analysis);
 
+// Whether a delay that no linear part could hold is beyond doubt on held-out runs. Under commands that change
+// slowly, free runs hardly show it, and a linear part of high order answers nearly as late.
+bool has_long_delay_beyond_doubt(const GapAnalysis& analysis);
+
 // Whether the effects found show in the figures of the held-out free runs, or are beyond doubt. Linear
-// effects alone have to show. So have other effects if linear ones were left out in their favour
-// (`linear_left_out`). Where the free runs are off by less than anybody sees, one of the effects has to be
-// beyond chance.
+// effects alone have to show, but for a long delay beyond doubt. So have other effects if linear ones were
+// left out in their favour (`linear_left_out`). Where the free runs are off by less than anybody sees, one of
+// the effects has to be beyond chance.
 bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out);
 
 // Whether at least one sure effect explains more of held-out runs than chance does.

@@ -46,7 +46,14 @@ TEST_CASE("What makes a figure of free runs worse needs to be beyond doubt") {
   CHECK(closes_the_gap(analysis_with({finding("turn_speed_loss", 144.0)}, position(1.5, 1.8)), false));
 }
 
-TEST_CASE("A delay alone has to show, however likely it is, since a larger core could be as good") {
-  CHECK_FALSE(closes_the_gap(analysis_with({finding("transport_delay", 500.0)}, position(1.1, 0.9)), false));
-  CHECK(closes_the_gap(analysis_with({finding("transport_delay", 500.0)}, position(2.0, 1.5)), false));
+TEST_CASE("A delay alone has to show, however likely it is, where a linear part could hold it") {
+  const auto names = [](double delay_s, double nats, double after) {
+    Finding delay = finding("transport_delay", nats);
+    delay.setting.parameters = {delay_s};
+    return closes_the_gap(analysis_with({delay}, position(after < 1.0 ? 1.1 : 2.0, after)), false);
+  };
+  CHECK_FALSE(names(0.08, 500.0, 0.9));
+  CHECK(names(0.08, 500.0, 1.5));
+  CHECK(names(0.3, 500.0, 0.9));
+  CHECK_FALSE(names(0.3, 50.0, 0.9));
 }
