@@ -30,7 +30,7 @@ TEST_CASE("A real Create is found to lose speed in turns, and predicted a third 
   const DriveLog log =
       config::load_mrclam_run(*folder / "Robot4_Odometry.dat", *folder / "Robot4_Groundtruth.dat").log;
   const auto analysis =
-      analyse_gap({{part_of(log, "first", 0.0, 180.0)}}, {{part_of(log, "then", 180.0, 288.0)}}, {},
+      analyse_gap({{part_of(log, "first", 0.0, 120.0)}}, {{part_of(log, "then", 120.0, 220.0)}}, {},
                   serial_for, [](const std::string&, double) {});
   REQUIRE(analysis);
   CHECK(analysis->verdict == Verdict::named);

@@ -17,6 +17,7 @@ std::vector<DriveLog> clean_runs(std::uint64_t seed) {
   spec.seed = seed;
   spec.runs = 3;
   spec.seconds = 28.0;
+  spec.period_s = 0.03;
   return test::make_gap_case(spec).runs;
 }
 
@@ -111,6 +112,7 @@ TEST_CASE("Where no effect was accepted every run is checked, else those alone t
   spec.seed = 46;
   spec.runs = 3;
   spec.seconds = 28.0;
+  spec.period_s = 0.03;
   const auto with_effect = analysed(test::make_gap_case(spec).runs);
   REQUIRE(with_effect.verdict == Verdict::named);
   CHECK(with_effect.checked == CheckedRuns::held_out);

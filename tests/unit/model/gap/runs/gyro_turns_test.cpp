@@ -22,7 +22,8 @@ std::vector<DriveLog> logs_with_gyro(const std::string& hidden, double scale = 0
   spec.channels = channels;
   spec.gyro = true;
   spec.runs = 3;
-  spec.seconds = 60.0;
+  spec.seconds = 50.0;
+  spec.period_s = 0.03;
   auto logs = test::make_gap_case(spec).runs;
   for (DriveLog& log : logs) {
     for (DriveSample& sample : log.samples) *sample.gyro_z_rad_s *= 1.0 + scale;

@@ -28,7 +28,8 @@ GapAnalysis analysed_by_heading(const std::string& hidden) {
   spec.severity = test::Severity::large;
   spec.channels = test::Channels::ticks_ref;
   spec.runs = 3;
-  spec.seconds = 60.0;
+  spec.seconds = 50.0;
+  spec.period_s = 0.03;
   auto logs = test::make_gap_case(spec).runs;
   for (DriveLog& log : logs) keep_heading_alone(log);
   auto analysis = analyse_gap(std::span(logs).first(2), std::span(logs).last(1), {}, serial_for,

@@ -16,6 +16,7 @@ std::vector<DriveLog> runs_with(const std::string& name, int count, double secon
   spec.severity = test::Severity::large;
   spec.runs = count;
   spec.seconds = seconds;
+  spec.period_s = 0.03;
   auto runs = test::make_gap_case(spec).runs;
   for (auto& run : runs) run.name = name + "_" + run.name;
   return runs;

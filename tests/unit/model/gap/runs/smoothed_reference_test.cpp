@@ -20,6 +20,7 @@ GapAnalysis analysed_after(const std::string& hidden, const std::function<void(D
   spec.channels = test::Channels::ticks_ref;
   spec.runs = 3;
   spec.seconds = 40.0;
+  spec.period_s = 0.03;
   auto logs = test::make_gap_case(spec).runs;
   for (DriveLog& log : logs) change(log);
   auto analysis = analyse_gap(std::span(logs).first(2), std::span(logs).last(1), {}, serial_for,
@@ -44,18 +45,15 @@ void shorten_x(DriveLog& log) {
 
 }  // namespace
 
-TEST_CASE("A tracker that smooths is nothing that the robot's model lacks") {
-  const auto analysis = analysed_after("clean", smooth);
-  CHECK(analysis.verdict == Verdict::nothing_missing);
-  CHECK(names_of(analysis).empty());
-}
-
 TEST_CASE("What the floor does is named through a tracker that smooths") {
   CHECK(names_of(analysed_after("turn_scrub", smooth)) == std::vector<std::string>{"turn_scrub"});
 }
 
-TEST_CASE("Figures of a smoothed reference are those of one that is not: predictions are smoothed likewise") {
-  const auto smoothed = analysed_after("clean", smooth).test.after;
+TEST_CASE("A tracker that smooths is nothing that the robot's model lacks: predictions are smoothed likewise") {
+  const auto analysis = analysed_after("clean", smooth);
+  CHECK(analysis.verdict == Verdict::nothing_missing);
+  CHECK(names_of(analysis).empty());
+  const Score& smoothed = analysis.test.after;
   const auto plain = analysed_after("clean", [](DriveLog&) {}).test.after;
   CHECK(smoothed.position_rms_m->value < 1.2 * plain.position_rms_m->value);
   CHECK(smoothed.heading_rms_rad->value < 1.2 * plain.heading_rms_rad->value);

@@ -48,6 +48,7 @@ TEST_CASE(
   spec.channels = test::Channels::ticks_ref;
   spec.runs = 3;
   spec.seconds = 50.0;
+  spec.period_s = 0.03;
   auto logs = test::make_gap_case(spec).runs;
   for (DriveLog& log : logs) {
     log.wheel_base_m *= 0.97;
