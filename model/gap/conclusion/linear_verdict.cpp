@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 #include "model/effects/library/effect_library.hpp"
@@ -58,6 +59,23 @@ RobotModel corrected_model(const RobotModel& given, const CommandCorrection& cor
   return model;
 }
 
+// Of an effect that the given model has and these runs have not, the lag that stands in its parameters
+// instead of in the linear part stays.
+std::vector<AddedEffect> lags_of_absent_effects(const RobotModel& given, const RobotModel& found) {
+  std::vector<AddedEffect> lags;
+  for (const AddedEffect& known : given.effects) {
+    const EffectInfo& info = *find_effect(known.setting.name);
+    const bool is_found = std::ranges::any_of(
+        found.effects, [&](const AddedEffect& one) { return one.setting.name == info.name; });
+    if (is_found || !info.linear_part) continue;
+    AddedEffect& lag = lags.emplace_back();
+    lag.setting = known.setting;
+    lag.setting.parameters =
+        info.linear_part({known.setting.parameters, variant_index(info, known.setting.variant)});
+  }
+  return lags;
+}
+
 }  // namespace
 
 std::optional<Finding> delay_finding(const std::vector<LinearChange>& changes, double heldout_gain_nats) {
@@ -110,6 +128,7 @@ LinearChanges changes_of_linear_part(const GapAnalysis& analysis, const ModelOri
     const auto same = [&](const AddedEffect& known) { return known.setting.name == effect.setting.name; };
     return find_effect(effect.setting.name)->linear && std::ranges::none_of(given.effects, same);
   });
+  std::ranges::move(lags_of_absent_effects(given, whole), std::back_inserter(whole.effects));
   const NoiseModel noise = train.noise_left_by(accepted);
   Problem fitted = train;
   Problem confirming = heldout;

@@ -119,6 +119,13 @@ TEST_CASE("A robot that answers later than the simulation has a longer delay, by
   CHECK(gap.robot.found.back().setting.name == "transport_delay");
 }
 
+TEST_CASE("The lag that stands in an effect of the simulation is no lag that the robot has gained") {
+  const auto gap = gap_between(runs_with("asymmetric_response", 12), runs_with("clean", 12));
+  REQUIRE(difference_of(gap, "asymmetric_response") != nullptr);
+  CHECK(difference_of(gap, "asymmetric_response")->kind == DifferenceKind::surplus);
+  CHECK(gap.robot.linear_changes.empty());
+}
+
 TEST_CASE("A simulation may have a period of its own") {
   const auto gap =
       gap_between(runs_with("clean", 11, test::Severity::large, 0.01), runs_with("dead_zone", 11));
