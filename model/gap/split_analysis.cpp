@@ -111,8 +111,7 @@ void SplitAnalysis::put_slow_noise_into_floors() {
 }
 
 // Linear effects alone have to show above noise over seconds, too: what drifts slowly, a short delay may
-// follow.
-// So has what chance may do: it does it to figures that noise over seconds makes as large.
+// follow. So has what chance may do: it does it to figures that noise over seconds makes as large.
 bool SplitAnalysis::closes_the_gap() const {
   if (context_.options.names_small_effects && is_beyond_chance(result_)) return true;
   if (!gap::closes_the_gap(result_, linear_left_out_)) return false;
