@@ -12,7 +12,7 @@ using namespace wheelwright::gap;
 namespace {
 
 std::vector<DriveLog> runs_with(const std::string& effects, std::uint64_t seed,
-                                test::Severity severity = test::Severity::large, double period_s = 0.018,
+                                test::Severity severity = test::Severity::large, double period_s = 0.03,
                                 int count = 2, double seconds = 24.0) {
   test::GapCaseSpec spec;
   spec.name = effects;
@@ -85,7 +85,7 @@ TEST_CASE("Of the same effect in two sizes, both sizes are said") {
 TEST_CASE("An effect that shows in no free run of the simulation is the simulation's all the same") {
   constexpr std::uint64_t seed = 4883352381655160406;
   const auto gap = gap_between(runs_with("dead_zone", seed, test::Severity::small, 0.018, 3, 40.0),
-                               runs_with("dead_zone", seed));
+                               runs_with("dead_zone", seed, test::Severity::large, 0.018));
   const EffectDifference* difference = difference_of(gap, "dead_zone");
   REQUIRE(difference != nullptr);
   CHECK(difference->kind == DifferenceKind::wrong_size);
@@ -100,7 +100,7 @@ TEST_CASE("A simulation that does as the robot does has nothing missing, whateve
 }
 
 TEST_CASE("An effect of both is the same where runs stay untouched, too, on which nothing is to be closed") {
-  const auto runs = runs_with("dead_zone", 11, test::Severity::large, 0.018, 4);
+  const auto runs = runs_with("dead_zone", 11, test::Severity::large, 0.03, 4);
   const auto gap = gap_between(runs, runs);
   CHECK(gap.robot.untouched);
   CHECK(gap.robot.verdict == Verdict::nothing_missing);
@@ -110,17 +110,18 @@ TEST_CASE("An effect of both is the same where runs stay untouched, too, on whic
 }
 
 TEST_CASE("A robot that answers later than the simulation has a longer delay, by how much") {
-  const auto gap = gap_between(runs_with("clean", 11), commanded_earlier(runs_with("clean", 11), 3));
+  const auto gap = gap_between(runs_with("clean", 11), commanded_earlier(runs_with("clean", 11), 2));
   REQUIRE_FALSE(gap.robot.linear_changes.empty());
   const LinearChange& delay = gap.robot.linear_changes.front();
   CHECK(delay.what == "delay");
-  CHECK(std::abs(delay.value - 3 * 0.018) < 0.004);
+  CHECK(std::abs(delay.value - 2 * 0.03) < 0.004);
   CHECK(gap.robot.verdict == Verdict::named);
   CHECK(gap.robot.found.back().setting.name == "transport_delay");
 }
 
 TEST_CASE("The lag that stands in an effect of the simulation is no lag that the robot has gained") {
-  const auto gap = gap_between(runs_with("asymmetric_response", 12), runs_with("clean", 12));
+  const auto gap = gap_between(runs_with("asymmetric_response", 12, test::Severity::large, 0.018),
+                               runs_with("clean", 12, test::Severity::large, 0.018));
   REQUIRE(difference_of(gap, "asymmetric_response") != nullptr);
   CHECK(difference_of(gap, "asymmetric_response")->kind == DifferenceKind::surplus);
   CHECK(gap.robot.linear_changes.empty());
@@ -131,7 +132,7 @@ TEST_CASE("A simulation may have a period of its own") {
       gap_between(runs_with("clean", 11, test::Severity::large, 0.01), runs_with("dead_zone", 11));
   REQUIRE(difference_of(gap, "dead_zone") != nullptr);
   CHECK(difference_of(gap, "dead_zone")->kind == DifferenceKind::missing);
-  CHECK(gap.robot.before.linear_part.period_s == 0.018);
+  CHECK(gap.robot.before.linear_part.period_s == 0.03);
 }
 
 TEST_CASE("Runs of a simulation that differ under the same commands are said to be random") {
