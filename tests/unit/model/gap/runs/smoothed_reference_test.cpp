@@ -49,7 +49,8 @@ TEST_CASE("What the floor does is named through a tracker that smooths") {
   CHECK(names_of(analysed_after("turn_scrub", smooth)) == std::vector<std::string>{"turn_scrub"});
 }
 
-TEST_CASE("A tracker that smooths is nothing that the robot's model lacks: predictions are smoothed likewise") {
+TEST_CASE(
+    "A tracker that smooths is nothing that the robot's model lacks: predictions are smoothed likewise") {
   const auto analysis = analysed_after("clean", smooth);
   CHECK(analysis.verdict == Verdict::nothing_missing);
   CHECK(names_of(analysis).empty());
