@@ -36,14 +36,23 @@ MaybeModel model_of(Knowledge knowledge, const CalibratedModels& calibrated,
   return calibrated.fir;
 }
 
+void draw_wheels(simulation::SimulationConfig& robot, double mismatch, simulation::Noise& chance) {
+  if (mismatch == 0.0) return;
+  const double mean_m = 0.5 * (robot.left.diameter_m + robot.right.diameter_m);
+  const double half = 0.5 * mismatch * chance.normal();
+  robot.left.diameter_m = mean_m * (1.0 - half);
+  robot.right.diameter_m = mean_m * (1.0 + half);
+}
+
 }  // namespace
 
 RobotTrial trial_of(const EvaluationPlan& plan, std::uint64_t number, Purpose purpose) {
   simulation::Noise chance(simulation::Noise(plan.seed).bits() + number);
   simulation::SimulationConfig robot = plan.robot;
   robot.battery.charge = std::clamp(robot.battery.charge + charge_spread * chance.normal(), 0.05, 1.0);
-  return {robot, plan.limits, plan.link,
-          simulation::Noise(chance.bits() + static_cast<std::uint64_t>(purpose))};
+  const std::uint64_t of_runs = chance.bits() + static_cast<std::uint64_t>(purpose);
+  draw_wheels(robot, plan.wheel_mismatch, chance);
+  return {robot, plan.limits, plan.link, simulation::Noise(of_runs)};
 }
 
 CalibratedModels calibrate(const EvaluationPlan& plan, std::uint64_t number) {

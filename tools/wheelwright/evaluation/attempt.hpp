@@ -38,10 +38,14 @@ struct EvaluationPlan {
   std::optional<GapModels> gap;                // of all attempts
   bool learn_each =
       false;  // each attempt has a gap workflow of its own; with neither, its candidates are left out
+  // Standard deviation of the right wheel's radius over the left one's, as a fraction, drawn for each attempt
+  // instead of the robot's own. No calibration shows it: one robot is one draw, and no measure of how often
+  // the truth lies inside an ellipse. 0: all attempts have the robot as it is.
+  double wheel_mismatch = 0.0;
 };
 
-// The robot of an attempt: the battery's charge belongs to the attempt, everything else to each run.
-// Calibrating, driving and recording for the gap workflow do not share their luck.
+// The robot of an attempt: the battery's charge and drawn wheels belong to the attempt, everything else to
+// each run. Calibrating, driving and recording for the gap workflow do not share their luck.
 enum class Purpose : std::uint8_t { calibrate, drive, learn };
 RobotTrial trial_of(const EvaluationPlan& plan, std::uint64_t number, Purpose purpose);
 

@@ -44,6 +44,7 @@ struct EvaluateOptions {
   bool check = false;
   bool with_effects = false;
   bool each = false;
+  double wheel_mismatch = 0.0;
 };
 
 void make_output_folder(const fs::path& folder, const EvaluateOptions& options) {
@@ -74,6 +75,7 @@ EvaluationPlan plan_of(const EvaluateOptions& options) {
   plan.seed = options.seed;
   plan.drives = options.drives;
   plan.learn_each = options.with_effects && options.each;
+  plan.wheel_mismatch = options.wheel_mismatch;
   if (!is_closed(plan.route))
     throw UsageError(options.route +
                      ": the route is not closed; end it at [0, 0], so that start and end can be compared");
@@ -113,9 +115,18 @@ EvaluationPlan with_one_calibration(EvaluationPlan plan) {
   return plan;
 }
 
-ExitStatus run_evaluate(const EvaluateOptions& options, Streams streams) {
+void check(const EvaluateOptions& options) {
   if (options.each && !options.with_effects)
     throw UsageError("--each repeats the gap workflow, which only --with-effects runs");
+  if (options.wheel_mismatch == 0.0) return;
+  if (options.calibrate != Calibrate::each)
+    throw UsageError("--wheel-mismatch gives each attempt a robot of its own; add --calibrate each");
+  if (options.with_effects && !options.each)
+    throw UsageError("--wheel-mismatch gives each attempt a robot of its own; add --each to --with-effects");
+}
+
+ExitStatus run_evaluate(const EvaluateOptions& options, Streams streams) {
+  check(options);
   EvaluationPlan plan = plan_of(options);
   if (!options.output.empty()) make_output_folder(options.output, options);
   ProgressLine progress(streams.err);
@@ -138,6 +149,7 @@ ExitStatus run_evaluate(const EvaluateOptions& options, Streams streams) {
   nlohmann::ordered_json json{{"robot", plan.robot.name}, {"route", plan.route.name},
                               {"runs", options.runs},     {"seed", options.seed},
                               {"found", found},           {"models", offset_json(rows)}};
+  if (options.wheel_mismatch > 0.0) json["wheel_mismatch"] = options.wheel_mismatch;
   std::vector<OffsetRow> of_one_calibration;
   if (options.calibrate == Calibrate::both) {
     of_one_calibration = offset_rows(run(with_one_calibration(plan)), options.seed);
@@ -188,6 +200,11 @@ Action add_evaluate(CLI::App& app) {
                     "Run the gap workflow once, and drive with what it found as well");
   command->add_flag("--each", options->each,
                     "Run the gap workflow before each attempt, on that attempt's own drives");
+  command
+      ->add_option(
+          "--wheel-mismatch", options->wheel_mismatch,
+          "Each attempt has wheels of its own, unlike by a fraction drawn with this standard deviation")
+      ->check(CLI::Range(0.0, 0.05));
   command->add_option("--threads", options->threads, "Threads; the result does not depend on them")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();

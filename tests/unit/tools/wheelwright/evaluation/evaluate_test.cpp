@@ -92,6 +92,20 @@ TEST_CASE("On a robot without imperfections every candidate ends where it began"
   }
 }
 
+TEST_CASE("With wheels drawn for each attempt robots miss by their odometry, each in a way of its own") {
+  auto plan = plan_of("perfect");
+  plan.robot.room = config::load_room(config_folder + "/robots/rooms/box_without_slip.yaml");
+  plan.wheel_mismatch = 0.02;
+  std::vector<double> offsets_m;
+  for (const auto& outcome : tools::run_attempts(plan, 4, 2)) {
+    REQUIRE(outcome.front()->end);
+    offsets_m.push_back(std::hypot(outcome.front()->end->x_m, outcome.front()->end->y_m));
+  }
+  std::ranges::sort(offsets_m);
+  CHECK(offsets_m.back() > 0.1);
+  CHECK(offsets_m.back() > 2.0 * offsets_m.front());
+}
+
 TEST_CASE("evaluate --runs 2 prints a table, and end points with a picture where they are asked for") {
   const auto folder = test::temporary_folder() / "evaluate_output";
   const auto outcome = evaluate({"--runs", "2", "-o", folder.string()});
@@ -157,6 +171,8 @@ TEST_CASE("Bad usage of evaluate is refused in one line") {
   check(evaluate({"--run", "3"}), "did you mean '--runs'");
   check(evaluate({"--calibrate", "twice"}), "--calibrate");
   check(evaluate({"--each"}), "--with-effects");
+  check(evaluate({"--wheel-mismatch", "0.002"}), "--calibrate each");
+  check(evaluate({"--wheel-mismatch", "0.002", "--calibrate", "each", "--with-effects"}), "--each");
   check(evaluate({"--robot", "absent.yaml"}), "absent.yaml");
   const auto open_route = test::temporary_folder() / "open_route.yaml";
   std::ofstream(open_route) << "name: open\ncheckpoints: [[1, 0], [1, 1]]\n";
