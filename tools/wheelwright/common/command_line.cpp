@@ -46,6 +46,31 @@ void check_command_name(const CLI::App& app, const std::vector<std::string>& arg
                    (near.empty() ? "use one of: " + joined(names) : "did you mean '" + near + "'?"));
 }
 
+bool is_key_with_value(const std::string& argument) {
+  const std::string key = argument.substr(0, argument.find('='));
+  const bool is_key = key.find('.') != std::string::npos &&
+                      key.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_.") == std::string::npos;
+  return key.size() < argument.size() && is_key;
+}
+
+// `--set a.b=1 c.d=2` sets both, and what follows that is no KEY=VALUE is an argument of its own again, which
+// CLI11 cannot say.
+std::vector<std::string> with_each_key_set(const std::vector<std::string>& arguments) {
+  std::vector<std::string> all;
+  std::string option;
+  for (const std::string& argument : arguments) {
+    if (argument == "--set" || argument == "--simulation-set") {
+      option = argument;
+    } else if (!option.empty() && is_key_with_value(argument)) {
+      if (all.back() != option) all.push_back(option);
+    } else {
+      option.clear();
+    }
+    all.push_back(argument);
+  }
+  return all;
+}
+
 // CLI11 says which word it did not expect; the nearest option is more help.
 std::string explain(const CLI::App& app, const CLI::ParseError& error) {
   const auto selected = app.get_subcommands();
@@ -82,6 +107,7 @@ ExitStatus parse_and_run(std::vector<std::string> arguments, Streams streams) {
 
   check_command_name(app, arguments);
   try {
+    arguments = with_each_key_set(arguments);
     std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
     app.parse(arguments);
   } catch (const CLI::Success& wanted) {

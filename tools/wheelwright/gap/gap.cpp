@@ -187,7 +187,8 @@ void add_simulation_options(CLI::App& command, CLI::Option& model, SimulationInp
       ->check(number_between(1.0, 86400.0, "s"));
   command.add_option("--simulation-mapping", input.import.mapping,
                      "Mapping file (YAML) for the simulator's logs");
-  command.add_option("--simulation-set", input.import.settings, "One key of that mapping")
+  command.add_option("--simulation-set", input.import.settings, "Keys of that mapping")
+      ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
 }
 

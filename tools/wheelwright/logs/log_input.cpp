@@ -95,7 +95,8 @@ std::vector<DriveLog> load_runs(const std::string& path, const Reading& reading,
 
 void add_import_options(CLI::App& command, ImportOptions& options) {
   command.add_option("--mapping", options.mapping, "Mapping file (YAML) for logs that are no drive logs");
-  command.add_option("--set", options.settings, "One key of the mapping, e.g. robot.wheel_base_m=0.235")
+  command.add_option("--set", options.settings, "Keys of the mapping, e.g. robot.wheel_base_m=0.235")
+      ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
 }
 

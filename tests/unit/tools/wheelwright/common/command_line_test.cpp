@@ -12,6 +12,7 @@
 #include "tests/support/plant_log.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/wheelwright_command.hpp"
+#include "tests/unit/tools/wheelwright/import/import_text.hpp"
 
 using namespace wheelwright;
 using test::is_one_line;
@@ -173,6 +174,22 @@ TEST_CASE("A command that the robot cannot have been given is refused with its l
           .status == ExitStatus::done);
   CHECK_THAT(wheelwright_command({"score", folder / "model.yaml", folder / "garbage.csv", "--json"}).err,
              ContainsSubstring("warning"));
+}
+
+TEST_CASE("One --set takes several keys, and what follows them is a file again") {
+  const Folder folder;
+  std::ofstream(folder / "foreign.csv") << test::foreign_text(
+      test::foreign_drive(), "time,cmdL,cmdR,encL,encR", [](const test::ForeignRow& row) {
+        return test::number(row.t_s) + "," + test::number(row.command_left) + "," +
+               test::number(row.command_right) + "," + test::counts(row);
+      });
+  const Outcome outcome =
+      wheelwright_command({"import", "--set", "robot.wheel_base_m=0.3", "wheels.metres_per_count=0.0005",
+                           folder / "foreign.csv", "-o", folder / "drive.csv"});
+  REQUIRE(outcome.status == ExitStatus::done);
+  const DriveLog log = config::load_drive_logs(folder / "drive.csv").front();
+  CHECK(log.wheel_base_m == 0.3);
+  CHECK(log.metres_per_tick->right == 0.0005);
 }
 
 TEST_CASE("No command replaces its own input") {
