@@ -34,7 +34,7 @@ struct VirtualRunResult {
   std::optional<Refusal> refusal;
   std::optional<EncoderScaleFit> encoder_scale;
   std::optional<FirFit> response;
-  std::optional<ArxFit> arma;
+  std::optional<ArmaFit> arma;
   std::vector<std::string> remarks;  // on the calibrations
   std::optional<RobotModel> model;   // that the calibration made
   std::vector<RobotModel> adapted;   // models made while driving, in order

@@ -10,10 +10,10 @@
 namespace wheelwright::daemon::telemetry {
 namespace {
 
-std::map<std::string_view, std::size_t> guests_by_source(std::span<const Place> places) {
+std::map<std::string_view, std::size_t> guests_by_source(std::span<const Slot> slots) {
   std::map<std::string_view, std::size_t> counts;
-  for (const Place& place : places) {
-    if (!place.is_client) ++counts[place.source];
+  for (const Slot& slot : slots) {
+    if (!slot.is_client) ++counts[slot.source];
   }
   return counts;
 }
@@ -25,20 +25,20 @@ std::string_view fullest(const std::map<std::string_view, std::size_t>& counts) 
 }
 
 // The one who came first; one who is being answered only where there is no other.
-std::optional<std::size_t> oldest_guest_from(std::span<const Place> places, std::string_view source) {
+std::optional<std::size_t> oldest_guest_from(std::span<const Slot> slots, std::string_view source) {
   std::optional<std::size_t> answered;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const Place& place = places[i];
-    if (place.is_client || place.source != source) continue;
-    if (!place.is_answered) return i;
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    const Slot& slot = slots[i];
+    if (slot.is_client || slot.source != source) continue;
+    if (!slot.is_answered) return i;
     if (!answered) answered = i;
   }
   return answered;
 }
 
-std::size_t clients_among(std::span<const Place> places) {
+std::size_t clients_among(std::span<const Slot> slots) {
   return static_cast<std::size_t>(
-      std::count_if(places.begin(), places.end(), [](const Place& place) { return place.is_client; }));
+      std::count_if(slots.begin(), slots.end(), [](const Slot& slot) { return slot.is_client; }));
 }
 
 }  // namespace
@@ -57,23 +57,23 @@ std::string source_of(const std::string& address) {
   return std::string(text.data()) + "/64";
 }
 
-std::optional<std::size_t> guest_to_close(std::span<const Place> places, std::string_view source) {
-  const auto counts = guests_by_source(places);
+std::optional<std::size_t> guest_to_close(std::span<const Slot> slots, std::string_view source) {
+  const auto counts = guests_by_source(slots);
   const auto own = counts.find(source);
-  if (own != counts.end() && own->second >= max_guests_per_address) return oldest_guest_from(places, source);
-  if (places.size() - clients_among(places) < max_guests) return std::nullopt;
-  return oldest_guest_from(places, fullest(counts));
+  if (own != counts.end() && own->second >= max_guests_per_address) return oldest_guest_from(slots, source);
+  if (slots.size() - clients_among(slots) < max_guests) return std::nullopt;
+  return oldest_guest_from(slots, fullest(counts));
 }
 
-std::optional<std::size_t> guest_to_close(std::span<const Place> places) {
-  const auto counts = guests_by_source(places);
+std::optional<std::size_t> guest_to_close(std::span<const Slot> slots) {
+  const auto counts = guests_by_source(slots);
   if (counts.empty()) return std::nullopt;
-  return oldest_guest_from(places, fullest(counts));
+  return oldest_guest_from(slots, fullest(counts));
 }
 
-bool has_room_for_client(std::span<const Place> places, bool may_control) {
-  const std::size_t room = may_control ? max_clients : max_clients - places_kept_for_control;
-  return clients_among(places) < room;
+bool has_room_for_client(std::span<const Slot> slots, bool may_control) {
+  const std::size_t room = may_control ? max_clients : max_clients - slots_kept_for_control;
+  return clients_among(slots) < room;
 }
 
 }  // namespace wheelwright::daemon::telemetry

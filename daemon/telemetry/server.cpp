@@ -62,7 +62,7 @@ void Server::accept() {
 
 void Server::take(tcp::socket socket) {
   const auto newcomer = std::make_shared<Connection>(std::move(socket), config_, hooks_, has_room_);
-  if (const auto guest = guest_to_close(places(), newcomer->place().source)) {
+  if (const auto guest = guest_to_close(slots(), newcomer->slot().source)) {
     close_guest(*guest);
     if (closed_guests_.happened(CountedNotice::Clock::now())) {
       hooks_.warn("too many connections without a request or a token, room is made among them (" +
@@ -78,7 +78,7 @@ void Server::accept_later(const boost::system::error_code& error) {
   if (failed_accepts_.happened(CountedNotice::Clock::now())) {
     hooks_.warn("a connection could not be taken (" + error.message() + ")");
   }
-  if (const auto guest = guest_to_close(places())) {
+  if (const auto guest = guest_to_close(slots())) {
     close_guest(*guest);
     accept();
     return;
@@ -90,15 +90,15 @@ void Server::accept_later(const boost::system::error_code& error) {
 }
 
 void Server::close_guest(std::size_t index) {
-  last_closed_ = connections_.at(index)->place().source;
+  last_closed_ = connections_.at(index)->slot().source;
   connections_.at(index)->drop();
   forget_closed();
 }
 
 bool Server::has_room(const Connection& connection, bool may_control) {
   forget_closed();
-  if (has_room_for_client(places(), may_control)) return true;
-  last_refused_ = connection.place().source;
+  if (has_room_for_client(slots(), may_control)) return true;
+  last_refused_ = connection.slot().source;
   if (refused_clients_.happened(CountedNotice::Clock::now())) {
     hooks_.warn(std::to_string(clients()) + " clients are all there is room for, " + last_refused_ +
                 " was refused");
@@ -106,11 +106,11 @@ bool Server::has_room(const Connection& connection, bool may_control) {
   return false;
 }
 
-std::vector<Place> Server::places() const {
-  std::vector<Place> places;
-  places.reserve(connections_.size());
-  for (const auto& connection : connections_) places.push_back(connection->place());
-  return places;
+std::vector<Slot> Server::slots() const {
+  std::vector<Slot> slots;
+  slots.reserve(connections_.size());
+  for (const auto& connection : connections_) slots.push_back(connection->slot());
+  return slots;
 }
 
 void Server::forget_closed() {

@@ -73,7 +73,7 @@ class Server {
   void take(boost::asio::ip::tcp::socket socket);
   void accept_later(const boost::system::error_code& error);
   bool has_room(const Connection& connection, bool may_control);
-  std::vector<Place> places() const;
+  std::vector<Slot> slots() const;
   void close_guest(std::size_t index);
   void forget_closed();
   void tidy_up_regularly();

@@ -45,7 +45,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   const Conversation* conversation() const { return is_open_ ? &*conversation_ : nullptr; }
   bool is_closed() const { return is_closed_; }
   // What it takes of the room there is; valid as long as this object.
-  Place place() const { return {source_, conversation_.has_value(), response_.has_value()}; }
+  Slot slot() const { return {source_, conversation_.has_value(), response_.has_value()}; }
 
  private:
   void read_request();

@@ -121,7 +121,7 @@ void CalibratorThread::deliver_response(CalibrationOutcome& outcome) {
 }
 
 void CalibratorThread::deliver_arma(CalibrationOutcome& outcome) {
-  const ArxFit& fit = *outcome.arma;
+  const ArmaFit& fit = *outcome.arma;
   spdlog::info("arma: order {}, gain {:.3f} / {:.3f} (left / right), free run {:.1f} mm off the encoders",
                fit.model.left.from_own_past.size(), fit.left.quality.gain.from_left,
                fit.right.quality.gain.from_right, 1e3 * fit.free_run_distance_rms_m);

@@ -16,7 +16,7 @@
 // the driving does not excite stays as it was. The free run is that of the whole model, from where the
 // filter has the robot; adaptation_fit.hpp has the method. Regressors are free of the encoders' noise, so
 // that there is no bias by errors in variables, which an ARX fit on measured past speeds has
-// (model/identification/arx_accumulator.hpp). Both sides are summed up to travel with a leak of one second:
+// (model/identification/arma_accumulator.hpp). Both sides are summed up to travel with a leak of one second:
 // differences of counts are mostly noise, and sums without a leak carry an error on for ever.
 #pragma once
 

@@ -304,12 +304,12 @@ CalibrationOutcome Calibrator::arma() const {
   outcome.refusal = doubt_of_manoeuvre();
   if (outcome.refusal) return outcome;
   outcome.remark = punctuality_.remark();
-  ArxFitOptions options;
+  ArmaFitOptions options;
   options.order = mission_.random_drive->order;
   options.period_s = limits_.period_s;
   DriveLog run = random_run_;
   settle_travel(std::span(&run, 1), std::span(&random_counts_, 1));
-  auto fit = fit_arx(std::span(&run, 1), options);
+  auto fit = fit_arma(std::span(&run, 1), options);
   if (!fit) {
     outcome.refusal = with_remark(fit.error(), outcome.remark);
     return outcome;

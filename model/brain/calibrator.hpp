@@ -12,7 +12,7 @@
 #include "model/adaptation/continuous_calibration.hpp"
 #include "model/brain/mission.hpp"
 #include "model/calibration/punctuality.hpp"
-#include "model/identification/arx_fit.hpp"
+#include "model/identification/arma_fit.hpp"
 #include "model/identification/fir_fit.hpp"
 #include "model/log/drive_log.hpp"
 #include "model/log/sensor_frame.hpp"
@@ -39,7 +39,7 @@ struct CalibrationOutcome {
   bool encoders_swapped = false;                 // encoder_order
   std::optional<EncoderScaleFit> encoder_scale;  // encoder_scale
   std::optional<FirFit> response;                // response
-  std::optional<ArxFit> arma;                    // arma
+  std::optional<ArmaFit> arma;                   // arma
   std::optional<AdaptedModel> adapted;           // adaptation
   std::optional<std::string> remark;             // response, arma: what was left out of it
   std::optional<RobotModel> model;               // response, arma, adaptation: all that is known, to drive by

@@ -9,7 +9,7 @@
 
 #include "model/gap/conclusion/analysis_result.hpp"
 #include "model/gap/data_checks/gathered_runs.hpp"
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 #include "model/log/drive_log.hpp"
 #include "model/simulation/robot_model.hpp"
 

@@ -96,7 +96,7 @@ double white_error(const Eigen::RowVectorXd& slope, const Eigen::MatrixXd& infor
 
 // Intervals of figures that hang on several parameters: those of parameters by which each stands for one.
 std::vector<LinearInterval> intervals_of(const Eigen::MatrixXd& slopes, const Eigen::MatrixXd& columns,
-                                         const Problem& problem, const Fit& fit) {
+                                         const FitProblem& problem, const Fit& fit) {
   Eigen::MatrixXd change(columns.cols(), columns.cols());
   change.topRows(slopes.rows()) = slopes;
   change.bottomRows(columns.cols() - slopes.rows()) =
@@ -112,7 +112,7 @@ std::optional<Refusal> not_shown(const Figure& figure, const Estimate& estimate)
                  " +- " + in_digits(unsure, 2) + " at 95 %); add runs with more " + figure.missing};
 }
 
-tl::expected<std::array<Estimate, figures.size()>, Refusal> estimates(const Problem& problem,
+tl::expected<std::array<Estimate, figures.size()>, Refusal> estimates(const FitProblem& problem,
                                                                       const Fit& fit) {
   const Eigen::MatrixXd columns = problem.jacobian(fit.model, fit.residuals);
   const Eigen::MatrixXd information = columns.transpose() * columns;
@@ -135,7 +135,7 @@ tl::expected<std::array<Estimate, figures.size()>, Refusal> estimates(const Prob
 }
 
 // The likeliest of fits that begin at delays of their own, each paid for by its weights.
-Fit best_fit(Problem& problem, const TrialModel& start, const Progress& progress) {
+Fit best_fit(FitProblem& problem, const TrialModel& start, const Progress& progress) {
   constexpr std::array more_delay_s{0.0, 0.1, 0.2, 0.4};
   constexpr int passes = 2;
   std::optional<Fit> best;
@@ -200,7 +200,7 @@ tl::expected<PoseFit, Refusal> fit_from_poses(std::span<const DriveLog> logs, co
     measure_motion(runs.back());
     result.poses += runs.back().references.size();
   }
-  Problem problem(std::move(runs), std::vector<WheelPair>(logs.size()), parallel_for);
+  FitProblem problem(std::move(runs), std::vector<WheelPair>(logs.size()), parallel_for);
   progress("linear model", 0.0);
   const TrialModel start = search_start(problem, nullptr);
   problem.set_noise(problem.noise_left_by(start));

@@ -11,7 +11,7 @@
 
 #include <tl/expected.hpp>
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 #include "model/gap/selection/search.hpp"
 #include "model/identification/refusal.hpp"
 #include "model/log/drive_log.hpp"

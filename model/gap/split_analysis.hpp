@@ -32,8 +32,8 @@ class SplitAnalysis {
   // With reference poses and wheel angles as the model found has them.
   GatheredRuns& runs() { return runs_; }
   const GatheredRuns& runs() const { return runs_; }
-  const Problem& train() const { return *train_; }
-  const Problem& held_out() const { return *held_out_; }
+  const FitProblem& train() const { return *train_; }
+  const FitProblem& held_out() const { return *held_out_; }
   const ModelOrigin& origin() const { return origin_; }
   bool names_small_effects() const { return context_.options.names_small_effects; }
 
@@ -66,8 +66,8 @@ class SplitAnalysis {
   AnalysisContext context_;
   GatheredRuns runs_;
   ModelOrigin origin_;
-  std::optional<Problem> train_;
-  std::optional<Problem> held_out_;
+  std::optional<FitProblem> train_;
+  std::optional<FitProblem> held_out_;
   bool linear_left_out_ = false;
   GapAnalysis result_;
 };

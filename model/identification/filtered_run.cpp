@@ -17,7 +17,7 @@ double from_past(const WheelResponse& response, const PeriodSignal& signal, std:
 PeriodSignal::PeriodSignal(std::size_t periods, std::size_t past, double period_s)
     : past_(past), period_s_(period_s), speed_(past + periods, 0.0), travel_(past + periods + 1, 0.0) {}
 
-FilteredRun::FilteredRun(const TravelRun& run, const WheelResponse& response, const ArxLayout& layout,
+FilteredRun::FilteredRun(const TravelRun& run, const WheelResponse& response, const ArmaLayout& layout,
                          double period_s, bool with_sensitivities)
     : layout_(layout),
       left_command_(run.commands_m_s.size(), layout.order, period_s),

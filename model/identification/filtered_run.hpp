@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "model/identification/arx_layout.hpp"
+#include "model/identification/arma_layout.hpp"
 #include "model/identification/travel_runs.hpp"
 #include "model/simulation/linear_model.hpp"
 
@@ -40,7 +40,7 @@ class PeriodSignal {
 class FilteredRun {
  public:
   // Simulates from rest. Without sensitivities only the travel is known after.
-  FilteredRun(const TravelRun& run, const WheelResponse& response, const ArxLayout& layout, double period_s,
+  FilteredRun(const TravelRun& run, const WheelResponse& response, const ArmaLayout& layout, double period_s,
               bool with_sensitivities);
 
   double travel_m(const TravelReading& reading) const {
@@ -59,7 +59,7 @@ class FilteredRun {
   void simulate(const TravelRun& run, const WheelResponse& response);
   void filter(const TravelRun& run, const WheelResponse& response);
 
-  ArxLayout layout_;
+  ArmaLayout layout_;
   PeriodSignal left_command_;  // as it came
   PeriodSignal right_command_;
   PeriodSignal output_;

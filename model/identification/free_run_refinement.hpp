@@ -19,7 +19,7 @@
 #include <span>
 
 #include "model/geometry/wheel_side.hpp"
-#include "model/identification/arx_layout.hpp"
+#include "model/identification/arma_layout.hpp"
 #include "model/identification/least_squares_solution.hpp"
 #include "model/identification/response_prior.hpp"
 #include "model/identification/travel_runs.hpp"
@@ -43,7 +43,7 @@ struct FreeRunProblem {
   double period_s = 0.018;
   double tick_m = 0.00044;  // rounding below which nothing is seen
   WheelSide side = WheelSide::left;
-  ArxLayout layout;
+  ArmaLayout layout;
   std::optional<ResponsePrior> prior = std::nullopt;  // of the impulse responses
 };
 

@@ -2,14 +2,14 @@
 
 #include <cmath>
 
-#include "model/identification/arx_accumulator.hpp"
+#include "model/identification/arma_accumulator.hpp"
 #include "model/identification/least_squares_solution.hpp"
 #include "model/log/run_periods.hpp"
 
 namespace wheelwright {
 
-LinearModel reduce_to_arx(const LinearModel& fir, std::span<const DriveLog> logs, const ArxLayout& layout) {
-  ArxAccumulator accumulator(layout);
+LinearModel reduce_to_arma(const LinearModel& fir, std::span<const DriveLog> logs, const ArmaLayout& layout) {
+  ArmaAccumulator accumulator(layout);
   LinearPredictor predictor(fir);
   for (const auto& log : logs) {
     accumulator.start_from_rest();

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "model/identification/arx_layout.hpp"
+#include "model/identification/arma_layout.hpp"
 #include "model/log/drive_log.hpp"
 #include "model/simulation/linear_model.hpp"
 
@@ -13,7 +13,7 @@ namespace wheelwright {
 // Both wheels' equations of the model that behaves like `fir` for the commands of the runs: eq. (12) with
 // its free run, which carries no noise, in place of measured speeds (a model reduction). Noise in measured
 // past speeds cannot bias it.
-LinearModel reduce_to_arx(const LinearModel& fir, std::span<const DriveLog> logs, const ArxLayout& layout);
+LinearModel reduce_to_arma(const LinearModel& fir, std::span<const DriveLog> logs, const ArmaLayout& layout);
 
 // The same weights with all poles drawn towards zero, so far that the largest is at most 0.9: a usable start
 // where the plain fit runs away.

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "model/effects/library/effect_library.hpp"
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 #include "model/gap/runs/run.hpp"
 
 namespace wheelwright::test {
@@ -25,9 +25,9 @@ inline gap::TrialModel robot_with(const std::string& effect, const std::vector<d
 }
 
 // A problem of one run, under the noise that is likeliest for the robot itself.
-inline gap::Problem seen_drive(const gap::TrialModel& robot, int periods,
-                               const std::function<WheelPair(double time_s)>& command_m_s, Counts counts,
-                               unsigned seed_of_errors = 1) {
+inline gap::FitProblem seen_drive(const gap::TrialModel& robot, int periods,
+                                  const std::function<WheelPair(double time_s)>& command_m_s, Counts counts,
+                                  unsigned seed_of_errors = 1) {
   constexpr double metres_per_tick = 0.0004;
   std::mt19937 random(seed_of_errors);
   std::normal_distribution<double> errs(0.0, 1e-3);
@@ -54,7 +54,7 @@ inline gap::Problem seen_drive(const gap::TrialModel& robot, int periods,
   }
   gap::GapRun run = gap::make_gap_run(log, {}, robot.period_s);
   gap::measure_motion(run);
-  gap::Problem problem({run}, {log.metres_per_tick.value_or(WheelPair{})}, gap::serial_for);
+  gap::FitProblem problem({run}, {log.metres_per_tick.value_or(WheelPair{})}, gap::serial_for);
   problem.set_noise(problem.noise_left_by(robot));
   return problem;
 }

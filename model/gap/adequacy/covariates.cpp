@@ -14,7 +14,7 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 // `value(run, track, period)` at each reading.
 template <typename Value>
-Covariate covariate(const Problem& problem, std::span<const ResidualTrack* const> tracks,
+Covariate covariate(const FitProblem& problem, std::span<const ResidualTrack* const> tracks,
                     std::string_view name, std::string_view unit, Value value) {
   Covariate result{name, unit, {}};
   for (const ResidualTrack* track : tracks) {
@@ -32,7 +32,7 @@ WheelPair command_at(const GapRun& run, std::size_t period) {
 }
 
 // Otherwise a turning command says no more than that of the one wheel.
-bool are_both_wheels_commanded(const Problem& problem) {
+bool are_both_wheels_commanded(const FitProblem& problem) {
   const auto commanded = [&](double WheelPair::*wheel) {
     return std::ranges::any_of(problem.runs(), [wheel](const GapRun& run) {
       return std::ranges::any_of(run.commands_m_s,
@@ -44,7 +44,7 @@ bool are_both_wheels_commanded(const Problem& problem) {
 
 // Time since the command last changed, with the sign of that change: what a transient leaves. Not known
 // before the first change.
-Covariate since_change(const Problem& problem, std::span<const ResidualTrack* const> tracks) {
+Covariate since_change(const FitProblem& problem, std::span<const ResidualTrack* const> tracks) {
   constexpr double min_change_m_s = 0.02;
   constexpr double longest_s = 3.0;
   Covariate result{"the time since a change of command", "s", {}, {}};
@@ -93,14 +93,14 @@ std::vector<Pose> predicted_poses_of(const TrialModel& model, const GapRun& run)
 
 }  // namespace
 
-std::vector<std::vector<Pose>> predicted_poses(const Problem& problem, const TrialModel& model) {
+std::vector<std::vector<Pose>> predicted_poses(const FitProblem& problem, const TrialModel& model) {
   std::vector<std::vector<Pose>> poses;
   poses.reserve(problem.runs().size());
   for (const GapRun& run : problem.runs()) poses.push_back(predicted_poses_of(model, run));
   return poses;
 }
 
-std::vector<Covariate> covariates_for(const Problem& problem, std::span<const std::vector<Pose>> poses,
+std::vector<Covariate> covariates_for(const FitProblem& problem, std::span<const std::vector<Pose>> poses,
                                       std::span<const ResidualTrack* const> tracks) {
   std::vector<Covariate> all;
   const bool of_wheels = !tracks.empty() && tracks.front()->of_wheel();

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "model/gap/adequacy/dependence.hpp"
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 
 namespace wheelwright::gap {
 
@@ -15,11 +15,11 @@ inline constexpr std::string_view heading_name = "the heading";
 // The pose of each run at each grid point by the reference of a second ago and the model's motion since: the
 // noise of a reading must not be in its own covariate, where it would look like a dependence. Empty without
 // dense references.
-std::vector<std::vector<Pose>> predicted_poses(const Problem& problem, const TrialModel& model);
+std::vector<std::vector<Pose>> predicted_poses(const FitProblem& problem, const TrialModel& model);
 
 // Of a wheel: its command; of the body: the forward command; of both: the turning command, the time since the
 // start, the time since a change of command, and heading and place by the predicted poses.
-std::vector<Covariate> covariates_for(const Problem& problem, std::span<const std::vector<Pose>> poses,
+std::vector<Covariate> covariates_for(const FitProblem& problem, std::span<const std::vector<Pose>> poses,
                                       std::span<const ResidualTrack* const> tracks);
 
 }  // namespace wheelwright::gap

@@ -22,7 +22,7 @@ Row harmonics(double heading_rad) {
 }
 
 // The whitened columns of one track, one row per reading; empty where a heading is not known.
-std::vector<Row> whitened(const Problem& problem, const ResidualTrack& track,
+std::vector<Row> whitened(const FitProblem& problem, const ResidualTrack& track,
                           std::span<const double> heading) {
   std::vector<Row> rows(heading.size());
   for (Eigen::Index c = 0; c < columns; ++c) {
@@ -80,7 +80,7 @@ double variance_ratio(std::span<const ResidualTrack* const> tracks, const std::v
 
 }  // namespace
 
-std::optional<OffsetOverHeading> offset_over_heading(const Problem& problem,
+std::optional<OffsetOverHeading> offset_over_heading(const FitProblem& problem,
                                                      std::span<const ResidualTrack* const> tracks,
                                                      std::span<const std::vector<double>> heading) {
   if (!turns_around(heading)) return std::nullopt;

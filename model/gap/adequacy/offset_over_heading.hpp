@@ -21,7 +21,7 @@ struct OffsetOverHeading {
 // chi-squared with four degrees of freedom where there is no such offset (a score test). It is divided by the
 // variance ratio of sums over 2 s of what is left. `heading` holds the predicted heading at each reading;
 // none where it hardly turns.
-std::optional<OffsetOverHeading> offset_over_heading(const Problem& problem,
+std::optional<OffsetOverHeading> offset_over_heading(const FitProblem& problem,
                                                      std::span<const ResidualTrack* const> tracks,
                                                      std::span<const std::vector<double>> heading);
 

@@ -28,13 +28,13 @@ std::vector<std::vector<double>> times_of(const Tracks& tracks) {
   return at;
 }
 
-std::vector<std::vector<double>> travel_of(const Problem& problem, const Tracks& tracks) {
+std::vector<std::vector<double>> travel_of(const FitProblem& problem, const Tracks& tracks) {
   std::vector<std::vector<double>> at;
   for (const ResidualTrack* track : tracks) at.push_back(problem.runs()[track->run][track->channel].value);
   return at;
 }
 
-std::vector<CheckStatistic> statistics_of(const ChannelWords& of, const Problem& problem,
+std::vector<CheckStatistic> statistics_of(const ChannelWords& of, const FitProblem& problem,
                                           const Tracks& tracks, std::span<const std::vector<Pose>> poses) {
   std::vector<CheckStatistic> all;
   const bool of_wheel = tracks.front()->of_wheel();
@@ -61,7 +61,7 @@ std::vector<CheckStatistic> statistics_of(const ChannelWords& of, const Problem&
 
 }  // namespace
 
-PredictiveCheck predictive_check(const Problem& problem, const TrialModel& model) {
+PredictiveCheck predictive_check(const FitProblem& problem, const TrialModel& model) {
   const auto tracks = residual_tracks(problem, model);
   const auto poses = predicted_poses(problem, model);
   PredictiveCheck check;

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 #include "model/gap/fit/trial_model.hpp"
 
 namespace wheelwright::gap {
@@ -57,6 +57,6 @@ struct PredictiveCheck {
 };
 
 // `problem` holds the untouched runs, under the noise of the training.
-PredictiveCheck predictive_check(const Problem& problem, const TrialModel& model);
+PredictiveCheck predictive_check(const FitProblem& problem, const TrialModel& model);
 
 }  // namespace wheelwright::gap

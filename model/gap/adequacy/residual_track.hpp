@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 #include "model/gap/fit/trial_model.hpp"
 
 namespace wheelwright::gap {
@@ -26,6 +26,6 @@ struct ResidualTrack {
 };
 
 // One track for each channel of each run that has a dense series, under the noise model of the problem.
-std::vector<ResidualTrack> residual_tracks(const Problem& problem, const TrialModel& model);
+std::vector<ResidualTrack> residual_tracks(const FitProblem& problem, const TrialModel& model);
 
 }  // namespace wheelwright::gap

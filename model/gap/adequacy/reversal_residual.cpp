@@ -143,7 +143,7 @@ double sum_squares_of(const std::vector<ReversalWindow>& windows) {
 
 }  // namespace
 
-std::optional<ReversalResidual> reversal_residual(const Problem& problem,
+std::optional<ReversalResidual> reversal_residual(const FitProblem& problem,
                                                   std::span<const ResidualTrack* const> tracks) {
   ReversalWindows all;
   for (const ResidualTrack* track : tracks) add_windows(problem.runs()[track->run], *track, all);

@@ -25,7 +25,7 @@ struct ReversalResidual {
 // from one window to the next elsewhere while the command is not zero. Wilcoxon's rank sum test (1945)
 // compares the two; it asks nothing of the noise but that it is the same in both. None where there are fewer
 // than ten windows of either kind.
-std::optional<ReversalResidual> reversal_residual(const Problem& problem,
+std::optional<ReversalResidual> reversal_residual(const FitProblem& problem,
                                                   std::span<const ResidualTrack* const> tracks);
 
 }  // namespace wheelwright::gap

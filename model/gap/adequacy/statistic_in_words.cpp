@@ -97,7 +97,8 @@ CheckStatistic statistic_of(const ChannelWords& of, const OffsetOverHeading& fou
   return statistic;
 }
 
-CheckStatistic statistic_of(const ChannelWords& of, const Problem& problem, const IntermittentEvents& found) {
+CheckStatistic statistic_of(const ChannelWords& of, const FitProblem& problem,
+                            const IntermittentEvents& found) {
   constexpr std::size_t named_events = 3;
   std::ostringstream events;
   events << std::fixed << std::setprecision(1);

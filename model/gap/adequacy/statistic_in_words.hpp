@@ -27,7 +27,8 @@ CheckStatistic statistic_of(const ChannelWords& of, const PeriodicResidual& foun
 CheckStatistic statistic_of(const ChannelWords& of, const Covariate& covariate, const Dependence& found);
 CheckStatistic statistic_of(const ChannelWords& of, const OffsetOverHeading& found);
 // `problem` has the names of the runs.
-CheckStatistic statistic_of(const ChannelWords& of, const Problem& problem, const IntermittentEvents& found);
+CheckStatistic statistic_of(const ChannelWords& of, const FitProblem& problem,
+                            const IntermittentEvents& found);
 CheckStatistic statistic_of(const ChannelWords& of, const ReversalResidual& found);
 CheckStatistic statistic_of(const ChannelWords& of, const Drift& found);
 

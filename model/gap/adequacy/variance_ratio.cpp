@@ -6,17 +6,17 @@
 
 namespace wheelwright::gap {
 
-double variance_ratio(const Problem& problem, std::span<const double> innovations) {
+double variance_ratio(const FitProblem& problem, std::span<const double> innovations) {
   double sum_squares = 0.0;
   double all = 0.0;
   double sum = 0.0;
   std::size_t block = 0;
-  const auto& places = problem.places();
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const double time_s = problem.runs()[places[i].run].period_s * static_cast<double>(places[i].period);
+  const auto& indices = problem.indices();
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    const double time_s = problem.runs()[indices[i].run].period_s * static_cast<double>(indices[i].period);
     const auto at = static_cast<std::size_t>(time_s / independent_after_s);
     const bool same =
-        i > 0 && places[i].run == places[i - 1].run && places[i].channel == places[i - 1].channel;
+        i > 0 && indices[i].run == indices[i - 1].run && indices[i].channel == indices[i - 1].channel;
     if (!same || at != block) {
       sum_squares += sum * sum;
       sum = 0.0;

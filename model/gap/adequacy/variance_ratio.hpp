@@ -3,12 +3,12 @@
 
 #include <span>
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 
 namespace wheelwright::gap {
 
 // Variance of sums over 2 s against that of as many independent innovations, all channels together; at
 // least 1.
-double variance_ratio(const Problem& problem, std::span<const double> innovations);
+double variance_ratio(const FitProblem& problem, std::span<const double> innovations);
 
 }  // namespace wheelwright::gap

@@ -68,7 +68,7 @@ struct Patterns {
 
 class LinearPartResponse {
  public:
-  LinearPartResponse(const Problem& problem, const TrialModel& model)
+  LinearPartResponse(const FitProblem& problem, const TrialModel& model)
       : problem_(problem), linear_part_(model.with_delay_in_linear_part().linear()) {}
 
   Patterns to(const Change& change) const {
@@ -111,7 +111,7 @@ class LinearPartResponse {
       pattern(static_cast<Eigen::Index>(white->first_residual + i)) = white->values[i];
   }
 
-  const Problem& problem_;
+  const FitProblem& problem_;
   LinearModel linear_part_;
 };
 
@@ -127,7 +127,7 @@ struct Harmonic {
 // What the model leaves, beyond what a gain or a loss by sign explains: that would be seen in each step.
 class Leftover {
  public:
-  Leftover(const Problem& problem, const Fit& fit, double fastest_m_s)
+  Leftover(const FitProblem& problem, const Fit& fit, double fastest_m_s)
       : response_(problem, fit.model),
         passed_on_(fit.model, fastest_m_s),
         left_(Eigen::Map<const Eigen::VectorXd>(fit.residuals.data(),
@@ -226,7 +226,7 @@ std::vector<CommandSteps> steps_around(const std::vector<CommandSteps>& peaks, d
 
 // Rounding up just above each step and just below it differ by a loss by sign alone: a linear part fitted
 // beside each tells which it is.
-CommandSteps at_the_right_end(const Problem& train, const TrialModel& without, const EffectInfo& info,
+CommandSteps at_the_right_end(const FitProblem& train, const TrialModel& without, const EffectInfo& info,
                               const CommandSteps& found) {
   constexpr double end = 0.15;
   constexpr int max_steps = 4;
@@ -242,7 +242,7 @@ CommandSteps at_the_right_end(const Problem& train, const TrialModel& without, c
 
 }  // namespace
 
-std::optional<CommandSteps> find_steps_by_spectrum(const Problem& train, const Fit& fit,
+std::optional<CommandSteps> find_steps_by_spectrum(const FitProblem& train, const Fit& fit,
                                                    const EffectInfo& info, const ParallelFor& parallel_for) {
   const double fastest_m_s = fastest_command_m_s(train.runs());
   const std::vector<double> tried = steps_to_try(fastest_m_s);

@@ -12,7 +12,7 @@
 namespace wheelwright::gap {
 
 // As find_command_steps, which it stands behind.
-std::optional<CommandSteps> find_steps_by_spectrum(const Problem& train, const Fit& fit,
+std::optional<CommandSteps> find_steps_by_spectrum(const FitProblem& train, const Fit& fit,
                                                    const EffectInfo& info, const ParallelFor& parallel_for);
 
 }  // namespace wheelwright::gap

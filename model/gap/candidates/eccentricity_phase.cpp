@@ -20,12 +20,12 @@ struct RolledBefore {
   std::vector<WheelPair> heldout_m;
 };
 
-RolledBefore nothing_rolled(const Problem& train, const Problem& heldout) {
+RolledBefore nothing_rolled(const FitProblem& train, const FitProblem& heldout) {
   return {std::vector<WheelPair>(train.runs().size()), std::vector<WheelPair>(heldout.runs().size())};
 }
 
 // By what the runs' first counts stand at, from the least on; nothing where they are no help.
-RolledBefore counted_before(const Problem& train, const Problem& heldout) {
+RolledBefore counted_before(const FitProblem& train, const FitProblem& heldout) {
   RolledBefore counted = nothing_rolled(train, heldout);
   WheelPair least{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
   WheelPair most{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest()};
@@ -68,7 +68,7 @@ double mean_size(const Ripple& ripple, Eigen::Index sine) {
 // Looks for a wheel's ripple in some runs and takes it to others.
 class AngleSearch {
  public:
-  AngleSearch(const Problem& train, const Problem& heldout, const Fit& fit, const EffectInfo& info,
+  AngleSearch(const FitProblem& train, const FitProblem& heldout, const Fit& fit, const EffectInfo& info,
               const ParallelFor& parallel_for)
       : train_(train), heldout_(heldout), fit_(fit), info_(info), parallel_for_(parallel_for) {}
 
@@ -114,8 +114,8 @@ class AngleSearch {
     return WheelAngles{start.within_bounds(), before.train_m, before.heldout_m, false};
   }
 
-  const Problem& train_;
-  const Problem& heldout_;
+  const FitProblem& train_;
+  const FitProblem& heldout_;
   const Fit& fit_;
   const EffectInfo& info_;
   const ParallelFor& parallel_for_;
@@ -124,7 +124,7 @@ class AngleSearch {
 
 }  // namespace
 
-std::optional<WheelAngles> find_eccentricity_phases(const Problem& train, const Problem& heldout,
+std::optional<WheelAngles> find_eccentricity_phases(const FitProblem& train, const FitProblem& heldout,
                                                     const Fit& fit, const EffectInfo& info,
                                                     const ParallelFor& parallel_for) {
   return AngleSearch(train, heldout, fit, info, parallel_for).run();

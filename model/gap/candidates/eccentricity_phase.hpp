@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 
 namespace wheelwright::gap {
 
@@ -22,7 +22,7 @@ struct WheelAngles {
 
 // `info` is the effect that hangs on the angle. Nothing where no ripple stands out in the residuals of the
 // fit.
-std::optional<WheelAngles> find_eccentricity_phases(const Problem& train, const Problem& heldout,
+std::optional<WheelAngles> find_eccentricity_phases(const FitProblem& train, const FitProblem& heldout,
                                                     const Fit& fit, const EffectInfo& info,
                                                     const ParallelFor& parallel_for);
 

@@ -64,28 +64,28 @@ struct Drawn {
 
 class ForkSearch {
  public:
-  ForkSearch(const Problem& train, const TrialModel& model)
-      : train_(train), model_(model), part_(train.part_of(model.effects.back())) {
+  ForkSearch(const FitProblem& train, const TrialModel& model)
+      : train_(train), model_(model), outputs_(train.outputs_of(model.effects.back())) {
     TrialModel without = model;
     without.effects.pop_back();
-    without_ = train.residuals(without, part_);
+    without_ = train.residuals(without, outputs_);
   }
 
   Drawn with(std::size_t i) const {
     Drawn drawn{model_, 0.0};
     TrialEffect& effect = drawn.model.effects.back();
     effect = fork(effect, i, model_.wheel_base_m);
-    const double amount = amount_of(train_.residuals(drawn.model, part_));
+    const double amount = amount_of(train_.residuals(drawn.model, outputs_));
     for (std::size_t k = 0; k < effect.parameters.size(); ++k) {
       if (effect.parameter_info(k).scales_effect) effect.parameters[k] *= amount;
     }
     effect = effect.within_bounds();
-    drawn.sum_squares = sum_squares_of(train_.residuals(drawn.model, part_));
+    drawn.sum_squares = sum_squares_of(train_.residuals(drawn.model, outputs_));
     return drawn;
   }
 
   Drawn fitted_from(const TrialModel& start) const {
-    Fit fit = train_.fit(start, steps, part_);
+    Fit fit = train_.fit(start, steps, outputs_);
     return {std::move(fit.model), fit.sum_squares};
   }
 
@@ -102,9 +102,9 @@ class ForkSearch {
     return power > 0.0 ? -with_left / power : 1.0;
   }
 
-  const Problem& train_;
+  const FitProblem& train_;
   const TrialModel& model_;
-  Part part_;
+  Outputs outputs_;
   std::vector<double> without_;
 };
 
@@ -114,7 +114,8 @@ bool has_fork(const TrialEffect& effect) {
   return index_of(effect, "trail").has_value();
 }
 
-TrialModel with_fork_found(const Problem& train, const TrialModel& model, const ParallelFor& parallel_for) {
+TrialModel with_fork_found(const FitProblem& train, const TrialModel& model,
+                           const ParallelFor& parallel_for) {
   const ForkSearch search(train, model);
   std::vector<Drawn> drawn(forks);
   parallel_for(forks, [&](std::size_t i) { drawn[i] = search.with(i); });

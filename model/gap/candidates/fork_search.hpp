@@ -2,7 +2,7 @@
 // and so on the whole way up to there. A fit goes down into the nearest of many pits and stays in it.
 #pragma once
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 
 namespace wheelwright::gap {
 
@@ -12,6 +12,6 @@ bool has_fork(const TrialEffect& effect);
 // `model`, whose last effect has a fork, with the likeliest of many in its place, as strong as it explains
 // most. The best few are fitted a little, and so is that of the model itself, which stays if it is the
 // likeliest.
-TrialModel with_fork_found(const Problem& train, const TrialModel& model, const ParallelFor& parallel_for);
+TrialModel with_fork_found(const FitProblem& train, const TrialModel& model, const ParallelFor& parallel_for);
 
 }  // namespace wheelwright::gap

@@ -110,7 +110,7 @@ std::vector<Commanded> by_command(const GapRun& run, bool right, const std::vect
 
 using WheelCommands = std::vector<std::vector<Commanded>>;  // of each wheel in each run
 
-WheelCommands gathered(const Problem& problem, const TrialModel& model) {
+WheelCommands gathered(const FitProblem& problem, const TrialModel& model) {
   WheelCommands all;
   const LinearModel linear_part = model.with_delay_in_linear_part().linear();
   const auto of_left = impulse_response(linear_part.left, linear_part.left.from_left);
@@ -232,7 +232,7 @@ bool hardly_repeat(const WheelCommands& wheels) {
 
 }  // namespace
 
-std::optional<TrialEffect> find_command_steps(const Problem& train, const Fit& fit, const EffectInfo& info,
+std::optional<TrialEffect> find_command_steps(const FitProblem& train, const Fit& fit, const EffectInfo& info,
                                               const ParallelFor& parallel_for) {
   const WheelCommands wheels = gathered(train, fit.model);
   if (hardly_repeat(wheels)) {

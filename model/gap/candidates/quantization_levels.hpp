@@ -9,7 +9,7 @@
 
 #include <optional>
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 
 namespace wheelwright::gap {
 
@@ -22,7 +22,7 @@ struct CommandSteps {
 // The step that stands out of all that were tried, and where it rises; nothing where none does, or where
 // these runs show no speeds (no counts, and poses only now and then). `fit` is the model without the effect,
 // `info` is command_quantization.
-std::optional<TrialEffect> find_command_steps(const Problem& train, const Fit& fit, const EffectInfo& info,
+std::optional<TrialEffect> find_command_steps(const FitProblem& train, const Fit& fit, const EffectInfo& info,
                                               const ParallelFor& parallel_for);
 
 }  // namespace wheelwright::gap

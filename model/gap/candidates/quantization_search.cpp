@@ -33,12 +33,12 @@ TrialModel with_steps(TrialModel model, std::size_t place, const CommandSteps& s
   return model;
 }
 
-std::vector<double> sum_squares_of_all(const Problem& train, const std::vector<TrialModel>& models,
+std::vector<double> sum_squares_of_all(const FitProblem& train, const std::vector<TrialModel>& models,
                                        const ParallelFor& parallel_for) {
-  const Part part = train.part_of(EffectStage::command);
+  const Outputs outputs = train.outputs_of(EffectStage::command);
   std::vector<double> sum_squares(models.size());
   parallel_for(models.size(),
-               [&](std::size_t i) { sum_squares[i] = sum_squares_of(train.residuals(models[i], part)); });
+               [&](std::size_t i) { sum_squares[i] = sum_squares_of(train.residuals(models[i], outputs)); });
   return sum_squares;
 }
 
@@ -87,11 +87,11 @@ bool rounds_commands(const EffectInfo& info) {
   return info.name == "command_quantization";
 }
 
-TrialModel with_steps_tuned(const Problem& train, TrialModel model, const ParallelFor& parallel_for) {
+TrialModel with_steps_tuned(const FitProblem& train, TrialModel model, const ParallelFor& parallel_for) {
   const auto place = place_of_steps(model);
   if (!place) return model;
   const double fastest_m_s = fastest_command_m_s(train.runs());
-  double least = sum_squares_of(train.residuals(model, train.part_of(EffectStage::command)));
+  double least = sum_squares_of(train.residuals(model, train.outputs_of(EffectStage::command)));
   for (double apart = widest_apart; apart > closest_apart; apart *= 0.5) {
     const std::vector<TrialModel> tried = with_moved_rises(model, *place, fastest_m_s, apart);
     const std::vector<double> sum_squares = sum_squares_of_all(train, tried, parallel_for);
@@ -103,17 +103,17 @@ TrialModel with_steps_tuned(const Problem& train, TrialModel model, const Parall
   return model;
 }
 
-TrialModel with_steps_centred(const Problem& train, TrialModel model, const ParallelFor& parallel_for) {
+TrialModel with_steps_centred(const FitProblem& train, TrialModel model, const ParallelFor& parallel_for) {
   const auto place = place_of_steps(model);
   if (!place) return model;
-  const Part part = train.part_of(EffectStage::command);
+  const Outputs outputs = train.outputs_of(EffectStage::command);
   const double fastest_m_s = fastest_command_m_s(train.runs());
   for (double apart = widest_to_centre; apart > closest_to_centre; apart *= 0.5) {
     const std::vector<TrialModel> tried = with_moved_rises(model, *place, fastest_m_s, apart);
     const std::vector<double> sum_squares = sum_squares_of_all(train, tried, parallel_for);
     const double least = *std::ranges::min_element(sum_squares);
     const TrialModel centred = with_steps(model, *place, mean_steps(tried, sum_squares, least, *place));
-    if (sum_squares_of(train.residuals(centred, part)) < least + 2.0 * default_autocorrelation_factor)
+    if (sum_squares_of(train.residuals(centred, outputs)) < least + 2.0 * default_autocorrelation_factor)
       model = centred;
   }
   return model;

@@ -117,12 +117,12 @@ struct Tuned {
 // Tunes the region at one place of a model.
 class RegionTuning {
  public:
-  RegionTuning(const Problem& train, const TrialModel& model, std::size_t place,
+  RegionTuning(const FitProblem& train, const TrialModel& model, std::size_t place,
                const ParallelFor& parallel_for)
       : train_(train),
         model_(model),
         place_(place),
-        part_(train.part_of(model.effects[place])),
+        outputs_(train.outputs_of(model.effects[place])),
         parallel_for_(parallel_for) {}
 
   Tuned best_of(const std::vector<TrialEffect>& regions) const {
@@ -130,7 +130,7 @@ class RegionTuning {
     parallel_for_(regions.size(), [&](std::size_t i) {
       TrialModel tried = model_;
       tried.effects[place_] = regions[i];
-      sum_squares[i] = sum_squares_of(train_.residuals(tried, part_));
+      sum_squares[i] = sum_squares_of(train_.residuals(tried, outputs_));
     });
     const auto least = std::ranges::min_element(sum_squares);
     return {regions[static_cast<std::size_t>(least - sum_squares.begin())], *least};
@@ -154,10 +154,10 @@ class RegionTuning {
   }
 
  private:
-  const Problem& train_;
+  const FitProblem& train_;
   const TrialModel& model_;
   std::size_t place_;
-  Part part_;
+  Outputs outputs_;
   const ParallelFor& parallel_for_;
 };
 
@@ -169,7 +169,7 @@ bool has_region(const TrialModel& model) {
 
 // No step by step leads from one shape to another: the best rectangle is seldom as good an ellipse before
 // that has found its own place.
-TrialModel with_region_tuned(const Problem& train, TrialModel model, const ParallelFor& parallel_for) {
+TrialModel with_region_tuned(const FitProblem& train, TrialModel model, const ParallelFor& parallel_for) {
   const auto place = region_in(model);
   if (!place) return model;
   const RegionTuning tuning(train, model, *place, parallel_for);
@@ -180,7 +180,7 @@ TrialModel with_region_tuned(const Problem& train, TrialModel model, const Paral
 }
 
 // What two regions have in common may be all of them that the runs passed over.
-TrialModel with_region_found(const Problem& train, TrialModel model, const ParallelFor& parallel_for) {
+TrialModel with_region_found(const FitProblem& train, TrialModel model, const ParallelFor& parallel_for) {
   model = with_region_tuned(train, model, parallel_for);
   const auto place = region_in(model);
   if (!place) return model;

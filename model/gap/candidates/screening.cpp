@@ -97,7 +97,7 @@ Eigen::VectorXd vector_of(const std::vector<double>& values) {
 // What the model's own parameters leave of the residuals, and a basis of what they could take up. Over all
 // readings: what counts say of the wheels is not free to explain the motion.
 struct Explained {
-  Explained(const Problem& problem, const Fit& fit)
+  Explained(const FitProblem& problem, const Fit& fit)
       : basis(basis_of(problem.jacobian(fit.model, fit.residuals))), residuals(vector_of(fit.residuals)) {
     left = residuals - basis * (basis.transpose() * residuals);
   }
@@ -106,11 +106,12 @@ struct Explained {
   Eigen::VectorXd left;
 };
 
-// What effects of one part change of its residuals, and what that has to do with what the fit leaves there.
-class PartResponses {
+// How effects change the residuals of the outputs that they affect, and how that correlates with what the fit
+// leaves there.
+class OutputResponses {
  public:
-  PartResponses(const Problem& problem, const Fit& fit, const Explained& explained, Part part)
-      : problem_(problem), fit_(fit), part_(part), rows_(rows_of(problem, part)) {
+  OutputResponses(const FitProblem& problem, const Fit& fit, const Explained& explained, Outputs outputs)
+      : problem_(problem), fit_(fit), outputs_(outputs), rows_(rows_of(problem, outputs)) {
     basis_ = explained.basis(rows_, Eigen::all);
     without_ = explained.residuals(rows_);
     left_ = explained.left(rows_);
@@ -124,10 +125,10 @@ class PartResponses {
   }
 
  private:
-  static std::vector<Eigen::Index> rows_of(const Problem& problem, Part part) {
+  static std::vector<Eigen::Index> rows_of(const FitProblem& problem, Outputs outputs) {
     std::vector<Eigen::Index> rows;
     for (std::size_t i = 0; i < problem.readings(); ++i) {
-      if (problem.in_part(i, part)) rows.push_back(static_cast<Eigen::Index>(i));
+      if (problem.is_among(i, outputs)) rows.push_back(static_cast<Eigen::Index>(i));
     }
     return rows;
   }
@@ -135,37 +136,37 @@ class PartResponses {
   Eigen::VectorXd change_by(const TrialEffect& effect) const {
     TrialModel with = fit_.model;
     with.effects.push_back(effect);
-    return vector_of(problem_.residuals(with, part_))(rows_) - without_;
+    return vector_of(problem_.residuals(with, outputs_))(rows_) - without_;
   }
 
-  const Problem& problem_;
+  const FitProblem& problem_;
   const Fit& fit_;
-  Part part_;
+  Outputs outputs_;
   std::vector<Eigen::Index> rows_;
   Eigen::MatrixXd basis_;
   Eigen::VectorXd without_;
   Eigen::VectorXd left_;
 };
 
-// Of effects of both parts.
+// Of effects of all outputs.
 class Responses {
  public:
-  Responses(const Problem& problem, const Fit& fit) : problem_(problem) {
+  Responses(const FitProblem& problem, const Fit& fit) : problem_(problem) {
     const Explained explained(problem, fit);
-    for (const Part part : {Part::all, Part::wheels, Part::motion}) {
-      if ((part == Part::all) == problem.parts_touch())
-        parts_.emplace(part, PartResponses(problem, fit, explained, part));
+    for (const Outputs outputs : {Outputs::all, Outputs::wheels, Outputs::motion}) {
+      if ((outputs == Outputs::all) == problem.outputs_are_tied())
+        by_outputs_.emplace(outputs, OutputResponses(problem, fit, explained, outputs));
     }
   }
 
   Common common(std::span<const TrialEffect> effects, const ParallelFor& parallel_for) const {
     const auto count = static_cast<Eigen::Index>(effects.size());
     Common all{Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count)};
-    for (const auto& [part, responses] : parts_) {
+    for (const auto& [outputs, responses] : by_outputs_) {
       std::vector<TrialEffect> own;
       std::vector<Eigen::Index> places;
       for (std::size_t i = 0; i < effects.size(); ++i) {
-        if (problem_.part_of(effects[i]) != part) continue;
+        if (problem_.outputs_of(effects[i]) != outputs) continue;
         own.push_back(effects[i]);
         places.push_back(static_cast<Eigen::Index>(i));
       }
@@ -178,8 +179,8 @@ class Responses {
   }
 
  private:
-  const Problem& problem_;
-  std::map<Part, PartResponses> parts_;
+  const FitProblem& problem_;
+  std::map<Outputs, OutputResponses> by_outputs_;
 };
 
 struct Judgement {
@@ -235,8 +236,8 @@ std::vector<Screened> best_of_each_variant(const std::vector<Judgement>& judgeme
 
 }  // namespace
 
-Screening screen(const Problem& problem, const Fit& fit, std::span<const EffectInfo* const> candidate_effects,
-                 const ParallelFor& parallel_for) {
+Screening screen(const FitProblem& problem, const Fit& fit,
+                 std::span<const EffectInfo* const> candidate_effects, const ParallelFor& parallel_for) {
   const std::vector<Probe> probes = probes_of(candidate_effects, problem, fit.model);
   const Responses responses(problem, fit);
   const std::vector<Judgement> judgements = judge_all(probes, responses, parallel_for);

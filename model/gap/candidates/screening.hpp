@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 
 namespace wheelwright::gap {
 
@@ -38,7 +38,7 @@ struct Screening {
 
 // `fit` is the model without the candidates, at its best. Tries each of `candidate_effects` in all its
 // variants.
-Screening screen(const Problem& problem, const Fit& fit, std::span<const EffectInfo* const> candidate_effects,
-                 const ParallelFor& parallel_for);
+Screening screen(const FitProblem& problem, const Fit& fit,
+                 std::span<const EffectInfo* const> candidate_effects, const ParallelFor& parallel_for);
 
 }  // namespace wheelwright::gap

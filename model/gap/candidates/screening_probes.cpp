@@ -6,7 +6,7 @@ namespace wheelwright::gap {
 namespace {
 
 // Places where the robot has been.
-std::vector<Pose> visited_places(const Problem& problem, const TrialModel& model) {
+std::vector<Pose> visited_places(const FitProblem& problem, const TrialModel& model) {
   constexpr double apart_m = 0.35;
   constexpr std::size_t most = 40;
   std::vector<Pose> places;
@@ -102,7 +102,7 @@ void add_probes(const EffectInfo& info, std::size_t variant, const std::vector<P
 
 }  // namespace
 
-std::vector<Probe> probes_of(std::span<const EffectInfo* const> candidate_effects, const Problem& problem,
+std::vector<Probe> probes_of(std::span<const EffectInfo* const> candidate_effects, const FitProblem& problem,
                              const TrialModel& model) {
   std::vector<Probe> probes;
   const std::vector<Pose> places = visited_places(problem, model);

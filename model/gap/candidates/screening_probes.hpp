@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 
 namespace wheelwright::gap {
 
@@ -18,7 +18,7 @@ struct Probe {
 
 // Of each of `candidate_effects`, in all its variants that these runs could tell apart. Regions of the floor
 // are tried where the robot has been.
-std::vector<Probe> probes_of(std::span<const EffectInfo* const> candidate_effects, const Problem& problem,
+std::vector<Probe> probes_of(std::span<const EffectInfo* const> candidate_effects, const FitProblem& problem,
                              const TrialModel& model);
 
 }  // namespace wheelwright::gap

@@ -21,7 +21,7 @@ constexpr std::size_t breakaway = 0;
 constexpr std::size_t sticking_speed = 3;
 
 // The sizes of all commands up to `largest_m_s`, each once.
-std::vector<double> command_sizes_m_s(const Problem& problem, double largest_m_s) {
+std::vector<double> command_sizes_m_s(const FitProblem& problem, double largest_m_s) {
   std::vector<double> sizes{0.0};
   for (const auto& run : problem.runs()) {
     for (const auto& u : run.commands_m_s) {
@@ -63,7 +63,7 @@ std::vector<double> context(double value, double most, int each_side) {
 
 class Tuning {
  public:
-  Tuning(const Problem& train, TrialModel& model)
+  Tuning(const FitProblem& train, TrialModel& model)
       : train_(train), model_(model), min_(sum_squares_of(train.residuals(model))) {}
 
   // Leaves the parameter where the free runs are best.
@@ -94,14 +94,14 @@ class Tuning {
     model_ = std::move(tried);
   }
 
-  const Problem& train_;
+  const FitProblem& train_;
   TrialModel& model_;
   double min_;
 };
 
 // Firmware passes commands above its threshold whole, an output stage less: each threshold is tried with the
 // taper as it is, and as a step.
-void tune_dead_zone(const Problem& train, const TrialModel& model, std::size_t effect, Tuning& tuning) {
+void tune_dead_zone(const FitProblem& train, const TrialModel& model, std::size_t effect, Tuning& tuning) {
   constexpr double max_times = 3.0;  // of the threshold as it is
   const auto parameters = [&] { return model.effects[effect].parameters; };
   const double step = model.effects[effect].parameter_info(taper).lower;
@@ -126,7 +126,7 @@ bool has_threshold(const EffectInfo& info) {
   return info.name == dead_zone || info.name == stiction;
 }
 
-TrialModel with_thresholds_tuned(const Problem& train, TrialModel model) {
+TrialModel with_thresholds_tuned(const FitProblem& train, TrialModel model) {
   const auto with_one = std::ranges::find_if(
       model.effects, [](const TrialEffect& effect) { return has_threshold(*effect.info); });
   if (with_one == model.effects.end()) return model;

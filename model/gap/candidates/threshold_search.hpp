@@ -2,7 +2,7 @@
 // much of a run hangs on it, so that there is no slope for a fit to follow, and many places are tried.
 #pragma once
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 
 namespace wheelwright::gap {
 
@@ -11,6 +11,6 @@ bool has_threshold(const EffectInfo& info);
 
 // `model` with the thresholds of its effects, if any, where its free runs are best: of dead_zone between any
 // two commands that were given, as it is and as a step, of stiction up to a third away.
-TrialModel with_thresholds_tuned(const Problem& train, TrialModel model);
+TrialModel with_thresholds_tuned(const FitProblem& train, TrialModel model);
 
 }  // namespace wheelwright::gap

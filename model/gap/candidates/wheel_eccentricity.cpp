@@ -101,7 +101,7 @@ RippleAmounts RippleEquations::solution() const {
   return (products + little * Eigen::Matrix4d::Identity()).ldlt().solve(right_side);
 }
 
-RippleSearch::RippleSearch(const Problem& problem, const std::vector<WheelPair>& initial_travel_m,
+RippleSearch::RippleSearch(const FitProblem& problem, const std::vector<WheelPair>& initial_travel_m,
                            const TrialModel& model, EffectStage stage)
     : problem_(problem) {
   for (std::size_t r = 0; r < problem.runs().size(); ++r) {

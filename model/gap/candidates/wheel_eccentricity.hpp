@@ -7,7 +7,7 @@
 #include <Eigen/Cholesky>
 #include <vector>
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 
 namespace wheelwright::gap {
 
@@ -38,7 +38,7 @@ class RippleSearch {
  public:
   // `initial_travel_m` has a pair for each run of the problem. Counts tell the travel where there are any,
   // else the model does. The problem has to outlive the search.
-  RippleSearch(const Problem& problem, const std::vector<WheelPair>& initial_travel_m,
+  RippleSearch(const FitProblem& problem, const std::vector<WheelPair>& initial_travel_m,
                const TrialModel& model, EffectStage stage);
 
   // `residuals` are those of the problem for a model.
@@ -59,7 +59,7 @@ class RippleSearch {
                             double circumference_m) const;
   double longest_way_m() const;
 
-  const Problem& problem_;
+  const FitProblem& problem_;
   std::vector<RunTravel> runs_;
 };
 

@@ -17,7 +17,7 @@ TrialModel without(const TrialModel& model, std::size_t effect) {
   return rest;
 }
 
-void find_initial_travel(const Problem& train, const TrialModel& model, Problem& problem, RunSet& runs,
+void find_initial_travel(const FitProblem& train, const TrialModel& model, FitProblem& problem, RunSet& runs,
                          const ParallelFor& parallel_for) {
   for (std::size_t i = 0; i < model.effects.size(); ++i) {
     const EffectInfo& info = *model.effects[i].info;
@@ -35,13 +35,13 @@ void find_initial_travel(const Problem& train, const TrialModel& model, Problem&
 
 }  // namespace
 
-Confirmation confirm(const Problem& train, const GapSearch& search, RunSet& runs, bool untouched,
+Confirmation confirm(const FitProblem& train, const GapSearch& search, RunSet& runs, bool untouched,
                      const ParallelFor& parallel_for) {
   const TrialModel& accepted = search.final.model;
   const NoiseModel noise = train.noise_left_by(accepted);
-  Problem known = train;
+  FitProblem known = train;
   known.set_noise(noise);
-  Problem problem(runs.runs, runs.metres_per_tick, parallel_for);
+  FitProblem problem(runs.runs, runs.metres_per_tick, parallel_for);
   problem.set_noise(noise);
   find_initial_travel(known, accepted, problem, runs, parallel_for);
 
@@ -63,11 +63,11 @@ Confirmation confirm(const Problem& train, const GapSearch& search, RunSet& runs
   return result;
 }
 
-TrialModel likeliest_within_intervals(const Problem& train, const GapSearch& search, const RunSet& runs,
+TrialModel likeliest_within_intervals(const FitProblem& train, const GapSearch& search, const RunSet& runs,
                                       const ParallelFor& parallel_for) {
   constexpr int places = 8;
   TrialModel best = search.final.model;
-  Problem problem(runs.runs, runs.metres_per_tick, parallel_for);
+  FitProblem problem(runs.runs, runs.metres_per_tick, parallel_for);
   problem.set_noise(train.noise_left_by(best));
   double least = sum_squares_of(problem.residuals(best));
   const std::size_t first = best.linear_part.size();

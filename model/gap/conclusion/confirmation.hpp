@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "model/gap/adequacy/predictive_check.hpp"
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 #include "model/gap/runs/run_set.hpp"
 #include "model/gap/selection/search.hpp"
 
@@ -24,12 +24,12 @@ struct Confirmation {
 // `search.final` with each parameter of its effects where the runs are likeliest within its 95 % interval,
 // one parameter after the other: whatever lies in there, the training runs allow. Between two commands that
 // were given, a threshold may lie anywhere, and a third command in untouched runs is on one side of it.
-TrialModel likeliest_within_intervals(const Problem& train, const GapSearch& search, const RunSet& runs,
+TrialModel likeliest_within_intervals(const FitProblem& train, const GapSearch& search, const RunSet& runs,
                                       const ParallelFor& parallel_for);
 
 // The noise is what the accepted model leaves of the training runs. Where an effect hangs on the angle of the
 // wheels, each run shows that at which its wheels began: it is found first, and noted in the logs.
-Confirmation confirm(const Problem& train, const GapSearch& search, RunSet& runs, bool untouched,
+Confirmation confirm(const FitProblem& train, const GapSearch& search, RunSet& runs, bool untouched,
                      const ParallelFor& parallel_for);
 
 }  // namespace wheelwright::gap

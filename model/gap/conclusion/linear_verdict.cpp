@@ -116,7 +116,7 @@ std::string not_compared_in_words(const RobotModel& given, double period_s) {
 }
 
 LinearChanges changes_of_linear_part(const GapAnalysis& analysis, const ModelOrigin& origin,
-                                     const Problem& train, const Problem& heldout) {
+                                     const FitProblem& train, const FitProblem& heldout) {
   const RobotModel& given = *origin.given;
   if (!has_period(given, train.runs().front().period_s)) return {};
   const TrialModel& accepted = analysis.search.final.model;
@@ -130,15 +130,15 @@ LinearChanges changes_of_linear_part(const GapAnalysis& analysis, const ModelOri
   });
   std::ranges::move(lags_of_absent_effects(given, whole), std::back_inserter(whole.effects));
   const NoiseModel noise = train.noise_left_by(accepted);
-  Problem fitted = train;
-  Problem confirming = heldout;
+  FitProblem fitted = train;
+  FitProblem confirming = heldout;
   fitted.set_noise(noise);
   confirming.set_noise(noise);
   return linear_changes(whole, accepted, fitted, confirming);
 }
 
-bool add_linear_changes(GapAnalysis& analysis, const ModelOrigin& origin, const Problem& train,
-                        const Problem& heldout) {
+bool add_linear_changes(GapAnalysis& analysis, const ModelOrigin& origin, const FitProblem& train,
+                        const FitProblem& heldout) {
   add_linear_changes(analysis, changes_of_linear_part(analysis, origin, train, heldout), *origin.given);
   return !analysis.linear_changes.empty();
 }

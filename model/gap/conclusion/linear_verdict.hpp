@@ -6,7 +6,7 @@
 
 #include "model/gap/conclusion/analysis_result.hpp"
 #include "model/gap/conclusion/found_model.hpp"
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 #include "model/gap/linear_changes/linear_changes.hpp"
 
 namespace wheelwright::gap {
@@ -14,7 +14,7 @@ namespace wheelwright::gap {
 // How the data differ from the linear part of the given model (`origin`), beside what was accepted. A model
 // of another period is not compared.
 LinearChanges changes_of_linear_part(const GapAnalysis& analysis, const ModelOrigin& origin,
-                                     const Problem& train, const Problem& heldout);
+                                     const FitProblem& train, const FitProblem& heldout);
 
 // A longer delay among the changes, as a finding of `transport_delay`.
 std::optional<Finding> delay_finding(const std::vector<LinearChange>& changes, double heldout_gain_nats);
@@ -22,8 +22,8 @@ std::optional<Finding> delay_finding(const std::vector<LinearChange>& changes, d
 // The search fits a linear part of its own: what that of the given model (`origin`) lacks would go unsaid.
 // Compares it with the data, beside what was accepted, and adds what differs to the answer; false where
 // nothing does. A model of another period is not compared, and the summary says so.
-bool add_linear_changes(GapAnalysis& analysis, const ModelOrigin& origin, const Problem& train,
-                        const Problem& heldout);
+bool add_linear_changes(GapAnalysis& analysis, const ModelOrigin& origin, const FitProblem& train,
+                        const FitProblem& heldout);
 
 // Says so of a given model whose period is not that of the logs; else empty.
 std::string not_compared_in_words(const RobotModel& given, double period_s);

@@ -179,8 +179,8 @@ std::string_view verdict_name(Verdict verdict) {
   return "";
 }
 
-std::vector<GainChange> changed_gains(const GapAnalysis& analysis, const Problem& train,
-                                      const Problem& heldout) {
+std::vector<GainChange> changed_gains(const GapAnalysis& analysis, const FitProblem& train,
+                                      const FitProblem& heldout) {
   constexpr double much_worse = 1.5;  // mean square of held-out residuals against those of training
   constexpr double min_change = 0.01;
   const GapSearch& search = analysis.search;

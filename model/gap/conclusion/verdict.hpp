@@ -25,8 +25,8 @@ struct GainChange {
 // Held-out runs may be another robot's, or the same one's on another day: gains that changed between runs,
 // whose cause no run shows. Empty where the model explains them about as well as those that it was fitted to.
 // The floors of the analysis are those of noise over seconds.
-std::vector<GainChange> changed_gains(const GapAnalysis& analysis, const Problem& train,
-                                      const Problem& heldout);
+std::vector<GainChange> changed_gains(const GapAnalysis& analysis, const FitProblem& train,
+                                      const FitProblem& heldout);
 
 // What may be missing where nothing was found.
 struct ResidualDiagnostics {

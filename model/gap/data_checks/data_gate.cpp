@@ -92,12 +92,12 @@ bool counter_was_reset(const GateState& gate, const LogHole& hole) {
 void leave_out_holes(GateState& gate) {
   const auto& samples = gate.result.log.samples;
   for (const auto& hole : find_holes(gate.result.log)) {
-    const bool anew = counter_was_reset(gate, hole);
+    const bool was_reset = counter_was_reset(gate, hole);
     gate.treated_fault(hole.row,
                        "no rows for " + in_digits(hole.duration_s, 4) + " s" +
-                           (anew ? ", and the counters were reset in it" : ""),
+                           (was_reset ? ", and the counters were reset in it" : ""),
                        "the first second behind them was left out");
-    gate.result.faults.back().distorts = anew;
+    gate.result.faults.back().distorts = was_reset;
     const double known_s = samples[hole.row].t_s + forgetting_s;
     for (std::size_t i = hole.row; i < samples.size() && samples[i].t_s < known_s; ++i) {
       gate.result.flags.counts[i] = 1;

@@ -149,7 +149,7 @@ void find_frozen_at_turns(GateState& gate, bool left) {
 void find_frozen_counts(GateState& gate) {
   const std::vector<Freeze> frozen = frozen_counts(gate);
   if (stand_by_command(gate.result.log, frozen)) return;
-  std::vector<Suspect> suspects;
+  std::vector<SuspectedLoss> suspects;
   for (const Freeze& freeze : frozen) {
     const auto [before, after] = speeds_around(gate, freeze);
     const double slower_m_s = std::min(std::abs(before), std::abs(after));
@@ -193,7 +193,7 @@ void find_missed_edges(GateState& gate) {
     }
   }
   if (stand_by_command(gate.result.log, segments)) return;
-  std::vector<Suspect> suspects;
+  std::vector<SuspectedLoss> suspects;
   for (std::size_t i = 0; i < thinned.size(); ++i) suspects.push_back({segments[i], thinned[i].lost_m});
   gate.result.counters.thinned = seen_rolling(gate, suspects);
   const bool all_stood = were_held(gate.result.counters.thinned, gate.elsewhere.thinned);

@@ -51,7 +51,7 @@ bool moved_as_counted(const GateState& gate, std::size_t first, std::size_t end,
          std::abs(2.0 * moved_m - std::abs(left_m + right_m)) < within_m;
 }
 
-SeenRolling seen_rolling(const GateState& gate, std::span<const Suspect> suspects) {
+SeenRolling seen_rolling(const GateState& gate, std::span<const SuspectedLoss> suspects) {
   SeenRolling seen;
   for (const auto& [freeze, lost_m] : suspects) {
     const std::size_t rows = freeze.end - freeze.first;

@@ -11,7 +11,7 @@ namespace wheelwright::gap {
 
 // Counts that may be lost (freeze: the rows, commanded_stillness.hpp), and the travel of the wheel that would
 // be lost with them, with its sign.
-struct Suspect {
+struct SuspectedLoss {
   Freeze freeze;
   double lost_m = 0.0;
 };
@@ -22,7 +22,7 @@ bool moved_as_counted(const GateState& gate, std::size_t first, std::size_t end,
 
 // What references saw of all suspects together (data_gate.hpp). Each is watched over three times its
 // duration, with itself in the middle, because a late reference shows a stop late.
-SeenRolling seen_rolling(const GateState& gate, std::span<const Suspect> suspects);
+SeenRolling seen_rolling(const GateState& gate, std::span<const SuspectedLoss> suspects);
 
 // Whether references saw, of all suspects together, that the wheels did not turn. Their errors are too large
 // to decide each short stop by itself.

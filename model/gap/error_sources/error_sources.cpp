@@ -34,7 +34,7 @@ std::string number(double value) {
   return in_digits(value, 2);
 }
 
-std::vector<std::vector<Moment>> moments_of(const Problem& problem, const TrialModel& model) {
+std::vector<std::vector<Moment>> moments_of(const FitProblem& problem, const TrialModel& model) {
   std::vector<std::vector<Moment>> all;
   for (std::size_t r = 0; r < problem.runs().size(); ++r) {
     const GapRun& run = problem.runs()[r];
@@ -108,7 +108,7 @@ void add_quantiles(std::vector<Cell>& cells, const std::vector<Moment>& moments,
                    [=](const Moment& m) { return value(m) > least && value(m) < low; }});
 }
 
-std::vector<Cell> cells_for(const Problem& problem, const std::vector<Moment>& moments) {
+std::vector<Cell> cells_for(const FitProblem& problem, const std::vector<Moment>& moments) {
   std::vector<Cell> cells;
   add_quantiles(cells, moments, "|command|", " m/s", [](const Moment& m) { return m.command; });
   add_quantiles(cells, moments, "smaller |command|", " m/s", [](const Moment& m) { return m.min_command; });
@@ -132,19 +132,19 @@ std::vector<Cell> cells_for(const Problem& problem, const std::vector<Moment>& m
                               std::abs(wrap_angle(m.pose.theta_rad - middle)) < 0.25 * std::numbers::pi;
                      }});
   }
-  std::map<std::pair<int, int>, int> places;
+  std::map<std::pair<int, int>, int> visits;
   for (const auto& m : moments) {
     if (!m.place_known) continue;
-    ++places[{static_cast<int>(std::floor(2.0 * m.pose.x_m)),
+    ++visits[{static_cast<int>(std::floor(2.0 * m.pose.x_m)),
               static_cast<int>(std::floor(2.0 * m.pose.y_m))}];
   }
-  for (const auto& [place, count] : places) {
-    if (places.size() > 60 || count < 100) continue;
-    cells.push_back({"x " + number(0.5 * place.first) + " to " + number(0.5 * place.first + 0.5) + " m, y " +
-                         number(0.5 * place.second) + " to " + number(0.5 * place.second + 0.5) + " m",
-                     [place = place](const Moment& m) {
-                       return static_cast<int>(std::floor(2.0 * m.pose.x_m)) == place.first &&
-                              static_cast<int>(std::floor(2.0 * m.pose.y_m)) == place.second;
+  for (const auto& [tile, count] : visits) {
+    if (visits.size() > 60 || count < 100) continue;
+    cells.push_back({"x " + number(0.5 * tile.first) + " to " + number(0.5 * tile.first + 0.5) + " m, y " +
+                         number(0.5 * tile.second) + " to " + number(0.5 * tile.second + 0.5) + " m",
+                     [tile = tile](const Moment& m) {
+                       return static_cast<int>(std::floor(2.0 * m.pose.x_m)) == tile.first &&
+                              static_cast<int>(std::floor(2.0 * m.pose.y_m)) == tile.second;
                      }});
   }
   if (problem.runs().size() > 1) {
@@ -157,15 +157,15 @@ std::vector<Cell> cells_for(const Problem& problem, const std::vector<Moment>& m
 
 }  // namespace
 
-std::vector<Regime> regimes(const Problem& problem, const TrialModel& model, std::span<const double> before,
-                            std::span<const double> after, std::size_t most) {
+std::vector<Regime> regimes(const FitProblem& problem, const TrialModel& model,
+                            std::span<const double> before, std::span<const double> after, std::size_t most) {
   auto runs = moments_of(problem, model);
-  const auto& places = problem.places();
+  const auto& indices = problem.indices();
   for (std::size_t i = 0; i < before.size(); ++i) {
-    auto& run = runs[places[i].run];
+    auto& run = runs[indices[i].run];
     if (run.empty()) continue;
     // An error shows a little after its cause: a reading tells of the motion before it.
-    const std::size_t k = std::min(places[i].period > 0 ? places[i].period - 1 : 0, run.size() - 1);
+    const std::size_t k = std::min(indices[i].period > 0 ? indices[i].period - 1 : 0, run.size() - 1);
     run[k].gap += before[i] * before[i] - (after.empty() ? 1.0 : after[i] * after[i]);
   }
   std::vector<Moment> moments;

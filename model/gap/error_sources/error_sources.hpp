@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 
 namespace wheelwright::gap {
 
@@ -19,7 +19,7 @@ struct Regime {
 // `before` and `after` are residuals of the same problem under two models; the gap at a reading is what its
 // square falls by. Without a better model, `after` is empty and the gap is what squares exceed the noise by.
 // Regimes that hold no more of the gap than of the time are left out; the strongest first, at most `most`.
-std::vector<Regime> regimes(const Problem& problem, const TrialModel& model, std::span<const double> before,
-                            std::span<const double> after, std::size_t most);
+std::vector<Regime> regimes(const FitProblem& problem, const TrialModel& model,
+                            std::span<const double> before, std::span<const double> after, std::size_t most);
 
 }  // namespace wheelwright::gap

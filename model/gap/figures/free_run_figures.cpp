@@ -158,7 +158,7 @@ Score noise_floor(const RobotModel& model, std::span<const DriveLog> logs, const
   return sums.score();
 }
 
-NoiseModel with_slow_noise(const Problem& problem, const TrialModel& model, double max_apart_s) {
+NoiseModel with_slow_noise(const FitProblem& problem, const TrialModel& model, double max_apart_s) {
   NoiseModel noise = problem.noise();
   for (const double far_apart_s : {half_a_second_apart_s, two_seconds_apart_s}) {
     if (far_apart_s > max_apart_s) continue;

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 #include "model/log/drive_log.hpp"
 #include "model/prediction/score.hpp"
 #include "model/simulation/robot_model.hpp"
@@ -26,6 +26,6 @@ Score noise_floor(const RobotModel& model, std::span<const DriveLog> logs, const
 // those and by readings two seconds apart.
 constexpr double half_a_second_apart_s = 0.5;
 constexpr double two_seconds_apart_s = 2.0;
-NoiseModel with_slow_noise(const Problem& problem, const TrialModel& model, double max_apart_s);
+NoiseModel with_slow_noise(const FitProblem& problem, const TrialModel& model, double max_apart_s);
 
 }  // namespace wheelwright::gap

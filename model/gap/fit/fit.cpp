@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 #include "model/statistics/levenberg_marquardt.hpp"
 
 namespace wheelwright::gap {
 namespace {
 
-// Those of another part are empty and not worth multiplying.
+// Those of parameters that do not affect these outputs are empty and not worth multiplying.
 std::vector<Eigen::Index> filled_columns(const Eigen::MatrixXd& columns) {
   std::vector<Eigen::Index> filled;
   for (Eigen::Index i = 0; i < columns.cols(); ++i) {
@@ -48,22 +48,23 @@ NormalEquations normal_equations(const Eigen::MatrixXd& columns, const std::vect
   return {std::move(all.of_columns), std::move(all.with_residuals)};
 }
 
-// The parameters of one part, which residuals of that part judge.
-class FitOfPart {
+// The parameters that affect the given outputs, fitted to the residuals of these outputs.
+class FitOfOutputs {
  public:
   using Point = Fit;
 
-  FitOfPart(const Problem& problem, Part part, const ParallelFor& parallel_for)
-      : problem_(problem), part_(part), parallel_for_(parallel_for) {}
+  FitOfOutputs(const FitProblem& problem, Outputs outputs, const ParallelFor& parallel_for)
+      : problem_(problem), outputs_(outputs), parallel_for_(parallel_for) {}
 
   Fit at(const TrialModel& model) const {
-    Fit fit{model, 0.0, problem_.residuals(model, part_)};
+    Fit fit{model, 0.0, problem_.residuals(model, outputs_)};
     fit.sum_squares = sum_squares_of(fit.residuals);
     return fit;
   }
   static double objective(const Fit& fit) { return fit.sum_squares; }
   NormalEquations linearise(const Fit& fit) const {
-    return normal_equations(problem_.jacobian(fit.model, fit.residuals, part_), fit.residuals, parallel_for_);
+    return normal_equations(problem_.jacobian(fit.model, fit.residuals, outputs_), fit.residuals,
+                            parallel_for_);
   }
   std::optional<Fit> moved(const Fit& fit, const Eigen::VectorXd& step) const {
     const TrialModel model = fit.model.moved(step);
@@ -72,8 +73,8 @@ class FitOfPart {
   }
 
  private:
-  const Problem& problem_;
-  Part part_;
+  const FitProblem& problem_;
+  Outputs outputs_;
   const ParallelFor& parallel_for_;
 };
 
@@ -81,8 +82,8 @@ class FitOfPart {
 
 // Where every wheel answers for itself, as most do, what is moved of one leaves the counts of the other as
 // they are: then both are moved in one free run. Whether it is so, the first parameter of each wheel shows.
-Eigen::MatrixXd Problem::jacobian(const TrialModel& model, const std::vector<double>& residuals,
-                                  Part part) const {
+Eigen::MatrixXd FitProblem::jacobian(const TrialModel& model, const std::vector<double>& residuals,
+                                     Outputs outputs) const {
   const std::size_t count = model.parameter_count();
   Eigen::MatrixXd columns =
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(size_), static_cast<Eigen::Index>(count));
@@ -90,17 +91,18 @@ Eigen::MatrixXd Problem::jacobian(const TrialModel& model, const std::vector<dou
     parallel_for_(all.size() * runs_.size(), [&](std::size_t job) {
       const MovedAtOnce& at_once = all[job / runs_.size()];
       const std::size_t first = at_once.front().parameter;
-      const Part shown = part == Part::all ? part_shown_by(model, first) : part_of_parameter(model, first);
+      const Outputs shown =
+          outputs == Outputs::all ? outputs_shown_by(model, first) : outputs_of_parameter(model, first);
       fill_columns(model, residuals, at_once, job % runs_.size(), shown, columns);
     });
   };
   const auto asked_for = [&](std::size_t parameter) {
-    return part == Part::all || part_of_parameter(model, parameter) == part;
+    return outputs == Outputs::all || outputs_of_parameter(model, parameter) == outputs;
   };
   const std::size_t per_wheel = model.shape.per_wheel();
   std::vector<MovedAtOnce> rest;
   std::size_t next = 0;
-  if (!parts_touch_ && !model.shape.shared && asked_for(0)) {
+  if (!outputs_are_tied_ && !model.shape.shared && asked_for(0)) {
     fill({{{0, std::nullopt}}, {{per_wheel, std::nullopt}}});
     const bool apart =
         shows_only_in(columns, 0, Channel::left) && shows_only_in(columns, per_wheel, Channel::right);
@@ -121,9 +123,9 @@ Eigen::MatrixXd Problem::jacobian(const TrialModel& model, const std::vector<dou
   return columns;
 }
 
-bool Problem::shows_only_in(const Eigen::MatrixXd& columns, std::size_t column, Channel channel) const {
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    if (places_[i].channel != channel &&
+bool FitProblem::shows_only_in(const Eigen::MatrixXd& columns, std::size_t column, Channel channel) const {
+  for (std::size_t i = 0; i < indices_.size(); ++i) {
+    if (indices_[i].channel != channel &&
         columns(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(column)) != 0.0) {
       return false;
     }
@@ -131,9 +133,9 @@ bool Problem::shows_only_in(const Eigen::MatrixXd& columns, std::size_t column, 
   return true;
 }
 
-void Problem::fill_columns(const TrialModel& model, const std::vector<double>& residuals,
-                           const MovedAtOnce& at_once, std::size_t run, Part touched,
-                           Eigen::MatrixXd& columns) const {
+void FitProblem::fill_columns(const TrialModel& model, const std::vector<double>& residuals,
+                              const MovedAtOnce& at_once, std::size_t run, Outputs touched,
+                              Eigen::MatrixXd& columns) const {
   TrialModel changed = model;
   for (const auto& moved : at_once) {
     changed.set_parameter(moved.parameter,
@@ -160,16 +162,16 @@ void Problem::fill_columns(const TrialModel& model, const std::vector<double>& r
   }
 }
 
-Fit Problem::fit(const TrialModel& start, int max_steps, Part part) const {
+Fit FitProblem::fit(const TrialModel& start, int max_steps, Outputs outputs) const {
   constexpr double worth_a_step = 0.2;  // of the sum of squares: a tenth of a nat
   const LevenbergMarquardtRule rule{.max_steps = max_steps,
                                     .min_damping = 1e-7,
                                     .decrease = 0.2,
                                     .increase = 8.0,
                                     .min_fall = worth_a_step};
-  const FitOfPart problem(*this, part, parallel_for_);
+  const FitOfOutputs problem(*this, outputs, parallel_for_);
   Fit best = levenberg_marquardt(problem, problem.at(start), rule);
-  if (part != Part::all) best = FitOfPart(*this, Part::all, parallel_for_).at(best.model);
+  if (outputs != Outputs::all) best = FitOfOutputs(*this, Outputs::all, parallel_for_).at(best.model);
   return best;
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 struct Path {
   std::vector<WheelPair> distance_m;  // of the wheels at each grid point
-  // Of the motion; left out where only the wheels' part is asked for.
+  // Of the motion; left out where only the wheels are asked for.
   std::vector<OdometryStep> odometry;  // what the model's own counts would say, per period
   std::vector<OdometryStep> body;      // what the model's body does, per period
 };
@@ -34,11 +34,11 @@ Known known_of(const MeasuredSimulation& model, const GapRun& run) {
   return {!run.passed.empty() && model.by_pose, run.has_counts && model.by_wheel_angle};
 }
 
-Path simulate(ModelSimulation& simulation, const GapRun& run, const Known& known, Part part) {
+Path simulate(ModelSimulation& simulation, const GapRun& run, const Known& known, Outputs outputs) {
   const std::size_t periods = run.commands_m_s.size();
   Path path;
   path.distance_m.reserve(periods + 1);
-  if (part != Part::wheels) {
+  if (outputs != Outputs::wheels) {
     path.odometry.reserve(periods);
     path.body.reserve(periods);
   }
@@ -58,7 +58,7 @@ Path simulate(ModelSimulation& simulation, const GapRun& run, const Known& known
       const double half_m = 0.5 * turn_rad * run.wheel_base_m;
       counted_m = {counted_m.left + forward_m - half_m, counted_m.right + forward_m + half_m};
     }
-    if (part == Part::wheels) continue;
+    if (outputs == Outputs::wheels) continue;
     const Twist counted = twist_of_wheels(now.wheel_m_s, run.wheel_base_m);
     path.odometry.push_back({counted.v_m_s * t, counted.w_rad_s * t});
     path.body.push_back({now.twist.v_m_s * t, now.twist.w_rad_s * t});
@@ -182,21 +182,21 @@ MeasuredSimulation measured_simulation(const TrialModel& model) {
           any_hangs_on(&EffectInfo::by_wheel_angle, model), model.reference_lag_s(), model.gyro_scale()};
 }
 
-RunErrors free_run_errors(const TrialModel& model, const GapRun& run, Part part) {
-  return free_run_errors(measured_simulation(model), run, part);
+RunErrors free_run_errors(const TrialModel& model, const GapRun& run, Outputs outputs) {
+  return free_run_errors(measured_simulation(model), run, outputs);
 }
 
-RunErrors free_run_errors(MeasuredSimulation model, const GapRun& run, Part part) {
+RunErrors free_run_errors(MeasuredSimulation model, const GapRun& run, Outputs outputs) {
   ModelSimulation& simulation = model.simulation;
   if (!model.by_pose) simulation.leave_out_place();
-  const Path path = simulate(simulation, run, known_of(model, run), part);
+  const Path path = simulate(simulation, run, known_of(model, run), outputs);
   RunErrors errors;
   for (const Channel channel : {Channel::left, Channel::right}) {
-    if (!run[channel].empty() && part != Part::motion) {
+    if (!run[channel].empty() && outputs != Outputs::motion) {
       wheel_errors(run, path, channel, errors.series[static_cast<std::size_t>(channel)]);
     }
   }
-  if (part == Part::wheels) return errors;
+  if (outputs == Outputs::wheels) return errors;
   if (run.sparse) {
     for (std::size_t i = 1; i < run.references.size(); ++i) {
       errors.segments.push_back(segment_error(run, simulation, path, model.reference_lag_s,

@@ -28,10 +28,11 @@ struct RunErrors {
 // odometry where there are counts, and the whole motion where there are none.
 void measure_motion(GapRun& run);
 
-// With counts, a run falls into two parts that hardly touch: what the wheels do of their commands, and what
-// the floor makes of the wheels' travel. A parameter of the motion leaves the wheels as they are. One of the
-// wheels leaves the motion as it is unless some effect makes another motion of the wheels' travel.
-enum class Part { all, wheels, motion };
+// Outputs of a model that a parameter affects. With counts there are two kinds, which hardly depend on each
+// other: what the wheels do at their commands, and the motion beyond odometry, that the floor makes of the
+// wheels' travel. A parameter of the motion does not affect the wheels. One of the wheels does not affect the
+// motion unless some effect makes another motion of the wheels' travel.
+enum class Outputs { all, wheels, motion };
 
 // A simulation, and how measurements relate to it.
 struct MeasuredSimulation {
@@ -43,9 +44,9 @@ struct MeasuredSimulation {
 };
 MeasuredSimulation measured_simulation(const TrialModel& model);
 
-// Free run over the run's commands. Channels of the other part stay empty.
-RunErrors free_run_errors(MeasuredSimulation model, const GapRun& run, Part part = Part::all);
-RunErrors free_run_errors(const TrialModel& model, const GapRun& run, Part part = Part::all);
+// Free run over the run's commands. Channels of other outputs stay empty.
+RunErrors free_run_errors(MeasuredSimulation model, const GapRun& run, Outputs outputs = Outputs::all);
+RunErrors free_run_errors(const TrialModel& model, const GapRun& run, Outputs outputs = Outputs::all);
 
 // Travel that was measured for each metre that the model predicts, of each wheel (without counts: of the
 // body, twice), over windows of a second. 1 where the model's gain is right.

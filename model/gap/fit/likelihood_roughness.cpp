@@ -23,7 +23,7 @@ Eigen::VectorXd parameters_of(const TrialModel& model) {
 
 }  // namespace
 
-double likelihood_roughness(const Problem& problem, const Fit& fit, const Eigen::MatrixXd& columns) {
+double likelihood_roughness(const FitProblem& problem, const Fit& fit, const Eigen::MatrixXd& columns) {
   const Eigen::MatrixXd information = columns.transpose() * columns;
   const Eigen::Map<const Eigen::VectorXd> residuals(fit.residuals.data(), columns.rows());
   const Eigen::VectorXd gradient = columns.transpose() * residuals;

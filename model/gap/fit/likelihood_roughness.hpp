@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 
 namespace wheelwright::gap {
 
@@ -16,6 +16,6 @@ namespace wheelwright::gap {
 // to both sides: the lower quartile. `columns` are the derivatives of the fit's residuals by all parameters,
 // linear part first; one that is zero leaves its parameter where it is. Zero or a little more for a smooth
 // likelihood. The same arguments give the same value.
-double likelihood_roughness(const Problem& problem, const Fit& fit, const Eigen::MatrixXd& columns);
+double likelihood_roughness(const FitProblem& problem, const Fit& fit, const Eigen::MatrixXd& columns);
 
 }  // namespace wheelwright::gap

@@ -17,20 +17,20 @@ constexpr double max_blocks = 200.0;  // longer ones rather than more
 constexpr std::size_t draws = 1000;
 constexpr std::uint64_t seed = 1;
 
-double length_of_blocks_s(const Problem& problem) {
+double length_of_blocks_s(const FitProblem& problem) {
   double total_s = 0.0;
   for (const GapRun& run : problem.runs()) total_s += run.duration_s();
   return std::clamp(block_s, total_s / max_blocks, total_s / min_blocks);
 }
 
-std::vector<BlockSums> sums_of_blocks(const Problem& problem, const Eigen::MatrixXd& columns,
+std::vector<BlockSums> sums_of_blocks(const FitProblem& problem, const Eigen::MatrixXd& columns,
                                       const std::vector<double>& residuals) {
   const double length_s = length_of_blocks_s(problem);
   std::map<std::pair<std::size_t, std::size_t>, BlockSums> blocks;
-  const auto& places = problem.places();
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const double time_s = problem.runs()[places[i].run].period_s * static_cast<double>(places[i].period);
-    BlockSums& block = blocks[{places[i].run, static_cast<std::size_t>(time_s / length_s)}];
+  const auto& indices = problem.indices();
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    const double time_s = problem.runs()[indices[i].run].period_s * static_cast<double>(indices[i].period);
+    BlockSums& block = blocks[{indices[i].run, static_cast<std::size_t>(time_s / length_s)}];
     if (block.gradient.size() == 0) {
       block = {Eigen::MatrixXd::Zero(columns.cols(), columns.cols()), Eigen::VectorXd::Zero(columns.cols())};
     }
@@ -46,7 +46,7 @@ std::vector<BlockSums> sums_of_blocks(const Problem& problem, const Eigen::Matri
 
 // The derivatives, without those by an effect's parameter that differ from one side to the other. Where a
 // command is rounded the other way there is a change to one side, which is no slope.
-Eigen::MatrixXd derivatives_to_both_sides(const Problem& problem, const Fit& fit) {
+Eigen::MatrixXd derivatives_to_both_sides(const FitProblem& problem, const Fit& fit) {
   constexpr double unlike = 0.5;  // of the squares: one is nearly four times the other, or they do not agree
   Eigen::MatrixXd columns = problem.jacobian(fit.model, fit.residuals);
   const Eigen::Map<const Eigen::VectorXd> here(fit.residuals.data(), columns.rows());
@@ -67,7 +67,7 @@ Eigen::MatrixXd derivatives_to_both_sides(const Problem& problem, const Fit& fit
 
 }  // namespace
 
-std::vector<LinearInterval> linear_intervals(const Problem& problem, const Eigen::MatrixXd& columns,
+std::vector<LinearInterval> linear_intervals(const FitProblem& problem, const Eigen::MatrixXd& columns,
                                              const std::vector<double>& residuals) {
   const auto blocks = sums_of_blocks(problem, columns, residuals);
   const Bootstrap bootstrap = block_bootstrap(blocks, draws, seed);
@@ -83,7 +83,7 @@ std::vector<LinearInterval> linear_intervals(const Problem& problem, const Eigen
   return intervals;
 }
 
-FitWithIntervals with_effect_intervals(const Problem& problem, Fit fit, int steps,
+FitWithIntervals with_effect_intervals(const FitProblem& problem, Fit fit, int steps,
                                        const ParallelFor& parallel_for) {
   constexpr int max_rounds = 3;
   FitWithIntervals result{std::move(fit), {}};

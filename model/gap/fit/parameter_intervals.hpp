@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 #include "model/gap/fit/profile_intervals.hpp"
 #include "model/simulation/robot_model.hpp"
 
@@ -18,12 +18,12 @@ struct FitWithIntervals {
   Fit fit;
   std::vector<ParameterInterval> intervals;
 };
-FitWithIntervals with_effect_intervals(const Problem& problem, Fit fit, int steps,
+FitWithIntervals with_effect_intervals(const FitProblem& problem, Fit fit, int steps,
                                        const ParallelFor& parallel_for);
 
 // The same by the bootstrap alone, as deviations from the estimate, of residuals whose derivatives by the
 // parameters are `columns`.
-std::vector<LinearInterval> linear_intervals(const Problem& problem, const Eigen::MatrixXd& columns,
+std::vector<LinearInterval> linear_intervals(const FitProblem& problem, const Eigen::MatrixXd& columns,
                                              const std::vector<double>& residuals);
 
 }  // namespace wheelwright::gap

@@ -46,7 +46,7 @@ struct Point {
 // The likelihood with one parameter held, and the others as good as they can be.
 class Profile {
  public:
-  Profile(const Problem& problem, const Fit& fit, const Eigen::MatrixXd& columns,
+  Profile(const FitProblem& problem, const Fit& fit, const Eigen::MatrixXd& columns,
           const Eigen::MatrixXd& information, std::span<const LinearInterval> linear, std::size_t held)
       : problem_(problem), fit_(fit), columns_(columns), linear_(linear), held_(held) {
     for (Eigen::Index i = 0; i < columns.cols(); ++i) {
@@ -185,7 +185,7 @@ class Profile {
     return best;
   }
 
-  const Problem& problem_;
+  const FitProblem& problem_;
   const Fit& fit_;
   const Eigen::MatrixXd& columns_;
   std::span<const LinearInterval> linear_;
@@ -219,7 +219,7 @@ double end_of(Profile& profile, double estimate, double first_deviation, double 
 
 }  // namespace
 
-Profiles profile_intervals(const Problem& problem, const Fit& fit, const Eigen::MatrixXd& columns,
+Profiles profile_intervals(const FitProblem& problem, const Fit& fit, const Eigen::MatrixXd& columns,
                            std::span<const LinearInterval> linear, double roughness,
                            const ParallelFor& parallel_for) {
   const std::size_t first = fit.model.linear_part.size();

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 #include "model/simulation/robot_model.hpp"
 
 namespace wheelwright::gap {
@@ -32,7 +32,7 @@ struct Profiles {
 // a parameter. `columns` are the derivatives of the residuals of `fit` by all parameters, linear part first,
 // and so are `linear`. `roughness`: by how much the sum of squares varies from one place to the next without
 // a reason (likelihood_roughness.hpp); no end is believed for less.
-Profiles profile_intervals(const Problem& problem, const Fit& fit, const Eigen::MatrixXd& columns,
+Profiles profile_intervals(const FitProblem& problem, const Fit& fit, const Eigen::MatrixXd& columns,
                            std::span<const LinearInterval> linear, double roughness,
                            const ParallelFor& parallel_for);
 

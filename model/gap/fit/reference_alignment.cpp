@@ -8,7 +8,7 @@ namespace wheelwright::gap {
 void note_references(DriveLog& log, const GapRun& run, const TrialModel& model) {
   log.references_late_s = model.reference_lag_s();
   if (!run.by_gyro || !run.references.empty() || model.linear_part.empty()) return;
-  const double drift_rad_s = free_run_errors(model, run, Part::motion).gyro_drift_rad_s;
+  const double drift_rad_s = free_run_errors(model, run, Outputs::motion).gyro_drift_rad_s;
   lay_gyro_headings(log, drift_rad_s, model.gyro_scale());
 }
 

@@ -46,7 +46,7 @@ class CorrectedRuns {
     double sum_squares = 0.0;
   };
 
-  CorrectedRuns(const RobotModel& model, const TrialModel& measured, const Problem& problem)
+  CorrectedRuns(const RobotModel& model, const TrialModel& measured, const FitProblem& problem)
       : problem_(problem),
         model_(model),
         lag_s_(lag_of(model.linear_part)),
@@ -103,7 +103,7 @@ class CorrectedRuns {
   }
 
  private:
-  const Problem& problem_;
+  const FitProblem& problem_;
   const RobotModel& model_;
   double lag_s_;
   double reference_lag_s_;
@@ -140,8 +140,8 @@ bool leaves_out(const ParameterInterval& interval, double none) {
 
 }  // namespace
 
-LinearChanges linear_changes(const RobotModel& model, const TrialModel& measured, const Problem& train,
-                             const Problem& heldout) {
+LinearChanges linear_changes(const RobotModel& model, const TrialModel& measured, const FitProblem& train,
+                             const FitProblem& heldout) {
   const double period_s = model.linear_part.period_s;
   const CorrectedRuns runs(model, measured, train);
   const Parameters p = fitted(runs, best_delay(runs, period_s));

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 #include "model/gap/linear_changes/command_correction.hpp"
 #include "model/simulation/robot_model.hpp"
 
@@ -35,8 +35,8 @@ struct LinearChanges {
 // of a quarter of a period or 5 ms, a lag of 15 ms; and where the held-out runs confirm the correction as a
 // whole, by ln(4 / 0.01) nats. `model` holds the given linear part and all effects, given and found;
 // `measured` its observation.
-LinearChanges linear_changes(const RobotModel& model, const TrialModel& measured, const Problem& train,
-                             const Problem& heldout);
+LinearChanges linear_changes(const RobotModel& model, const TrialModel& measured, const FitProblem& train,
+                             const FitProblem& heldout);
 
 // As in "it answers 54 ms late [50, 58]; the gain of the left wheel is 1.03 [1.02, 1.04]": the data beside
 // the model.

@@ -76,7 +76,7 @@ double divergence(const Hypothesis& truth, const Hypothesis& other, const DriveL
   const DriveLog log = driven_by(truth.model, commands, sensors);
   GapRun run = make_gap_run(log, {}, truth.model.period_s);
   measure_motion(run);
-  Problem drive({std::move(run)}, {log.metres_per_tick.value_or(WheelPair{})}, serial_for);
+  FitProblem drive({std::move(run)}, {log.metres_per_tick.value_or(WheelPair{})}, serial_for);
   drive.set_noise(noise);
   const std::vector<double> apart = drive.residuals(other.model);
   const Eigen::MatrixXd columns = drive.jacobian(other.model, apart);

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 #include "model/gap/next_experiment/manoeuvres.hpp"
 #include "model/log/drive_log.hpp"
 

@@ -47,7 +47,7 @@ class Planner {
   std::span<const DriveLog> train_;
   ManoeuvreLimits limits_;
   const ParallelFor& parallel_for_;
-  std::optional<Problem> problem_;
+  std::optional<FitProblem> problem_;
   std::vector<Untestable>
       untestable_;  // by the runs so far: they lack what it takes, or hold too little of it
   Sensors sensors_;

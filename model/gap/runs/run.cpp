@@ -195,14 +195,14 @@ void lay_gyro(const DriveLog& log, const RowFlags& flags, GapRun& run) {
   std::size_t row = 0;
   bool lost = false;
   for (const GyroTurn& gyro : gyro_turns(log)) {
-    bool anew = lost;
+    bool restarts = lost;
     lost = false;
     for (; row <= gyro.row; ++row) {
       lost = lost || flagged(flags.counts, row);
-      anew = anew || lost || flagged(flags.restart, row);
+      restarts = restarts || lost || flagged(flags.restart, row);
     }
     const GridTime at = grid_time(run, log.samples[gyro.row].t_s);
-    turn.restarts.push_back(anew && !turn.at.empty() ? 1 : 0);
+    turn.restarts.push_back(restarts && !turn.at.empty() ? 1 : 0);
     turn.at.push_back(at);
     turn.value.push_back(gyro.turned_rad - counted.until(at));
   }
@@ -241,7 +241,7 @@ GapRun make_gap_run(const DriveLog& log, const RowFlags& flags, double period_s)
       if (run.heading_alone && channel != Channel::turn) continue;
       for (const auto& reference : run.references) {
         run[channel].at.push_back(reference.at);
-        run[channel].restarts.push_back(reference.anew ? 1 : 0);
+        run[channel].restarts.push_back(reference.counts_lost ? 1 : 0);
       }
     }
   } else if (run.has_counts) {

@@ -41,7 +41,7 @@ struct Series {
 struct Reference {
   GridTime at;
   Pose pose;
-  bool anew = false;  // counts were lost since the reference before
+  bool counts_lost = false;  // since the reference before
 };
 
 // Body motion by odometry over one period.

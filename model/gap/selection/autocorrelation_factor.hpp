@@ -8,16 +8,16 @@
 
 #include <vector>
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 
 namespace wheelwright::gap {
 
 // From 1 to 30. Both are residuals of the problem's readings.
-double autocorrelation_factor_of(const Problem& problem, const std::vector<double>& worse,
+double autocorrelation_factor_of(const FitProblem& problem, const std::vector<double>& worse,
                                  const std::vector<double>& better);
 
 // The same for a gain that may be a loss.
-double autocorrelation_factor_of_gain(const Problem& problem, double gain_nats,
+double autocorrelation_factor_of_gain(const FitProblem& problem, double gain_nats,
                                       const std::vector<double>& without, const std::vector<double>& with);
 
 }  // namespace wheelwright::gap

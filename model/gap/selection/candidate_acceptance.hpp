@@ -12,7 +12,7 @@ namespace wheelwright::gap {
 
 class CandidateAcceptance {
  public:
-  CandidateAcceptance(const Problem& train, const ModelComparison& comparison, const SearchLimits& limits,
+  CandidateAcceptance(const FitProblem& train, const ModelComparison& comparison, const SearchLimits& limits,
                       const FreeRuns& free_runs)
       : train_(train), comparison_(comparison), limits_(limits), free_runs_(free_runs) {}
 
@@ -34,7 +34,7 @@ class CandidateAcceptance {
   bool helps_what_is_off(const Candidate& candidate, const SelectionStep& step) const;
   bool explains_what_decoys_do(const Candidate& candidate, const SelectionStep& step) const;
 
-  const Problem& train_;
+  const FitProblem& train_;
   const ModelComparison& comparison_;
   SearchLimits limits_;
   const FreeRuns& free_runs_;

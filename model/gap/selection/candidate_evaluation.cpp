@@ -63,12 +63,12 @@ void CandidateEvaluation::shape_forks(SelectionStep& selection_step, int steps) 
 }
 
 // In which the last effects of a model show.
-Part CandidateEvaluation::affected_outputs_of_last(const TrialModel& model, std::size_t effects) const {
-  const Part part = train_.part_of(model.effects.back());
+Outputs CandidateEvaluation::affected_outputs_of_last(const TrialModel& model, std::size_t effects) const {
+  const Outputs outputs = train_.outputs_of(model.effects.back());
   for (std::size_t i = model.effects.size() - effects; i < model.effects.size(); ++i) {
-    if (train_.part_of(model.effects[i]) != part) return Part::all;
+    if (train_.outputs_of(model.effects[i]) != outputs) return Outputs::all;
   }
-  return part;
+  return outputs;
 }
 
 // Of the few best that have a region of the floor in them.
@@ -170,8 +170,8 @@ std::vector<const Candidate*> CandidateEvaluation::helpful(const SelectionStep& 
 // Of all runs under the noise that a model with so many more effects leaves, refitted, less the price of its
 // parameters: what noise that was estimated with another model has taken up, it has to explain, too.
 double CandidateEvaluation::own_log_likelihood(Fit& fit, std::size_t effects) const {
-  Problem train = train_;
-  Problem heldout = heldout_;
+  FitProblem train = train_;
+  FitProblem heldout = heldout_;
   const NoiseModel noise = train.noise_left_by(fit.model);
   train.set_noise(noise);
   heldout.set_noise(noise);
@@ -247,12 +247,12 @@ SelectionStep CandidateEvaluation::evaluate(const Fit& without, const std::vecto
     const std::size_t singles = selection_step.candidates.size();
     parallel_for_(singles + (selection_step.pair ? 1 : 0), [&](std::size_t i) {
       Fit& fit = i < singles ? selection_step.candidates[i].fit : *selection_step.pair;
-      const Part part = affected_outputs_of_last(fit.model, i < singles ? 1 : 2);
-      fit = train_.fit(fit.model, steps, part);
+      const Outputs outputs = affected_outputs_of_last(fit.model, i < singles ? 1 : 2);
+      fit = train_.fit(fit.model, steps, outputs);
       const EffectInfo& last = *fit.model.effects.back().info;
-      if (has_threshold(last)) fit = train_.fit(with_thresholds_tuned(train_, fit.model), steps, part);
+      if (has_threshold(last)) fit = train_.fit(with_thresholds_tuned(train_, fit.model), steps, outputs);
       if (rounds_commands(last)) {
-        fit = train_.fit(with_steps_tuned(train_, fit.model, serial_for), steps, part);
+        fit = train_.fit(with_steps_tuned(train_, fit.model, serial_for), steps, outputs);
       }
     });
     comparison_.judge(selection_step);

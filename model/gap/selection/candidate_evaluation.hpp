@@ -18,7 +18,7 @@ constexpr int steps_of_a_refit = 5;
 class CandidateEvaluation {
  public:
   // `candidate_effects` are those that the data can show at all, decoys among them.
-  CandidateEvaluation(Problem& train, Problem& heldout, ModelComparison& comparison,
+  CandidateEvaluation(FitProblem& train, FitProblem& heldout, ModelComparison& comparison,
                       std::span<const EffectInfo* const> candidate_effects, const SearchLimits& limits,
                       ParallelFor parallel_for)
       : train_(train),
@@ -55,7 +55,7 @@ class CandidateEvaluation {
 
  private:
   TrialModel tuned(const TrialModel& model) const;
-  using RegionSearch = TrialModel (*)(const Problem&, TrialModel, const ParallelFor&);
+  using RegionSearch = TrialModel (*)(const FitProblem&, TrialModel, const ParallelFor&);
   void place_regions(SelectionStep& selection_step, int steps, RegionSearch placed) const;
   void shape_forks(SelectionStep& selection_step, int steps) const;
   std::vector<const Candidate*> helpful(const SelectionStep& selection_step) const;
@@ -65,10 +65,10 @@ class CandidateEvaluation {
   bool pair_stands_out_of_its_own_noise(const SelectionStep& selection_step);
   Fit with_linear_part_of(const Fit& without, const TrialModel& candidate) const;
   void start_from_linear_part_of(const TrialModel& without, std::vector<Candidate>& candidates) const;
-  Part affected_outputs_of_last(const TrialModel& model, std::size_t effects) const;
+  Outputs affected_outputs_of_last(const TrialModel& model, std::size_t effects) const;
 
-  Problem& train_;
-  Problem& heldout_;
+  FitProblem& train_;
+  FitProblem& heldout_;
   ModelComparison& comparison_;
   SearchLimits limits_;
   ParallelFor parallel_for_;

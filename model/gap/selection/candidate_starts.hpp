@@ -15,7 +15,7 @@ namespace wheelwright::gap {
 class CandidateStarts {
  public:
   // `candidate_effects` are those that the data can show at all, decoys among them.
-  CandidateStarts(Problem& train, Problem& heldout, ModelComparison& comparison,
+  CandidateStarts(FitProblem& train, FitProblem& heldout, ModelComparison& comparison,
                   std::span<const EffectInfo* const> candidate_effects, const SearchLimits& limits,
                   ParallelFor parallel_for)
       : train_(train),
@@ -49,8 +49,8 @@ class CandidateStarts {
   };
   Promising promising(const Fit& without, std::size_t fits_already);
 
-  Problem& train_;
-  Problem& heldout_;
+  FitProblem& train_;
+  FitProblem& heldout_;
   ModelComparison& comparison_;
   std::vector<const EffectInfo*> candidate_effects_;
   SearchLimits limits_;

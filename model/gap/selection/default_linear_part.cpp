@@ -19,7 +19,7 @@ bool reaches_far(const TrialModel& model) {
          std::exp(-model.period_s / longest_lag_s);
 }
 
-const TrialModel& closest_to_runs(const Problem& train, const std::vector<TrialModel>& models,
+const TrialModel& closest_to_runs(const FitProblem& train, const std::vector<TrialModel>& models,
                                   const ParallelFor& parallel_for) {
   std::vector<double> sum_squares(models.size());
   parallel_for(models.size(),

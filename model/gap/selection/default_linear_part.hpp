@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 
 namespace wheelwright::gap {
 
@@ -18,7 +18,7 @@ TrialModel with_default_linear_part(TrialModel model, double lag_s);
 bool reaches_far(const TrialModel& model);
 
 // Of some models, the one that leaves the least of the training runs.
-const TrialModel& closest_to_runs(const Problem& train, const std::vector<TrialModel>& models,
+const TrialModel& closest_to_runs(const FitProblem& train, const std::vector<TrialModel>& models,
                                   const ParallelFor& parallel_for);
 
 }  // namespace wheelwright::gap

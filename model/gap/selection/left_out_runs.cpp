@@ -12,11 +12,11 @@ struct Rows {
   Eigen::Index count = 0;
 };
 
-std::vector<Rows> rows_of_runs(const Problem& problem) {
+std::vector<Rows> rows_of_runs(const FitProblem& problem) {
   std::vector<Rows> rows(problem.runs().size());
-  const auto& places = problem.places();
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    Rows& of_run = rows[places[i].run];
+  const auto& indices = problem.indices();
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    Rows& of_run = rows[indices[i].run];
     if (of_run.count++ == 0) of_run.first = static_cast<Eigen::Index>(i);
   }
   return rows;
@@ -47,7 +47,7 @@ TrialModel stepped(const TrialModel& model, const Parameters& of, const Eigen::V
 
 }  // namespace
 
-double left_out_runs_gain_nats(const Problem& problem, const Fit& without, const Fit& with,
+double left_out_runs_gain_nats(const FitProblem& problem, const Fit& without, const Fit& with,
                                std::size_t effect) {
   if (problem.runs().size() < 2) return 0.0;
   constexpr double ridge = 1e-9;  // of the diagonal: a parameter of which the others say nothing stays
@@ -56,7 +56,7 @@ double left_out_runs_gain_nats(const Problem& problem, const Fit& without, const
   const Eigen::Map<const Eigen::VectorXd> residual(residuals.data(),
                                                    static_cast<Eigen::Index>(residuals.size()));
   const Eigen::MatrixXd columns =
-      problem.jacobian(with.model, residuals, problem.part_of(with.model.effects[effect]))
+      problem.jacobian(with.model, residuals, problem.outputs_of(with.model.effects[effect]))
           .middleCols(static_cast<Eigen::Index>(of.first), static_cast<Eigen::Index>(of.count));
   const Eigen::MatrixXd information = columns.transpose() * columns;
   const Eigen::VectorXd slope = columns.transpose() * residual;

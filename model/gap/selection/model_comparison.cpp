@@ -44,7 +44,8 @@ double delay_of_weights_s(const TrialModel& model) {
 
 }  // namespace
 
-ModelComparison::ModelComparison(const Problem& train, const Problem& heldout, const SearchLimits& limits)
+ModelComparison::ModelComparison(const FitProblem& train, const FitProblem& heldout,
+                                 const SearchLimits& limits)
     : train_(train),
       heldout_(heldout),
       limits_(limits),
@@ -245,7 +246,7 @@ bool ModelComparison::worth_adding(const Candidate& candidate, std::span<const S
   };
   // With counts, what the wheels do of their commands leaves nothing in the motion beyond odometry.
   const auto in_same_readings = [&](const Candidate& other) {
-    return train_.part_of(other.effect) == train_.part_of(candidate.effect);
+    return train_.outputs_of(other.effect) == train_.outputs_of(candidate.effect);
   };
   bool is_further = false;
   double largest = 0.0;

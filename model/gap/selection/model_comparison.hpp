@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 
 namespace wheelwright::gap {
 
@@ -76,7 +76,7 @@ struct SearchLimits {
 
 class ModelComparison {
  public:
-  ModelComparison(const Problem& train, const Problem& heldout, const SearchLimits& limits);
+  ModelComparison(const FitProblem& train, const FitProblem& heldout, const SearchLimits& limits);
 
   // Whether the wheels of each run began at angles of their own: that is paid for.
   void set_angles_differ(bool differ) { angles_differ_ = differ; }
@@ -125,8 +125,8 @@ class ModelComparison {
   double complexity_penalty(const TrialEffect& effect) const;
   double penalty_per_parameter() const;
 
-  const Problem& train_;
-  const Problem& heldout_;
+  const FitProblem& train_;
+  const FitProblem& heldout_;
   SearchLimits limits_;
   double largest_command_m_s_ = 0.0;
   bool angles_differ_ = false;

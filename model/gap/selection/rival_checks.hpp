@@ -9,7 +9,7 @@ namespace wheelwright::gap {
 
 class RivalChecks {
  public:
-  RivalChecks(const Problem& train, const ModelComparison& comparison, CandidateEvaluation& evaluation,
+  RivalChecks(const FitProblem& train, const ModelComparison& comparison, CandidateEvaluation& evaluation,
               const SearchLimits& limits, const FreeRuns& free_runs)
       : train_(train),
         comparison_(comparison),
@@ -38,7 +38,7 @@ class RivalChecks {
   Fit in_place(const Candidate& candidate, std::size_t place) const;
   void try_in_place(SelectionStep& check, std::size_t place) const;
 
-  const Problem& train_;
+  const FitProblem& train_;
   const ModelComparison& comparison_;
   CandidateEvaluation& evaluation_;
   SearchLimits limits_;

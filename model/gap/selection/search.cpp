@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "model/gap/candidates/decoys.hpp"
-#include "model/gap/candidates/flat_places.hpp"
+#include "model/gap/candidates/flat_parameters.hpp"
 #include "model/gap/candidates/quantization_search.hpp"
 #include "model/gap/selection/candidate_acceptance.hpp"
 #include "model/gap/selection/candidate_evaluation.hpp"
@@ -31,7 +31,7 @@ struct Path {
 
 class Search {
  public:
-  Search(Problem& train, Problem& heldout, std::span<const EffectInfo* const> candidate_effects,
+  Search(FitProblem& train, FitProblem& heldout, std::span<const EffectInfo* const> candidate_effects,
          const SearchLimits& limits, const FreeRuns& free_runs, const ParallelFor& parallel_for,
          const Progress& progress)
       : train_(train),
@@ -61,8 +61,8 @@ class Search {
   Fit best_linear_model(const GapSearch& result);
   void size_up(GapSearch& result);
 
-  Problem& train_;
-  Problem& heldout_;
+  FitProblem& train_;
+  FitProblem& heldout_;
   SearchLimits limits_;
   const FreeRuns& free_runs_;
   const ParallelFor& parallel_for_;
@@ -103,15 +103,15 @@ std::vector<TrialModel> Search::higher_order_parts(const TrialModel& present) co
 std::optional<Fit> Search::better_linear_part(const SelectionStep& selection_step) const {
   constexpr double promising = 0.3;  // of what the best effect explains
   constexpr int steps_to_the_end = 60;
-  const Part part = train_.part_of(EffectStage::command);
+  const Outputs outputs = train_.outputs_of(EffectStage::command);
   std::optional<Fit> best;
   double best_score =
       selection_step.candidates.empty() ? 0.0 : std::max(0.0, selection_step.candidates.front().score);
   const double min_nats = promising * best_score;
   for (const TrialModel& start : higher_order_parts(selection_step.without.model)) {
-    const Fit first = train_.fit(start, steps_of_a_refit, part);
+    const Fit first = train_.fit(start, steps_of_a_refit, outputs);
     if (0.5 * (selection_step.without.sum_squares - first.sum_squares) <= min_nats) continue;
-    Fit fit = train_.fit(first.model, steps_to_the_end, part);
+    Fit fit = train_.fit(first.model, steps_to_the_end, outputs);
     const double score = comparison_.core_score(selection_step, fit);
     if (score <= best_score) continue;
     best_score = score;
@@ -255,7 +255,7 @@ Fit Search::best_linear_model(const GapSearch& result) {
 void Search::size_up(GapSearch& result) {
   result.final = evaluation_.settle(result.final.model, 1);
   result.final = train_.fit(with_steps_centred(train_, result.final.model, parallel_for_), steps_of_a_refit);
-  result.final = away_from_flat_places(train_, result.final, steps_of_a_refit);
+  result.final = away_from_flat_parameters(train_, result.final, steps_of_a_refit);
   FitWithIntervals known =
       with_effect_intervals(train_, std::move(result.final), steps_of_a_refit, parallel_for_);
   result.final = std::move(known.fit);
@@ -291,7 +291,7 @@ GapSearch Search::run(const TrialModel& start) {
 
 }  // namespace
 
-GapSearch search_gap(Problem& train, Problem& heldout, const TrialModel& start,
+GapSearch search_gap(FitProblem& train, FitProblem& heldout, const TrialModel& start,
                      std::span<const EffectInfo* const> candidate_effects, const SearchLimits& limits,
                      const FreeRuns& free_runs, const ParallelFor& parallel_for, const Progress& progress) {
   return Search(train, heldout, candidate_effects, limits, free_runs, parallel_for, progress).run(start);

@@ -41,7 +41,7 @@ struct FreeRuns {
 };
 
 // `candidate_effects` are those that the data can show at all, decoys among them.
-GapSearch search_gap(Problem& train, Problem& heldout, const TrialModel& start,
+GapSearch search_gap(FitProblem& train, FitProblem& heldout, const TrialModel& start,
                      std::span<const EffectInfo* const> candidate_effects, const SearchLimits& limits,
                      const FreeRuns& free_runs, const ParallelFor& parallel_for, const Progress& progress);
 

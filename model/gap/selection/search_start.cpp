@@ -8,7 +8,7 @@
 namespace wheelwright::gap {
 namespace {
 
-LinearPartShape shape_for(const Problem& train) {
+LinearPartShape shape_for(const FitProblem& train) {
   LinearPartShape shape;
   shape.shared = !train.has_counts();
   // First and last references alone, at rest, tell of any moment.
@@ -36,7 +36,7 @@ std::vector<TrialEffect> known_effects(const RobotModel* given) {
 
 }  // namespace
 
-TrialModel search_start(Problem& train, const RobotModel* given) {
+TrialModel search_start(FitProblem& train, const RobotModel* given) {
   const GapRun& run = train.runs().front();
   TrialModel best;
   double least = 0.0;

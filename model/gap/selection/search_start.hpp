@@ -1,13 +1,13 @@
 // Where a search begins: a short linear part, and the effects that the robot's model is known to have.
 #pragma once
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 #include "model/gap/fit/trial_model.hpp"
 #include "model/simulation/robot_model.hpp"
 
 namespace wheelwright::gap {
 
 // Roughly fitted; `given` may be null. The noise of the problem is forgotten.
-TrialModel search_start(Problem& train, const RobotModel* given);
+TrialModel search_start(FitProblem& train, const RobotModel* given);
 
 }  // namespace wheelwright::gap

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "model/identification/arx_accumulator.hpp"
+#include "model/identification/arma_accumulator.hpp"
 #include "model/identification/least_squares_solution.hpp"
 #include "model/log/run_periods.hpp"
 #include "tests/benchmark/solver/other_solvers.hpp"
@@ -31,7 +31,7 @@ std::vector<RunPeriod> periods_of_run(std::size_t rows) {
 
 // The left wheel's rows of eq. (12) as one matrix, for solvers that want it whole.
 DenseSystem dense_system(const std::vector<RunPeriod>& periods) {
-  const ArxLayout layout{order, 0};
+  const ArmaLayout layout{order, 0};
   const auto count = static_cast<Eigen::Index>(periods.size());
   DenseSystem system{decltype(DenseSystem::a)::Zero(count, layout.columns()), Eigen::VectorXd::Zero(count)};
   for (Eigen::Index k = 0; k < count; ++k) {
@@ -107,7 +107,7 @@ bool compare(std::size_t rows) {
 // What the robot's loop pays: every period, and once when a new model is wanted.
 bool measure_live_use() {
   const auto periods = periods_of_run(5000);
-  ArxAccumulator accumulator({order, 0});
+  ArmaAccumulator accumulator({order, 0});
   const double filling_s = seconds_of([&] {
     for (const auto& period : periods) accumulator.add(period.command_m_s, period.speed_m_s);
   });

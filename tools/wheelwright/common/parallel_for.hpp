@@ -1,7 +1,7 @@
 // Work on all cores of the machine.
 #pragma once
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/parallel_for.hpp"
 
 namespace wheelwright::tools {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/parallel_for.hpp"
 #include "tools/wheelwright/evaluation/gap_models.hpp"
 #include "tools/wheelwright/evaluation/robot_trial.hpp"
 

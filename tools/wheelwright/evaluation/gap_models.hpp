@@ -6,7 +6,7 @@
 
 #include <tl/expected.hpp>
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/parallel_for.hpp"
 #include "tools/wheelwright/evaluation/attempt.hpp"
 
 namespace wheelwright::tools {

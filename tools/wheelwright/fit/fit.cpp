@@ -60,11 +60,11 @@ void check_type(const FitOptions& options) {
   }
 }
 
-ArxFitOptions arma_options(const FitOptions& options) {
-  ArxFitOptions result;
+ArmaFitOptions arma_options(const FitOptions& options) {
+  ArmaFitOptions result;
   result.order = parse_order(options.order, largest_arma_order);
   result.delay = options.delay;
-  if (options.method == "equation-error") result.method = ArxMethod::equation_error;
+  if (options.method == "equation-error") result.method = ArmaMethod::equation_error;
   const std::size_t order = result.order.value_or(result.largest_order);
   if (options.delay > order) {
     throw UsageError("--delay is " + std::to_string(options.delay) + ", but must be at most the order, " +
@@ -144,7 +144,7 @@ FitReport fit_fir_to(const FirFitOptions& fit_options, std::vector<DriveLog> run
   return report_of(std::move(*fit), std::move(runs));
 }
 
-FitReport fit_arma_to(const ArxFitOptions& fit_options, std::vector<DriveLog> runs, std::ostream& err,
+FitReport fit_arma_to(const ArmaFitOptions& fit_options, std::vector<DriveLog> runs, std::ostream& err,
                       ProgressLine& progress) {
   progress.clear();
   auto fit = fit_arma(runs, fit_options, err);

@@ -41,7 +41,7 @@ void print_sweep(std::ostream& out, const OrderSweep& sweep) {
       << " runs or blocks; chosen is the smallest order within one standard error of the best\n\n";
 }
 
-void print_wheel(std::ostream& out, const std::string& name, const ArxWheelFit& fit, double own,
+void print_wheel(std::ostream& out, const std::string& name, const ArmaWheelFit& fit, double own,
                  double own_error, double other, double other_error) {
   out << "  " << std::left << std::setw(7) << name << std::right << std::setw(9) << fixed_number(own, 4)
       << " +- " << fixed_number(own_error, 4) << std::setw(11) << fixed_number(other, 4) << " +- "
@@ -53,8 +53,8 @@ void print_wheel(std::ostream& out, const std::string& name, const ArxWheelFit& 
 
 }  // namespace
 
-tl::expected<ArxFit, Refusal> fit_arma(const std::vector<DriveLog>& runs, ArxFitOptions options,
-                                       std::ostream& err) {
+tl::expected<ArmaFit, Refusal> fit_arma(const std::vector<DriveLog>& runs, ArmaFitOptions options,
+                                        std::ostream& err) {
   ProgressLine progress(err);
   const double orders = static_cast<double>(options.largest_order);
   if (!options.order) {
@@ -64,12 +64,12 @@ tl::expected<ArxFit, Refusal> fit_arma(const std::vector<DriveLog>& runs, ArxFit
       say("order " + std::to_string(order), before / (orders * (orders + 1.0)));
     };
   }
-  auto fit = fit_arx(runs, options);
+  auto fit = fit_arma(runs, options);
   progress.clear();
   return fit;
 }
 
-void print_arma_fit(std::ostream& out, const ArxFit& fit, std::size_t runs) {
+void print_arma_fit(std::ostream& out, const ArmaFit& fit, std::size_t runs) {
   if (fit.sweep) print_sweep(out, *fit.sweep);
   out << "arma model of order " << fit.model.left.from_own_past.size() << " from " << runs
       << (runs == 1 ? " run, " : " runs, ") << fit.rows << " rows\n\n"

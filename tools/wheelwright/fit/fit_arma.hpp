@@ -4,16 +4,16 @@
 #include <iosfwd>
 #include <vector>
 
-#include "model/identification/arx_fit.hpp"
+#include "model/identification/arma_fit.hpp"
 #include "model/log/drive_log.hpp"
 
 namespace wheelwright::tools {
 
 // Fits, and shows on a terminal how far a sweep of orders has come.
-tl::expected<ArxFit, Refusal> fit_arma(const std::vector<DriveLog>& runs, ArxFitOptions options,
-                                       std::ostream& err);
+tl::expected<ArmaFit, Refusal> fit_arma(const std::vector<DriveLog>& runs, ArmaFitOptions options,
+                                        std::ostream& err);
 
 // The table of orders, where there was a sweep, and what the fit says of itself.
-void print_arma_fit(std::ostream& out, const ArxFit& fit, std::size_t runs);
+void print_arma_fit(std::ostream& out, const ArmaFit& fit, std::size_t runs);
 
 }  // namespace wheelwright::tools

@@ -18,7 +18,7 @@ ordered_json wheel_json(const WheelFit& fit) {
           {"drift_m_per_sqrt_s", fit.drift_m_per_sqrt_s}};
 }
 
-ordered_json arma_wheel_json(const ArxWheelFit& fit) {
+ordered_json arma_wheel_json(const ArmaWheelFit& fit) {
   ordered_json json = wheel_json(fit.quality);
   json["largest_pole"] = fit.largest_pole;
   json["condition"] = fit.condition;
@@ -58,7 +58,7 @@ void add_fir(ordered_json& json, const FirReport& report) {
                       {"wheel_speed_rms_m_s", report.score.wheel_speed_rms_m_s.value_or(0.0)}};
 }
 
-void add_arma(ordered_json& json, const ArxFit& fit) {
+void add_arma(ordered_json& json, const ArmaFit& fit) {
   json["type"] = "arma";
   json["order"] = fit.model.left.from_own_past.size();
   json["rows"] = fit.rows;
@@ -122,7 +122,7 @@ ordered_json fit_json(const FitReport& report, const std::string& model_file) {
   if (const auto* fir = std::get_if<FirReport>(&report.fit)) {
     add_fir(json, *fir);
   } else {
-    add_arma(json, std::get<ArxFit>(report.fit));
+    add_arma(json, std::get<ArmaFit>(report.fit));
   }
   json["holes"] = holes_json(report.runs);
   json["steady_state_map"] = settled_json(report);

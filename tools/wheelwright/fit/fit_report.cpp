@@ -111,17 +111,17 @@ void print_curve(std::ostream& out, const SteadyStateSpeeds& speeds, const Speed
 
 const LinearModel& FitReport::model() const {
   if (const auto* fir = std::get_if<FirReport>(&fit)) return fir->fit.model;
-  return std::get<ArxFit>(fit).model;
+  return std::get<ArmaFit>(fit).model;
 }
 
 const WheelFit& FitReport::left() const {
   if (const auto* fir = std::get_if<FirReport>(&fit)) return fir->fit.left;
-  return std::get<ArxFit>(fit).left.quality;
+  return std::get<ArmaFit>(fit).left.quality;
 }
 
 const WheelFit& FitReport::right() const {
   if (const auto* fir = std::get_if<FirReport>(&fit)) return fir->fit.right;
-  return std::get<ArxFit>(fit).right.quality;
+  return std::get<ArmaFit>(fit).right.quality;
 }
 
 FitReport report_of(FirFit fit, std::vector<DriveLog> runs) {
@@ -132,7 +132,7 @@ FitReport report_of(FirFit fit, std::vector<DriveLog> runs) {
   return report;
 }
 
-FitReport report_of(ArxFit fit, std::vector<DriveLog> runs) {
+FitReport report_of(ArmaFit fit, std::vector<DriveLog> runs) {
   FitReport report{std::move(fit), std::move(runs), {}, {}, {}};
   // A recursion that runs into what no linear model holds forgets so slowly that it hides settled speeds.
   if (const auto moving_average = fit_fir(report.runs)) add_speeds(report, *moving_average);
@@ -143,7 +143,7 @@ void print_fit(std::ostream& out, const FitReport& report) {
   if (const auto* fir = std::get_if<FirReport>(&report.fit)) {
     print_fir_fit(out, fir->fit, report.runs.size(), fir->score);
   } else {
-    print_arma_fit(out, std::get<ArxFit>(report.fit), report.runs.size());
+    print_arma_fit(out, std::get<ArmaFit>(report.fit), report.runs.size());
   }
   print_holes(out, report.runs);
   if (report.hole) print_hole(out, *report.hole);

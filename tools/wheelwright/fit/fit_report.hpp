@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "model/identification/arx_fit.hpp"
+#include "model/identification/arma_fit.hpp"
 #include "model/identification/command_hole.hpp"
 #include "model/identification/fir_fit.hpp"
 #include "model/identification/speed_curve.hpp"
@@ -23,7 +23,7 @@ struct FirReport {
 };
 
 struct FitReport {
-  std::variant<FirReport, ArxFit> fit;
+  std::variant<FirReport, ArmaFit> fit;
   std::vector<DriveLog> runs;
   SteadyStateSpeeds speeds;
   SpeedCurve curve;
@@ -35,7 +35,7 @@ struct FitReport {
 };
 
 FitReport report_of(FirFit fit, std::vector<DriveLog> runs);
-FitReport report_of(ArxFit fit, std::vector<DriveLog> runs);
+FitReport report_of(ArmaFit fit, std::vector<DriveLog> runs);
 
 void print_fit(std::ostream& out, const FitReport& report);
 

@@ -28,7 +28,7 @@ std::string with_interval(const std::vector<double>& values, const std::vector<d
 }
 
 // As the paper's Table I, for both wheels. i counts periods into the past.
-std::string weight_table(const ArxFit& fit) {
+std::string weight_table(const ArmaFit& fit) {
   const auto& left = fit.model.left;
   const auto& right = fit.model.right;
   Rows rows;
@@ -58,7 +58,7 @@ PlotPoints weights(const std::vector<double>& values, const std::vector<double>&
   return points;
 }
 
-std::vector<Plot> weight_plots(const ArxFit& fit) {
+std::vector<Plot> weight_plots(const ArmaFit& fit) {
   Plot commands("Weights of the wheel's own command, with 95 % intervals.");
   Plot past("Weights of the wheel's own past speed, with 95 % intervals.");
   commands.axes("periods ago", "weight").half();
@@ -95,9 +95,9 @@ Plot pole_plot(const LinearModel& model) {
 }
 
 std::optional<OrderSweep> swept(const DriveLog& run) {
-  ArxFitOptions options;
+  ArmaFitOptions options;
   options.period_s = run.period_s;
-  auto fit = fit_arx(std::span(&run, 1), options);
+  auto fit = fit_arma(std::span(&run, 1), options);
   return fit ? fit->sweep : std::nullopt;
 }
 
@@ -131,7 +131,7 @@ std::string arma_section(const CalibrationMaterial& material, bool sweep) {
   if (material.random.samples.empty()) return "";
   std::string text = html::element("h2", "Calibration C: random drive, ARMA model");
   if (!material.arma) return text;
-  const ArxFit& fit = *material.arma;
+  const ArmaFit& fit = *material.arma;
   const auto motion = free_run(fit.model, material.random);
   const Score score = score_run(motion, material.random);
   text += html::element(

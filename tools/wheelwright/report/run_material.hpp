@@ -24,7 +24,7 @@ struct CalibrationMaterial {
   std::vector<DriveLog> responses;  // one per wheel and repetition
   std::optional<FirFit> fir;
   DriveLog random;  // the random drive
-  std::optional<ArxFit> arma;
+  std::optional<ArmaFit> arma;
   std::vector<std::string> refusals;
   std::optional<RobotModel> model;  // that came of it
 

@@ -8,8 +8,8 @@ using namespace wheelwright::daemon::telemetry;
 
 namespace {
 
-std::vector<Place> guests(std::size_t count, std::string_view source) {
-  return {count, Place{source, false, false}};
+std::vector<Slot> guests(std::size_t count, std::string_view source) {
+  return {count, Slot{source, false, false}};
 }
 
 }  // namespace
@@ -30,43 +30,43 @@ TEST_CASE("While there is room, no guest is closed") {
 }
 
 TEST_CASE("An address that has its share makes room itself, by its oldest guest that is not being answered") {
-  auto places = guests(3, "b");
+  auto slots = guests(3, "b");
   const auto own = guests(max_guests_per_address, "a");
-  places.insert(places.end(), own.begin(), own.end());
-  CHECK(guest_to_close(places, "a") == 3U);
-  places[3].is_answered = true;
-  CHECK(guest_to_close(places, "a") == 4U);
-  places[4].is_client = true;  // and no guest any more
-  CHECK_FALSE(guest_to_close(places, "a"));
-  for (Place& place : places) place.is_answered = !place.is_client;
-  places.push_back({"a", false, true});
-  CHECK(guest_to_close(places, "a") == 3U);
+  slots.insert(slots.end(), own.begin(), own.end());
+  CHECK(guest_to_close(slots, "a") == 3U);
+  slots[3].is_answered = true;
+  CHECK(guest_to_close(slots, "a") == 4U);
+  slots[4].is_client = true;  // and no guest any more
+  CHECK_FALSE(guest_to_close(slots, "a"));
+  for (Slot& slot : slots) slot.is_answered = !slot.is_client;
+  slots.push_back({"a", false, true});
+  CHECK(guest_to_close(slots, "a") == 3U);
 }
 
-TEST_CASE("Where all places of guests are taken, the address that holds most of them makes room") {
-  std::vector<Place> places{{"operator", false, false}, {"operator", true, false}};
+TEST_CASE("Where all slots of guests are taken, the address that holds most of them makes room") {
+  std::vector<Slot> slots{{"operator", false, false}, {"operator", true, false}};
   for (const std::string_view source : {"a", "b", "c", "d"}) {
     const auto more = guests(max_guests_per_address - 1, source);
-    places.insert(places.end(), more.begin(), more.end());
+    slots.insert(slots.end(), more.begin(), more.end());
   }
-  while (places.size() < max_guests + 1) places.push_back({"e", false, false});
-  CHECK(guest_to_close(places, "newcomer") == 2U);
+  while (slots.size() < max_guests + 1) slots.push_back({"e", false, false});
+  CHECK(guest_to_close(slots, "newcomer") == 2U);
 }
 
 TEST_CASE("Clients are no guests, however many there are") {
-  const std::vector<Place> places(max_clients, Place{"a", true, false});
-  CHECK_FALSE(guest_to_close(places, "a"));
-  CHECK_FALSE(guest_to_close(places));
+  const std::vector<Slot> slots(max_clients, Slot{"a", true, false});
+  CHECK_FALSE(guest_to_close(slots, "a"));
+  CHECK_FALSE(guest_to_close(slots));
   CHECK(guest_to_close(guests(2, "a")) == 0U);
 }
 
 TEST_CASE(
-    "Guests take no place of a client, and those who watch leave places to those who may stop the robot") {
-  auto places = guests(max_guests, "a");
-  CHECK(has_room_for_client(places, false));
-  places.resize(max_guests + max_clients - places_kept_for_control, Place{"b", true, false});
-  CHECK_FALSE(has_room_for_client(places, false));
-  CHECK(has_room_for_client(places, true));
-  places.resize(max_guests + max_clients, Place{"b", true, false});
-  CHECK_FALSE(has_room_for_client(places, true));
+    "Guests take no slot of a client, and those who watch leave slots to those who may stop the robot") {
+  auto slots = guests(max_guests, "a");
+  CHECK(has_room_for_client(slots, false));
+  slots.resize(max_guests + max_clients - slots_kept_for_control, Slot{"b", true, false});
+  CHECK_FALSE(has_room_for_client(slots, false));
+  CHECK(has_room_for_client(slots, true));
+  slots.resize(max_guests + max_clients, Slot{"b", true, false});
+  CHECK_FALSE(has_room_for_client(slots, true));
 }

@@ -56,7 +56,7 @@ TEST_CASE("A line of the truth file that is still on its way is read once it is 
   CHECK(poses[0].pose.x_m == 1.25);
 }
 
-TEST_CASE("A truth file that begins anew is another robot's") {
+TEST_CASE("A truth file that begins again is another robot's") {
   const TruthFile file;
   TruthTrail trail(TruthFile::path());
   trail.start_at(0);

@@ -53,7 +53,7 @@ TEST_CASE("At another period each command changes at the nearest tick and the dr
   CHECK(changes - commands.begin() == 17);  // 0.306 s
 }
 
-TEST_CASE("A drive is given anew from its start when it is driven again") {
+TEST_CASE("A drive is given again from its start when it is driven again") {
   const auto manoeuvre = make_commanded_drive(commanded_drive_of(forth_and_back()), 0.1);
   while (manoeuvre->next({})) {
   }

@@ -1,6 +1,6 @@
 #include "model/identification/order_sweep.hpp"
 
-#include "model/identification/arx_fit.hpp"
+#include "model/identification/arma_fit.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/plant_run.hpp"
 
@@ -16,7 +16,7 @@ double held_out_m(const OrderSweep& sweep, std::size_t order) {
 
 TEST_CASE("Of exact data of the published plant the order found is its own") {
   const DriveLog log = test::plant_run({.metres_per_tick = 1e-12});
-  const auto fit = fit_arx(std::span(&log, 1), {.largest_order = 12});
+  const auto fit = fit_arma(std::span(&log, 1), {.largest_order = 12});
   REQUIRE(fit);
   REQUIRE(fit->sweep);
   CHECK(fit->sweep->chosen == 9);
@@ -30,7 +30,7 @@ TEST_CASE("Ticks hide the last orders, so no more than the plant's own order is 
     const std::vector<DriveLog> logs{
         test::plant_run({.metres_per_tick = test::create2_tick_m, .seed = seed}),
         test::plant_run({.metres_per_tick = test::create2_tick_m, .seed = seed + 10})};
-    const auto fit = fit_arx(logs, {.largest_order = 12});
+    const auto fit = fit_arma(logs, {.largest_order = 12});
     REQUIRE(fit);
     const OrderSweep& sweep = *fit->sweep;
     CHECK(sweep.chosen <= 9);
@@ -49,14 +49,14 @@ TEST_CASE("With four runs or more, runs are the units of the standard error") {
   for (const unsigned seed : {1U, 2U, 3U, 4U}) {
     logs.push_back(test::plant_run({.rows = 300, .metres_per_tick = test::create2_tick_m, .seed = seed}));
   }
-  const auto fit = fit_arx(logs, {.largest_order = 3});
+  const auto fit = fit_arma(logs, {.largest_order = 3});
   REQUIRE(fit);
   CHECK(fit->sweep->units == 4);
 }
 
 TEST_CASE("Orders that the data cannot carry stand in the table with the reason") {
   const DriveLog log = test::plant_run({.rows = 200, .metres_per_tick = test::create2_tick_m});
-  const auto fit = fit_arx(std::span(&log, 1), {.largest_order = 15});
+  const auto fit = fit_arma(std::span(&log, 1), {.largest_order = 15});
   REQUIRE(fit);
   CHECK_FALSE(fit->sweep->rows.front().refusal);
   REQUIRE(fit->sweep->rows.back().refusal);
@@ -66,7 +66,7 @@ TEST_CASE("Orders that the data cannot carry stand in the table with the reason"
 
 TEST_CASE("Where no order can be fitted the sweep says why") {
   const DriveLog log = test::plant_run({.rows = 15});
-  const auto fit = fit_arx(std::span(&log, 1));
+  const auto fit = fit_arma(std::span(&log, 1));
   REQUIRE_FALSE(fit);
   CHECK_THAT(fit.error().reason, ContainsSubstring("order 1 needs 20"));
 }

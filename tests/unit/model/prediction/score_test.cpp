@@ -66,7 +66,7 @@ TEST_CASE("A constant speed error has the analytic RMS in speed, distance and po
   CHECK_THAT(end_distance_error_m(example.predicted, example.log)->left, WithinAbs(0.2, 1e-9));
 }
 
-TEST_CASE("Travel begins anew where counts were lost") {
+TEST_CASE("Travel begins again where counts were lost") {
   Example example = straight_run(201, {0.0, 0.0});
   for (std::size_t k = 100; k < 201; ++k) example.log.samples[k].ticks->left -= 500;
   CHECK(*score_of(example).distance_rms_m > 0.02);

@@ -32,7 +32,7 @@ PredictiveCheck check_of(const CommandOfPeriod& command_m_s, MakeBeyond beyond) 
   const auto run = [&](unsigned seed) {
     return counted_run(counted_robot(), periods, command_m_s, beyond(seed), "run" + std::to_string(seed));
   };
-  Problem problem({run(1), run(2)}, {counted_metres_per_tick, counted_metres_per_tick}, serial_for);
+  FitProblem problem({run(1), run(2)}, {counted_metres_per_tick, counted_metres_per_tick}, serial_for);
   problem.set_noise(problem.noise_left_by(counted_robot()));
   return predictive_check(problem, counted_robot());
 }

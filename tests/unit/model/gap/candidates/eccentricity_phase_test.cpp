@@ -13,12 +13,12 @@ namespace {
 
 // Three runs to fit and one held out, and the linear model of them.
 struct Fitted {
-  Problem train;
-  Problem heldout;
+  FitProblem train;
+  FitProblem heldout;
   Fit fit;
 };
 
-Problem problem_of(std::span<const DriveLog> logs) {
+FitProblem problem_of(std::span<const DriveLog> logs) {
   std::vector<GapRun> runs;
   std::vector<WheelPair> metres_per_tick;
   for (const auto& log : logs) {

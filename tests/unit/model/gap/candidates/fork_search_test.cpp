@@ -7,7 +7,7 @@
 #include "tests/support/seen_drive.hpp"
 
 using namespace wheelwright;
-using gap::Problem;
+using gap::FitProblem;
 using gap::TrialModel;
 using test::Counts;
 
@@ -31,7 +31,7 @@ WheelPair in_curves_m_s(double time_s) {
 
 TEST_CASE("A fork that is shaped otherwise than where a fit begins is found, and not the nearest pit") {
   const TrialModel robot = robot_with_fork(0.4, 0.011, 0.06, -0.05);
-  const Problem problem = test::seen_drive(robot, 3000, in_curves_m_s, Counts::of_wheels);
+  const FitProblem problem = test::seen_drive(robot, 3000, in_curves_m_s, Counts::of_wheels);
   const double of_robot = gap::sum_squares_of(problem.residuals(robot));
   const TrialModel start = robot_with_fork(0.1, 0.03, -0.1, 0.1);
   const double fitted_only = problem.fit(start, 40).sum_squares;
@@ -44,7 +44,7 @@ TEST_CASE("A fork that is shaped otherwise than where a fit begins is found, and
 
 TEST_CASE("A fork that is right stays") {
   const TrialModel robot = robot_with_fork(0.4, 0.011, 0.06, -0.05);
-  const Problem problem = test::seen_drive(robot, 2000, in_curves_m_s, Counts::of_wheels);
+  const FitProblem problem = test::seen_drive(robot, 2000, in_curves_m_s, Counts::of_wheels);
   const TrialModel found = with_fork_found(problem, robot, gap::serial_for);
   CHECK_THAT(found.effects[0].parameters[1], WithinAbs(0.011, 0.001));
   CHECK_THAT(found.effects[0].parameters[2], WithinAbs(0.06, 0.01));

@@ -12,7 +12,7 @@ using namespace wheelwright::gap;
 
 namespace {
 
-std::optional<TrialEffect> steps_beside_linear_model(Problem& problem, const TrialModel& guess) {
+std::optional<TrialEffect> steps_beside_linear_model(FitProblem& problem, const TrialModel& guess) {
   const Fit fit = problem.fit(guess, 8);
   problem.set_noise(problem.noise_left_by(fit.model));
   return find_command_steps(problem, problem.fit(fit.model, 8), *find_effect("command_quantization"),
@@ -30,7 +30,7 @@ std::optional<TrialEffect> steps_in(const test::GapCaseSpec& spec) {
   LinearPartShape shape;
   shape.shared = !runs.front().has_counts;
   const TrialModel guess = first_guess(shape, runs.front().period_s, runs.front().wheel_base_m, 0.1, 0.036);
-  Problem problem(std::move(runs), std::move(metres_per_tick), serial_for);
+  FitProblem problem(std::move(runs), std::move(metres_per_tick), serial_for);
   return steps_beside_linear_model(problem, guess);
 }
 
@@ -54,7 +54,8 @@ std::optional<TrialEffect> steps_in_sines(const std::vector<TrialEffect>& effect
     return WheelPair{0.15 * std::sin(0.9 * t_s) + 0.1 * std::sin(2.3 * t_s),
                      0.15 * std::sin(0.7 * t_s) + 0.1 * std::cos(1.9 * t_s)};
   };
-  Problem problem({test::counted_run(robot, 3000, command_m_s)}, {test::counted_metres_per_tick}, serial_for);
+  FitProblem problem({test::counted_run(robot, 3000, command_m_s)}, {test::counted_metres_per_tick},
+                     serial_for);
   TrialModel guess = test::counted_robot();
   guess.effects = known;
   return steps_beside_linear_model(problem, guess);

@@ -48,7 +48,7 @@ GapRun driven(const TrialModel& robot) {
 
 TEST_CASE("A region that is placed a little off is moved, sized and turned to where it is") {
   const TrialModel truth = with_region({-0.3, 0.6, 0.5, 1.2, 0.8, 0.0});
-  const Problem problem({driven(truth)}, {WheelPair{}}, serial_for);
+  const FitProblem problem({driven(truth)}, {WheelPair{}}, serial_for);
   const TrialModel off = with_region({-0.3, 0.4, 0.7, 0.7, 0.7, 0.1});
   const TrialModel tuned = with_region_tuned(problem, off, serial_for);
   const auto sum_squares = [&](const TrialModel& model) { return sum_squares_of(problem.residuals(model)); };
@@ -58,7 +58,7 @@ TEST_CASE("A region that is placed a little off is moved, sized and turned to wh
 
 TEST_CASE("A region that reaches as far again beyond its end is cut to its size") {
   const TrialModel truth = with_region({-0.3, 3.0, -1.0, 1.0, 0.8, 0.0});
-  const Problem problem({driven(truth)}, {WheelPair{}}, serial_for);
+  const FitProblem problem({driven(truth)}, {WheelPair{}}, serial_for);
   const auto region = with_region_tuned(problem, with_region({-0.3, 3.5, -1.0, 2.0, 0.8, 0.0}), serial_for)
                           .effects.front()
                           .parameters;
@@ -69,7 +69,7 @@ TEST_CASE("A region that reaches as far again beyond its end is cut to its size"
 TEST_CASE("A round region is not left as the rectangle that comes closest to it") {
   TrialModel truth = with_region({-0.3, 0.6, 0.5, 1.2, 1.2, 0.0});
   truth.effects.front().variant = variant_index(*truth.effects.front().info, "floor_round");
-  const Problem problem({driven(truth)}, {WheelPair{}}, serial_for);
+  const FitProblem problem({driven(truth)}, {WheelPair{}}, serial_for);
   const TrialModel off = with_region({-0.3, 0.4, 0.7, 0.7, 0.7, 0.1});
   const TrialModel tuned = with_region_tuned(problem, off, serial_for);
   const TrialEffect& region = tuned.effects.front();
@@ -80,7 +80,7 @@ TEST_CASE("A round region is not left as the rectangle that comes closest to it"
 
 TEST_CASE("A region that is turned round and round is given by a heading of half a turn") {
   const TrialModel truth = with_region({-0.3, 0.6, 0.5, 1.6, 0.5, 0.0});
-  const Problem problem({driven(truth)}, {WheelPair{}}, serial_for);
+  const FitProblem problem({driven(truth)}, {WheelPair{}}, serial_for);
   const TrialModel upright = with_region({-0.3, 0.6, 0.5, 1.6, 0.5, 1.58});
   const TrialModel tuned = with_region_tuned(problem, upright, serial_for);
   const ParameterInfo& heading = tuned.effects.front().parameter_info(5);
@@ -89,7 +89,7 @@ TEST_CASE("A region that is turned round and round is given by a heading of half
 }
 
 TEST_CASE("A model without a region comes back as it was") {
-  const Problem problem({driven(with_region({-0.3, 0.6, 0.5, 1.2, 0.8, 0.0}))}, {WheelPair{}}, serial_for);
+  const FitProblem problem({driven(with_region({-0.3, 0.6, 0.5, 1.2, 0.8, 0.0}))}, {WheelPair{}}, serial_for);
   TrialModel model = first_guess({}, period_s, wheel_base_m, 0.06, 0.04);
   CHECK_FALSE(has_region(model));
   CHECK(with_region_tuned(problem, model, serial_for).effects.empty());

@@ -74,8 +74,8 @@ TEST_CASE(
     "A second effect of the motion is screened at its worth, as counts hold the wheels beside the first") {
   const EffectInfo* track = find_effect("effective_track");
   const EffectInfo* scale = find_effect("wheel_scale_mismatch");
-  Problem runs({watched_run(1), watched_run(2)},
-               {test::counted_metres_per_tick, test::counted_metres_per_tick}, serial_for);
+  FitProblem runs({watched_run(1), watched_run(2)},
+                  {test::counted_metres_per_tick, test::counted_metres_per_tick}, serial_for);
   TrialModel both = test::counted_robot();
   both.effects = {{track, 0, {excess_m}}, {scale, 0, {mismatch}}};
   runs.set_noise(runs.noise_left_by(both));

@@ -26,18 +26,18 @@ WheelPair docking(int period) {
   return {speed, speed};
 }
 
-Problem docked(const TrialModel& robot) {
+FitProblem docked(const TrialModel& robot) {
   return {{test::counted_run(robot, 3000, docking)}, {test::counted_metres_per_tick}, serial_for};
 }
 
-double tuned(const Problem& problem, const TrialModel& model, std::size_t parameter) {
+double tuned(const FitProblem& problem, const TrialModel& model, std::size_t parameter) {
   return with_thresholds_tuned(problem, model).effects.front().parameters[parameter];
 }
 
 }  // namespace
 
 TEST_CASE("A dead zone is found between the largest command that does nothing and the next one") {
-  const Problem problem = docked(with_effect("dead_zone", {0.02, 0.02}));
+  const FitProblem problem = docked(with_effect("dead_zone", {0.02, 0.02}));
   for (const double from : {0.012, 0.03}) {
     const double threshold = tuned(problem, with_effect("dead_zone", {from, 0.02}), 0);
     CHECK(threshold > 0.019);
@@ -46,7 +46,7 @@ TEST_CASE("A dead zone is found between the largest command that does nothing an
 }
 
 TEST_CASE("Firmware that passes larger commands whole is a step, whatever taper the fit is at") {
-  const Problem problem = docked(with_effect("dead_zone", {0.0205, 0.002}));
+  const FitProblem problem = docked(with_effect("dead_zone", {0.0205, 0.002}));
   for (const double taper : {0.14, 1.0}) {
     INFO(taper);
     const TrialModel start = with_effect("dead_zone", {0.018, taper});
@@ -56,7 +56,7 @@ TEST_CASE("Firmware that passes larger commands whole is a step, whatever taper 
 }
 
 TEST_CASE("A break-away is found although no slope leads from one drive that moves a wheel to the next") {
-  const Problem problem = docked(with_effect("stiction", {0.035, 0.003, 0.03, 0.002}));
+  const FitProblem problem = docked(with_effect("stiction", {0.035, 0.003, 0.03, 0.002}));
   for (const double from : {0.029, 0.043}) {
     const double excess = tuned(problem, with_effect("stiction", {from, 0.003, 0.03, 0.002}), 0);
     CHECK(excess > 0.031);
@@ -66,7 +66,7 @@ TEST_CASE("A break-away is found although no slope leads from one drive that mov
 
 TEST_CASE("A model without a threshold stays as it is") {
   const TrialModel truth = with_effect("coulomb_friction", {0.01, 0.03});
-  const Problem problem = docked(truth);
+  const FitProblem problem = docked(truth);
   const TrialModel model = with_effect("coulomb_friction", {0.02, 0.03});
   CHECK(with_thresholds_tuned(problem, model).effects.front().parameters == model.effects.front().parameters);
 }

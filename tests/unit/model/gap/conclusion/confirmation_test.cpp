@@ -26,8 +26,8 @@ GapRun run_at(double slow_m_s) {
 }  // namespace
 
 TEST_CASE("A threshold that training leaves open goes to the side of a command on which the test runs are") {
-  const Problem train({run_at(0.030), run_at(0.060)},
-                      {test::counted_metres_per_tick, test::counted_metres_per_tick}, serial_for);
+  const FitProblem train({run_at(0.030), run_at(0.060)},
+                         {test::counted_metres_per_tick, test::counted_metres_per_tick}, serial_for);
   GapSearch search;
   search.final.model = with_dead_zone(0.050);
   search.intervals = {{0.031, 0.059}, {0.002, 0.002}};
@@ -52,7 +52,7 @@ TEST_CASE("A single name gains in test runs what all names gain, and a wrong one
         return WheelPair{command_m_s, -command_m_s};
       });
     };
-    const Problem train({run(0)}, {test::counted_metres_per_tick}, serial_for);
+    const FitProblem train({run(0)}, {test::counted_metres_per_tick}, serial_for);
     GapSearch search;
     search.final.model = named;
     search.baseline.model = named;

@@ -320,9 +320,9 @@ TEST_CASE("What a reference saw while counts were lost is not held against them"
   REQUIRE(gated.dropouts.size() == 1);
   const GapRun run = make_gap_run(gated.log, gated.flags, log.period_s);
   REQUIRE(run.references.size() == log.samples.size());
-  CHECK_FALSE(run.references[from].anew);
-  for (std::size_t i = from + 1; i <= from + 21; ++i) CHECK(run.references[i].anew);
-  CHECK_FALSE(run.references[from + 22].anew);
+  CHECK_FALSE(run.references[from].counts_lost);
+  for (std::size_t i = from + 1; i <= from + 21; ++i) CHECK(run.references[i].counts_lost);
+  CHECK_FALSE(run.references[from + 22].counts_lost);
   for (const auto& sample : with_lost_counts(gated.log).samples) CHECK_FALSE(sample.counter_reset);
 }
 

@@ -1,7 +1,7 @@
 // Derivatives of what a model leaves, and what a fit makes of them.
 #include <cmath>
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/seen_drive.hpp"
 
@@ -19,7 +19,7 @@ WheelPair jumps_m_s(double t_s) {
 }
 
 // What residuals change by where the wheels' gains and lags grow, for a unit of it.
-Eigen::VectorXd change_with_wheels(const Problem& problem, const TrialModel& model) {
+Eigen::VectorXd change_with_wheels(const FitProblem& problem, const TrialModel& model) {
   constexpr double share = 1e-5;
   const auto there = [&](double by) {
     TrialModel moved = model;
@@ -40,7 +40,7 @@ TEST_CASE("Derivatives by how wheels move hold for poses, whatever makes motion 
                robot_with("lever_arm", {0.05, 0.02}));
   INFO(robot.effects.front().info->name);
   const Counts counts = GENERATE(Counts::none, Counts::of_wheels);
-  const Problem problem = seen_drive(robot, 1500, jumps_m_s, counts);
+  const FitProblem problem = seen_drive(robot, 1500, jumps_m_s, counts);
   const Eigen::MatrixXd columns = problem.jacobian(robot, problem.residuals(robot));
   Eigen::VectorXd by_slopes = Eigen::VectorXd::Zero(columns.rows());
   for (std::size_t i = 0; i < robot.shape.of_wheels(); ++i)
@@ -51,7 +51,7 @@ TEST_CASE("Derivatives by how wheels move hold for poses, whatever makes motion 
     double square = 0.0;
     double error = 0.0;
     for (Eigen::Index i = 0; i < change.size(); ++i) {
-      if (problem.places()[static_cast<std::size_t>(i)].channel != channel) continue;
+      if (problem.indices()[static_cast<std::size_t>(i)].channel != channel) continue;
       square += change(i) * change(i);
       error += std::pow(by_slopes(i) - change(i), 2);
     }
@@ -63,7 +63,7 @@ TEST_CASE("Derivatives by how wheels move hold for poses, whatever makes motion 
 TEST_CASE("A fit with slip on the floor is as likely as the robot itself") {
   // Poses show how the wheels speed up, as slip depends on it.
   const TrialModel robot = robot_with("acceleration_slip", {0.45, 0.44});
-  const Problem problem = seen_drive(robot, 3000, jumps_m_s, Counts::of_wheels);
+  const FitProblem problem = seen_drive(robot, 3000, jumps_m_s, Counts::of_wheels);
   TrialModel start = robot_with("acceleration_slip", {0.3, 0.6});
   start.linear_part = first_guess({}, 0.02, 0.25, 0.1, 0.02).linear_part;
   const double of_robot = sum_squares_of(problem.residuals(robot));

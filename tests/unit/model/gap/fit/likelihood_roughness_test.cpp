@@ -17,7 +17,7 @@ WheelPair swing_m_s(double t_s) {
 }
 
 double roughness_of(const TrialModel& robot) {
-  const Problem problem = test::seen_drive(robot, 3000, swing_m_s, Counts::of_wheels);
+  const FitProblem problem = test::seen_drive(robot, 3000, swing_m_s, Counts::of_wheels);
   const Fit fit = problem.fit(robot, 15);
   return likelihood_roughness(problem, fit, problem.jacobian(fit.model, fit.residuals));
 }

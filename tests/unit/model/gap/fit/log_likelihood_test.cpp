@@ -1,7 +1,7 @@
 #include <cmath>
 #include <random>
 
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/counted_run.hpp"
 
@@ -13,13 +13,13 @@ TEST_CASE("Of all noises, the one that a model leaves makes its runs likeliest")
   std::normal_distribution<double> step_m(0.0, 2e-4);
   WheelPair drifted_m;
   const TrialModel robot = test::counted_robot();
-  Problem problem({test::counted_run(robot, 2000, test::steps_to_and_fro,
-                                     [&](double, const WheelPair&) {
-                                       drifted_m.left += step_m(random);
-                                       drifted_m.right += step_m(random);
-                                       return drifted_m;
-                                     })},
-                  {test::counted_metres_per_tick}, serial_for);
+  FitProblem problem({test::counted_run(robot, 2000, test::steps_to_and_fro,
+                                        [&](double, const WheelPair&) {
+                                          drifted_m.left += step_m(random);
+                                          drifted_m.right += step_m(random);
+                                          return drifted_m;
+                                        })},
+                     {test::counted_metres_per_tick}, serial_for);
   const auto log_likelihood = [&](const NoiseModel& noise) {
     problem.set_noise(noise);
     return problem.log_likelihood(problem.residuals(robot));

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "model/gap/candidates/flat_places.hpp"
+#include "model/gap/candidates/flat_parameters.hpp"
 #include "model/gap/fit/parameter_intervals.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/seen_drive.hpp"
@@ -23,8 +23,8 @@ TrialModel with_effect(const std::string& name, const std::vector<double>& param
 }
 
 // Straight on, one speed after the other, half a second each.
-Problem driven(const TrialModel& robot, std::span<const double> speeds_m_s, int times,
-               unsigned seed_of_errors = 1) {
+FitProblem driven(const TrialModel& robot, std::span<const double> speeds_m_s, int times,
+                  unsigned seed_of_errors = 1) {
   const auto command_m_s = [&](double time_s) {
     const auto half_seconds = static_cast<std::size_t>(std::lround(50.0 * time_s) / 25);
     const double speed_m_s = speeds_m_s[half_seconds % speeds_m_s.size()];
@@ -60,7 +60,7 @@ TEST_CASE("All roundings that send no command elsewhere belong to the interval o
   // Each is two thirds of a step beyond one: rounded up by whatever rises before that.
   constexpr std::array speeds_m_s{0.05, 0.11, 0.17, 0.23, -0.05, -0.17};
   const TrialModel robot = with_effect("command_quantization", {0.03, 0.5});
-  const Problem problem = driven(robot, speeds_m_s, 8);
+  const FitProblem problem = driven(robot, speeds_m_s, 8);
   const auto intervals =
       with_effect_intervals(problem, problem.fit(robot, steps), steps, serial_for).intervals;
   REQUIRE(intervals.size() == 2);
@@ -73,7 +73,7 @@ TEST_CASE("How far a region reaches behind the place where the robot stopped is 
   constexpr std::array speeds_m_s{0.2};
   enum : std::size_t { change, x, y, length, width, heading };
   const TrialModel robot = with_effect("surface_patch", {-0.2, 1.6, 0.0, 1.2, 1.0, 0.0});
-  const Problem problem = driven(robot, speeds_m_s, 15);  // ends at 1.4 m, in the region
+  const FitProblem problem = driven(robot, speeds_m_s, 15);  // ends at 1.4 m, in the region
   const auto intervals =
       with_effect_intervals(problem, problem.fit(robot, steps), steps, serial_for).intervals;
   const auto info = [&](std::size_t i) { return robot.effects.front().parameter_info(i); };
@@ -86,7 +86,7 @@ TEST_CASE("How far a region reaches behind the place where the robot stopped is 
 TEST_CASE("Where the likelihood is a parabola, its profile widens an interval by little") {
   constexpr std::array speeds_m_s{0.05, 0.2, 0.11, -0.2, 0.15};
   const TrialModel robot = with_effect("direction_gain", {-0.05});
-  const Problem problem = driven(robot, speeds_m_s, 8);
+  const FitProblem problem = driven(robot, speeds_m_s, 8);
   const Fit fit = problem.fit(robot, steps);
   const auto linear = linear_intervals(problem, problem.jacobian(fit.model, fit.residuals), fit.residuals);
   const auto intervals = with_effect_intervals(problem, fit, steps, serial_for).intervals;
@@ -101,10 +101,10 @@ TEST_CASE("Where the likelihood is a parabola, its profile widens an interval by
 TEST_CASE("A knee that a fit has lost at zero, where it has no slope, is found again") {
   constexpr std::array speeds_m_s{0.1, 0.2, 0.15, 0.25, 0.05, 0.3};
   const TrialModel robot = with_effect("saturation", {0.22, 0.0, 0.15});
-  const Problem problem = driven(robot, speeds_m_s, 8);
+  const FitProblem problem = driven(robot, speeds_m_s, 8);
   const Fit lost = problem.fit(with_effect("saturation", {0.2, 0.0, 0.0}), steps);
   REQUIRE(lost.model.effects.front().parameters[2] == 0.0);
-  const Fit fit = away_from_flat_places(problem, lost, steps);
+  const Fit fit = away_from_flat_parameters(problem, lost, steps);
   CHECK(fit.model.effects.front().parameters[2] > 0.02);
   CHECK(fit.sum_squares < lost.sum_squares - 100.0);
 }
@@ -118,7 +118,7 @@ TEST_CASE("The interval of a step and of where it rises is what rounds every com
   const std::array same = same_rounding(speeds_m_s, step_m_s, rises_at);
   const TrialModel robot = with_effect("command_quantization", {step_m_s, rises_at});
   for (unsigned drive = 1; drive <= 5; ++drive) {
-    const Problem problem = driven(robot, speeds_m_s, 1, drive);
+    const FitProblem problem = driven(robot, speeds_m_s, 1, drive);
     const Fit fit = problem.fit(with_effect("command_quantization", {0.009215, 0.612}), steps);
     const auto intervals = with_effect_intervals(problem, fit, steps, serial_for).intervals;
     REQUIRE(intervals.size() == same.size());

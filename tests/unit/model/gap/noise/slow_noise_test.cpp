@@ -37,7 +37,7 @@ GapRun drive(double lasts_s, unsigned seed) {
 double drift_found(double lasts_s) {
   std::vector<GapRun> runs;
   for (const unsigned seed : {1U, 2U, 3U, 4U}) runs.push_back(drive(lasts_s, seed));
-  Problem problem(runs, std::vector<WheelPair>(runs.size(), counted_metres_per_tick), serial_for);
+  FitProblem problem(runs, std::vector<WheelPair>(runs.size(), counted_metres_per_tick), serial_for);
   problem.set_noise(problem.noise_left_by(counted_robot()));
   return with_slow_noise(problem, counted_robot(), two_seconds_apart_s).channel[0].walk_per_sqrt_s;
 }

@@ -79,6 +79,6 @@ TEST_CASE("Lost counts break a smoothed reference for as long as it still shows 
   const double known_again_s = log.samples[501].t_s + 0.21;
   for (std::size_t i = 490; i < 530; ++i) {
     INFO(i);
-    CHECK(run.references[i].anew == (i >= 500 && (i <= 501 || log.samples[i].t_s < known_again_s)));
+    CHECK(run.references[i].counts_lost == (i >= 500 && (i <= 501 || log.samples[i].t_s < known_again_s)));
   }
 }

@@ -31,7 +31,7 @@ TrialModel robot_with(const std::vector<TrialEffect>& effects) {
   return robot;
 }
 
-Problem drive_of(const TrialModel& robot) {
+FitProblem drive_of(const TrialModel& robot) {
   return {
       {test::counted_run(robot, 2000, test::steps_to_and_fro)}, {test::counted_metres_per_tick}, serial_for};
 }
@@ -43,7 +43,7 @@ struct Said {
 
 // Fits of the drive of `robot`; how much each candidate explains is as said. The first one is the best.
 std::string next_effect(const TrialModel& robot, const std::vector<Said>& all, double strongest_nats) {
-  const Problem problem = drive_of(robot);
+  const FitProblem problem = drive_of(robot);
   const ModelComparison comparison(problem, problem, {});
   const FreeRuns free_runs{[](const TrialModel&) { return false; },
                            [](const TrialModel&, const TrialModel&) { return false; }};

@@ -36,9 +36,9 @@ GapRun drifting_run(const TrialModel& robot, unsigned seed) {
 
 // The pair of the first round, of three effects that are tried.
 std::optional<Fit> pair_in(const TrialModel& robot) {
-  Problem train({drifting_run(robot, 1), drifting_run(robot, 2)},
-                {test::counted_metres_per_tick, test::counted_metres_per_tick}, serial_for);
-  Problem heldout({drifting_run(robot, 3)}, {test::counted_metres_per_tick}, serial_for);
+  FitProblem train({drifting_run(robot, 1), drifting_run(robot, 2)},
+                   {test::counted_metres_per_tick, test::counted_metres_per_tick}, serial_for);
+  FitProblem heldout({drifting_run(robot, 3)}, {test::counted_metres_per_tick}, serial_for);
   const SearchLimits limits;
   ModelComparison comparison(train, heldout, limits);
   const std::vector<const EffectInfo*> candidates{find_effect("command_quantization"),

@@ -49,7 +49,7 @@ GapRun straight(const TrialModel& robot, double speed_m_s, std::uint64_t seed) {
 
 double gain_of_mismatch(std::vector<GapRun> runs) {
   const std::size_t count = runs.size();
-  Problem problem(std::move(runs), std::vector<WheelPair>(count, WheelPair{1e-4, 1e-4}), serial_for);
+  FitProblem problem(std::move(runs), std::vector<WheelPair>(count, WheelPair{1e-4, 1e-4}), serial_for);
   NoiseModel noise = problem.noise();
   for (TravelNoise& channel : noise.channel) channel = {1e-4, 1e-3};
   problem.set_noise(noise);

@@ -23,7 +23,7 @@ TrialModel with_effects(const std::vector<std::pair<std::string, std::vector<dou
 }
 
 // Slow turns to and fro, with a reference that rounds to a tenth of a millimetre.
-Problem driven(const TrialModel& robot, int periods) {
+FitProblem driven(const TrialModel& robot, int periods) {
   ModelSimulation simulation = robot.simulation();
   simulation.reset({});
   const auto rounded = [](double value) { return 1e-4 * std::round(1e4 * value); };
@@ -52,8 +52,8 @@ Problem driven(const TrialModel& robot, int periods) {
 TEST_CASE("What all runs say a little stands before what the training alone says loudly") {
   const std::pair<std::string, std::vector<double>> quiet{"direction_gain", {-0.03}};
   const std::pair<std::string, std::vector<double>> loud{"dead_zone", {0.05, 0.02}};
-  const Problem train = driven(with_effects({quiet, loud}), 3000);
-  const Problem heldout = driven(with_effects({quiet}), 3000);
+  const FitProblem train = driven(with_effects({quiet, loud}), 3000);
+  const FitProblem heldout = driven(with_effects({quiet}), 3000);
   const ModelComparison comparison(train, heldout, {});
   const auto candidate = [&](const TrialModel& model) {
     Candidate result;
@@ -80,7 +80,7 @@ TEST_CASE("A lag that is the same both ways is no asymmetric response, however m
     return model;
   };
   const auto stands = [&](const TrialModel& robot) {
-    const Problem problem = driven(robot, 3000);
+    const FitProblem problem = driven(robot, 3000);
     const auto fit = [&](const TrialModel& model) -> Fit {
       const auto residuals = problem.residuals(model);
       return {model, sum_squares_of(residuals), residuals};
@@ -101,7 +101,7 @@ TEST_CASE("A lag that is the same both ways is no asymmetric response, however m
 }
 
 TEST_CASE("What training leaves no doubt of needs less on held-out runs to be confirmed") {
-  const Problem problem = driven(with_effects({}), 200);
+  const FitProblem problem = driven(with_effects({}), 200);
   const ModelComparison comparison(problem, problem, {});
   const auto good_enough = [&](double train_nats, double heldout_nats) {
     Candidate candidate;
@@ -120,17 +120,18 @@ TEST_CASE("What training leaves no doubt of needs less on held-out runs to be co
 TEST_CASE("What held-out runs hardly show is confirmed by training runs left out, if it is in each of them") {
   const TrialModel effect = with_effects({{"direction_gain", {-0.03}}});
   const TrialModel nothing = with_effects({});
-  const auto with_little_noise = [](Problem problem) {
+  const auto with_little_noise = [](FitProblem problem) {
     NoiseModel noise = problem.noise();
     for (TravelNoise& channel : noise.channel) channel = {1e-4, 1e-3};
     problem.set_noise(noise);
     return problem;
   };
   const auto of_two = [&](const TrialModel& one, const TrialModel& other) {
-    return with_little_noise(Problem({driven(one, 2000).runs().front(), driven(other, 1500).runs().front()},
-                                     {WheelPair{}, WheelPair{}}, serial_for));
+    return with_little_noise(
+        FitProblem({driven(one, 2000).runs().front(), driven(other, 1500).runs().front()},
+                   {WheelPair{}, WheelPair{}}, serial_for));
   };
-  const auto judged = [&](const Problem& train, const Problem& heldout) {
+  const auto judged = [&](const FitProblem& train, const FitProblem& heldout) {
     const ModelComparison comparison(train, heldout, {});
     SelectionStep step;
     step.without = train.fit(nothing, 0);
@@ -140,13 +141,13 @@ TEST_CASE("What held-out runs hardly show is confirmed by training runs left out
     REQUIRE(step.candidates.size() == 1);
     return std::pair(step.candidates.front(), comparison.good_enough(step.candidates.front()));
   };
-  const Problem hardly_backward =
+  const FitProblem hardly_backward =
       with_little_noise(driven(effect, 440));  // for less than a second, and so hardly shows it
   const auto [in_both, confirmed] = judged(of_two(effect, effect), hardly_backward);
   CHECK(in_both.left_out_nats > 0.0);
   CHECK(confirmed);
   // Where it cannot act, other runs are held out in the place of these.
-  const Problem forward_alone = with_little_noise(driven(effect, 100));
+  const FitProblem forward_alone = with_little_noise(driven(effect, 100));
   const auto [absent, confirmed_by_none] = judged(of_two(effect, effect), forward_alone);
   CHECK(absent.left_out_nats == 0.0);
   CHECK_FALSE(confirmed_by_none);
@@ -161,7 +162,7 @@ TEST_CASE("What held-out runs hardly show is confirmed by training runs left out
 }
 
 TEST_CASE("The less of what an effect leaves is correlated, the smaller it may be beside the strongest") {
-  const Problem runs = driven(with_effects({}), 300);
+  const FitProblem runs = driven(with_effects({}), 300);
   const ModelComparison comparison(runs, runs, {});
   const auto explaining = [](double nats, double autocorrelation_factor) {
     Candidate candidate;
@@ -184,7 +185,7 @@ TEST_CASE("The less of what an effect leaves is correlated, the smaller it may b
 }
 
 TEST_CASE("Correlated residuals of training runs make no less of what held-out runs say") {
-  const Problem runs = driven(with_effects({}), 300);
+  const FitProblem runs = driven(with_effects({}), 300);
   const ModelComparison comparison(runs, runs, {});
   const auto named = [&](double train_factor, double heldout_factor) {
     Candidate candidate;
@@ -212,14 +213,14 @@ TEST_CASE("An effect on the motion is not measured by what a strong one of the w
   const Candidate unequal_wheels = explaining("wheel_scale_mismatch", {0.01}, 50.0);
   const Candidate friction = explaining("coulomb_friction", {0.01}, 50.0);
   const Candidate too_little = explaining("wheel_scale_mismatch", {0.01}, 15.0);
-  const auto worth_adding = [&](const Problem& runs, const Candidate& candidate) {
+  const auto worth_adding = [&](const FitProblem& runs, const Candidate& candidate) {
     return ModelComparison(runs, runs, {}).worth_adding(candidate, so_far);
   };
   const TrialModel nothing = with_effects({});
   const auto swing_m_s = [](double time_s) {
     return WheelPair{0.2 * std::sin(time_s), 0.2 * std::sin(1.3 * time_s)};
   };
-  const Problem counted = test::seen_drive(nothing, 300, swing_m_s, test::Counts::of_wheels);
+  const FitProblem counted = test::seen_drive(nothing, 300, swing_m_s, test::Counts::of_wheels);
   CHECK(worth_adding(counted, unequal_wheels));
   CHECK_FALSE(worth_adding(counted, too_little));
   CHECK_FALSE(worth_adding(counted, friction));
@@ -227,7 +228,7 @@ TEST_CASE("An effect on the motion is not measured by what a strong one of the w
 }
 
 TEST_CASE("What is out of its name's character is no candidate for it") {
-  const Problem problem = driven(with_effects({}), 200);  // commands up to 0.2 m/s
+  const FitProblem problem = driven(with_effects({}), 200);  // commands up to 0.2 m/s
   const ModelComparison comparison(problem, problem, {});
   const auto stands = [&](const std::string& name, const std::vector<double>& parameters) {
     const TrialModel model = with_effects({{name, parameters}});
@@ -252,7 +253,7 @@ TEST_CASE("What is out of its name's character is no candidate for it") {
 namespace {
 
 // Both wheels always at the same speed, to and fro: each one's command has the size of the other's.
-Problem straight(const TrialModel& robot) {
+FitProblem straight(const TrialModel& robot) {
   constexpr double metres_per_tick = 0.0005;
   ModelSimulation simulation = robot.simulation();
   simulation.reset({});
@@ -273,7 +274,7 @@ Problem straight(const TrialModel& robot) {
   return {{make_gap_run(log, {}, period_s)}, {*log.metres_per_tick}, serial_for};
 }
 
-SelectionStep judged(const Problem& problem, const std::vector<TrialEffect>& effects) {
+SelectionStep judged(const FitProblem& problem, const std::vector<TrialEffect>& effects) {
   const ModelComparison comparison(problem, problem, {});
   SelectionStep selection_step;
   selection_step.without = problem.fit(with_effects({}), 5);
@@ -314,7 +315,7 @@ TEST_CASE("What explains as much beside another as alone is no rival of it") {
   const TrialEffect gain{find_effect("direction_gain"), 0, {0.06}};
   const TrialEffect dead_zone{find_effect("dead_zone"), 0, {0.02, 0.5}};
   const TrialEffect same_here{decoy_named("decoy_cross_talk"), 0, {-0.03}};
-  const Problem problem = straight(with_effects({{"direction_gain", {0.06}}, {"dead_zone", {0.02, 0.5}}}));
+  const FitProblem problem = straight(with_effects({{"direction_gain", {0.06}}, {"dead_zone", {0.02, 0.5}}}));
   const ModelComparison comparison(problem, problem, {});
   const auto stands_beside = [&](const TrialEffect& one, const TrialEffect& other) {
     const SelectionStep apart = judged(problem, {one, other});

@@ -27,7 +27,7 @@ TrialEffect named(const std::string& name, const std::vector<double>& parameters
   return {find_effect(name), 0, parameters};
 }
 
-Problem some_drive() {
+FitProblem some_drive() {
   DriveLog log;
   log.wheel_base_m = 0.25;
   log.period_s = period_s;
@@ -46,7 +46,7 @@ Problem some_drive() {
 }
 
 // With the counts that `robot` would give.
-Problem counted_drive(const TrialModel& robot) {
+FitProblem counted_drive(const TrialModel& robot) {
   return {
       {test::counted_run(robot, 2000, test::steps_to_and_fro)}, {test::counted_metres_per_tick}, serial_for};
 }
@@ -74,7 +74,7 @@ SelectionStep check(const std::vector<Said>& all) {
 // What is left of two effects, with what was said for each in its place.
 TrialModel left_model(const Said& one, const SelectionStep& check_of_one, const Said& other,
                       const SelectionStep& check_of_other, bool free_runs_closer) {
-  Problem problem = some_drive();
+  FitProblem problem = some_drive();
   ModelComparison comparison(problem, problem, {});
   CandidateEvaluation evaluation(problem, problem, comparison, {}, {}, serial_for);
   const FreeRuns free_runs{[](const TrialModel&) { return true; },
@@ -166,8 +166,8 @@ TEST_CASE("Of two that are not needed the lesser one goes first") {
 TEST_CASE("An effect and its rivals are judged where it stands: friction in front of the play") {
   const TrialEffect friction = named("coulomb_friction", {0.03, 0.02});
   const TrialModel robot = with_effects({friction, named("backlash", {0.01, 100.0, 1.0})});
-  Problem train = counted_drive(robot);
-  Problem heldout = counted_drive(robot);
+  FitProblem train = counted_drive(robot);
+  FitProblem heldout = counted_drive(robot);
   ModelComparison comparison(train, heldout, {});
   const std::vector<const EffectInfo*> candidate_effects{find_effect("coulomb_friction"),
                                                          find_effect("dead_zone"), find_effect("backlash")};
@@ -189,8 +189,8 @@ TEST_CASE("An effect and its rivals are judged where it stands: friction in fron
 TEST_CASE("What explains something else and more is no doubt of what is there") {
   const TrialEffect present = named("gain_drift", {0.1, 15.0});
   const TrialModel robot = with_effects({named("dead_zone", {0.04, 0.5}), present});
-  Problem train = counted_drive(robot);
-  Problem heldout = counted_drive(robot);
+  FitProblem train = counted_drive(robot);
+  FitProblem heldout = counted_drive(robot);
   ModelComparison comparison(train, heldout, {});
   const std::vector<const EffectInfo*> candidate_effects{find_effect("dead_zone"), present.info};
   CandidateEvaluation evaluation(train, heldout, comparison, candidate_effects, {}, serial_for);

@@ -11,7 +11,7 @@ namespace wheelwright {
 
 // Order n: commands 0 to n periods ago (the leading `delay` of them left out) and speeds 1 to n periods ago.
 // Columns: [left i=delay, right i=delay, left i=delay+1, ..., right i=n, own 1, ..., own n].
-struct ArxLayout {
+struct ArmaLayout {
   std::size_t order = 9;
   std::size_t delay = 0;  // at most `order`
 

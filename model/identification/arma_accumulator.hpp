@@ -1,11 +1,11 @@
 // Eq. (12) row by row, for both wheels: the paper's ARMA calibration as it can run beside the robot.
 //
 // Each row says that the speed of a wheel over one period is the weighted sum of both commands and of the
-// wheel's own past speeds (ArxLayout). Rows go into one small triangle per wheel, so memory does not grow
+// wheel's own past speeds (ArmaLayout). Rows go into one small triangle per wheel, so memory does not grow
 // with the log; adding a period costs O(order^2) operations and allocates nothing.
 //
 // Past speeds come from the encoders and carry their noise, which biases the weights of the past towards
-// zero (errors in variables): with 0.44 mm ticks the free run of such a model is visibly too quick. fit_arx
+// zero (errors in variables): with 0.44 mm ticks the free run of such a model is visibly too quick. fit_arma
 // repairs that; this is its first step, and the reference.
 #pragma once
 
@@ -13,14 +13,14 @@
 #include <optional>
 #include <vector>
 
-#include "model/identification/arx_layout.hpp"
+#include "model/identification/arma_layout.hpp"
 #include "model/identification/least_squares_accumulator.hpp"
 
 namespace wheelwright {
 
-class ArxAccumulator {
+class ArmaAccumulator {
  public:
-  explicit ArxAccumulator(const ArxLayout& layout);
+  explicit ArmaAccumulator(const ArmaLayout& layout);
 
   // A run begins with a robot at rest: past commands and speeds are zero.
   void start_from_rest();
@@ -41,14 +41,14 @@ class ArxAccumulator {
  private:
   struct Wheel {
     LeastSquaresAccumulator equations;
-    Eigen::RowVectorXd row;  // commands and past speeds, as ArxLayout orders them
+    Eigen::RowVectorXd row;  // commands and past speeds, as ArmaLayout orders them
   };
 
   void add_row(Wheel& wheel, double speed_m_s);
   void remember_speed(Wheel& wheel, double speed_m_s);
   void remember_command(const WheelPair& command_m_s);
 
-  ArxLayout layout_;
+  ArmaLayout layout_;
   Wheel left_;
   Wheel right_;
   Eigen::RowVectorXd commands_;  // newest first, left before right, from i=0

@@ -1,11 +1,11 @@
-#include "model/gap/candidates/flat_places.hpp"
+#include "model/gap/candidates/flat_parameters.hpp"
 
 namespace wheelwright::gap {
 namespace {
 
 constexpr double worth_it = 2.0;  // of the sum of squares: a nat
 
-bool is_flat(const Problem& train, const Fit& fit, std::size_t parameter) {
+bool is_flat(const FitProblem& train, const Fit& fit, std::size_t parameter) {
   if (fit.model.parameter_info(parameter)->sizes.empty()) return false;
   TrialModel moved = fit.model;
   moved.set_parameter(parameter, fit.model.parameter(parameter) + small_step(fit.model, parameter));
@@ -14,7 +14,7 @@ bool is_flat(const Problem& train, const Fit& fit, std::size_t parameter) {
 
 }  // namespace
 
-Fit away_from_flat_places(const Problem& train, const Fit& fit, int steps) {
+Fit away_from_flat_parameters(const FitProblem& train, const Fit& fit, int steps) {
   Fit best = fit;
   for (std::size_t i = fit.model.linear_part.size(); i < fit.model.parameter_count(); ++i) {
     if (!is_flat(train, best, i)) continue;

@@ -1,8 +1,8 @@
-#include "model/identification/arx_layout.hpp"
+#include "model/identification/arma_layout.hpp"
 
 namespace wheelwright {
 
-WheelResponse ArxLayout::to_response(const Eigen::VectorXd& unknowns) const {
+WheelResponse ArmaLayout::to_response(const Eigen::VectorXd& unknowns) const {
   WheelResponse response;
   response.from_left.assign(order + 1, 0.0);
   response.from_right.assign(order + 1, 0.0);
@@ -15,7 +15,7 @@ WheelResponse ArxLayout::to_response(const Eigen::VectorXd& unknowns) const {
   return response;
 }
 
-Eigen::VectorXd ArxLayout::to_unknowns(const WheelResponse& response) const {
+Eigen::VectorXd ArmaLayout::to_unknowns(const WheelResponse& response) const {
   Eigen::VectorXd unknowns(columns());
   Eigen::Index column = 0;
   for (std::size_t i = delay; i <= order; ++i) {

@@ -1,10 +1,10 @@
-#include "model/identification/arx_accumulator.hpp"
+#include "model/identification/arma_accumulator.hpp"
 
 #include <algorithm>
 
 namespace wheelwright {
 
-ArxAccumulator::ArxAccumulator(const ArxLayout& layout)
+ArmaAccumulator::ArmaAccumulator(const ArmaLayout& layout)
     : layout_(layout),
       left_{LeastSquaresAccumulator(layout.columns(), 1), Eigen::RowVectorXd::Zero(layout.columns())},
       right_{left_},
@@ -12,7 +12,7 @@ ArxAccumulator::ArxAccumulator(const ArxLayout& layout)
   start_from_rest();
 }
 
-void ArxAccumulator::start_from_rest() {
+void ArmaAccumulator::start_from_rest() {
   left_.row.setZero();
   right_.row.setZero();
   commands_.setZero();
@@ -20,12 +20,12 @@ void ArxAccumulator::start_from_rest() {
   speeds_known_ = layout_.order;
 }
 
-void ArxAccumulator::lose_past() {
+void ArmaAccumulator::lose_past() {
   commands_known_ = 0;
   speeds_known_ = 0;
 }
 
-void ArxAccumulator::add(const WheelPair& command_m_s, const std::optional<WheelPair>& speed_m_s) {
+void ArmaAccumulator::add(const WheelPair& command_m_s, const std::optional<WheelPair>& speed_m_s) {
   remember_command(command_m_s);
   if (speed_m_s && commands_known_ > layout_.order && speeds_known_ >= layout_.order) {
     add_row(left_, speed_m_s->left);
@@ -36,7 +36,7 @@ void ArxAccumulator::add(const WheelPair& command_m_s, const std::optional<Wheel
   remember_speed(right_, speed_m_s ? speed_m_s->right : 0.0);
 }
 
-void ArxAccumulator::remember_command(const WheelPair& command_m_s) {
+void ArmaAccumulator::remember_command(const WheelPair& command_m_s) {
   std::copy_backward(commands_.data(), commands_.data() + commands_.size() - 2,
                      commands_.data() + commands_.size());
   commands_[0] = command_m_s.left;
@@ -44,7 +44,7 @@ void ArxAccumulator::remember_command(const WheelPair& command_m_s) {
   commands_known_ = std::min(commands_known_ + 1, layout_.order + 1);
 }
 
-void ArxAccumulator::remember_speed(Wheel& wheel, double speed_m_s) {
+void ArmaAccumulator::remember_speed(Wheel& wheel, double speed_m_s) {
   if (layout_.order == 0) return;
   double* newest = wheel.row.data() + layout_.command_columns();
   double* end = wheel.row.data() + wheel.row.size();
@@ -52,7 +52,7 @@ void ArxAccumulator::remember_speed(Wheel& wheel, double speed_m_s) {
   *newest = speed_m_s;
 }
 
-void ArxAccumulator::add_row(Wheel& wheel, double speed_m_s) {
+void ArmaAccumulator::add_row(Wheel& wheel, double speed_m_s) {
   wheel.row.head(layout_.command_columns()) = commands_.tail(layout_.command_columns());
   wheel.equations.add_row(wheel.row, Eigen::RowVector<double, 1>(speed_m_s));
 }

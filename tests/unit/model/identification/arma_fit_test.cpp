@@ -1,4 +1,4 @@
-#include "model/identification/arx_fit.hpp"
+#include "model/identification/arma_fit.hpp"
 
 #include <limits>
 
@@ -46,8 +46,8 @@ double relative_free_run_error(const LinearModel& model, unsigned seed) {
   return std::sqrt(error / whole);
 }
 
-std::string reason_of(const DriveLog& log, const ArxFitOptions& options = {.order = 9}) {
-  const auto fit = fit_arx(std::span(&log, 1), options);
+std::string reason_of(const DriveLog& log, const ArmaFitOptions& options = {.order = 9}) {
+  const auto fit = fit_arma(std::span(&log, 1), options);
   return fit ? "no refusal" : fit.error().reason;
 }
 
@@ -55,8 +55,8 @@ std::string reason_of(const DriveLog& log, const ArxFitOptions& options = {.orde
 
 TEST_CASE("The published plant is recovered from 1000 noise-free rows") {
   const DriveLog log = test::plant_run({.rows = 1000});
-  for (const ArxMethod method : {ArxMethod::equation_error, ArxMethod::free_run}) {
-    const auto fit = fit_arx(std::span(&log, 1), {.order = 9, .method = method});
+  for (const ArmaMethod method : {ArmaMethod::equation_error, ArmaMethod::free_run}) {
+    const auto fit = fit_arma(std::span(&log, 1), {.order = 9, .method = method});
     REQUIRE(fit);
     CHECK(distance_from_plant(fit->model) < 1e-8);
     CHECK(fit->rows == 999);
@@ -73,7 +73,7 @@ TEST_CASE("With a real encoder's ticks the free run stays within a tenth of the 
     INFO("seed " << seed);
     const DriveLog log =
         test::plant_run({.rows = 1000, .metres_per_tick = test::create2_tick_m, .seed = seed});
-    const auto fit = fit_arx(std::span(&log, 1), {.order = 9});
+    const auto fit = fit_arma(std::span(&log, 1), {.order = 9});
     REQUIRE(fit);
     CHECK(relative_free_run_error(fit->model, 100 + seed) < 0.1);
     CHECK_THAT(fit->left.quality.gain.from_left, WithinAbs(0.4108, 5e-4));
@@ -86,8 +86,8 @@ TEST_CASE("Fitting the free run beats fitting differences of counts") {
   for (const unsigned seed : {1U, 2U, 3U}) {
     const DriveLog log =
         test::plant_run({.rows = 3000, .metres_per_tick = test::create2_tick_m, .seed = seed});
-    const auto biased = fit_arx(std::span(&log, 1), {.order = 9, .method = ArxMethod::equation_error});
-    const auto refined = fit_arx(std::span(&log, 1), {.order = 9});
+    const auto biased = fit_arma(std::span(&log, 1), {.order = 9, .method = ArmaMethod::equation_error});
+    const auto refined = fit_arma(std::span(&log, 1), {.order = 9});
     REQUIRE(biased);
     REQUIRE(refined);
     CHECK(2.0 * relative_free_run_error(refined->model, 60) < relative_free_run_error(biased->model, 60));
@@ -113,7 +113,7 @@ TEST_CASE("A log off the model's grid is read at its real times") {
     between.ticks->right += std::llround(share * static_cast<double>(next.right - between.ticks->right));
     irregular.samples.push_back(between);
   }
-  const auto fit = fit_arx(std::span(&irregular, 1), {.order = 9});
+  const auto fit = fit_arma(std::span(&irregular, 1), {.order = 9});
   REQUIRE(fit);
   CHECK(distance_from_plant(fit->model) < 1e-7);
 }
@@ -121,11 +121,11 @@ TEST_CASE("A log off the model's grid is read at its real times") {
 TEST_CASE("A gap costs the rows whose past it hides and nothing else") {
   DriveLog log = test::plant_run({.rows = 2000});
   log.samples.erase(log.samples.begin() + 700, log.samples.begin() + 760);
-  const auto fit = fit_arx(std::span(&log, 1), {.order = 9, .method = ArxMethod::equation_error});
+  const auto fit = fit_arma(std::span(&log, 1), {.order = 9, .method = ArmaMethod::equation_error});
   REQUIRE(fit);
   CHECK(fit->rows == 1999 - 61 - 9);
   CHECK(distance_from_plant(fit->model) < 1e-8);
-  const auto refined = fit_arx(std::span(&log, 1), {.order = 9});
+  const auto refined = fit_arma(std::span(&log, 1), {.order = 9});
   REQUIRE(refined);
   // Commands within the gap are not known; a second later they have faded to this.
   CHECK(distance_from_plant(refined->model) < 1e-6);
@@ -133,7 +133,7 @@ TEST_CASE("A gap costs the rows whose past it hides and nothing else") {
 
 TEST_CASE("A fixed delay leaves the leading weights at zero") {
   const DriveLog log = test::plant_run({.metres_per_tick = test::create2_tick_m});
-  const auto fit = fit_arx(std::span(&log, 1), {.order = 9, .delay = 3});
+  const auto fit = fit_arma(std::span(&log, 1), {.order = 9, .delay = 3});
   REQUIRE(fit);
   CHECK(fit->left.unknowns == 2 * 7 + 9);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -150,7 +150,7 @@ TEST_CASE("The stated error of the gain covers the truth") {
   for (unsigned seed = 200; seed < 200 + trials; ++seed) {
     const DriveLog log =
         test::plant_run({.rows = 1000, .metres_per_tick = test::create2_tick_m, .seed = seed});
-    const auto fit = fit_arx(std::span(&log, 1), {.order = 9});
+    const auto fit = fit_arma(std::span(&log, 1), {.order = 9});
     REQUIRE(fit);
     const double error = std::abs(fit->left.quality.gain.from_left - test::PublishedPlant::dc_gain());
     if (error < 3.0 * fit->left.quality.gain_standard_error.from_left) ++covered;
@@ -183,7 +183,7 @@ TEST_CASE("Commands whose changes all fall into gaps cannot tell the weights apa
     log.samples.erase(log.samples.begin() + 28, log.samples.begin() + 60);
     logs.push_back(log);
   }
-  const auto fit = fit_arx(logs, {.order = 9});
+  const auto fit = fit_arma(logs, {.order = 9});
   REQUIRE_FALSE(fit);
   CHECK_THAT(fit.error().reason, ContainsSubstring("record a run whose commands change at random"));
 }
@@ -191,10 +191,11 @@ TEST_CASE("Commands whose changes all fall into gaps cannot tell the weights apa
 TEST_CASE("Runs of other robots or other periods are not fitted together") {
   std::vector<DriveLog> logs{test::plant_run({.seed = 1}), test::plant_run({.seed = 2})};
   logs[1].wheel_base_m = 0.33;
-  CHECK_THAT(fit_arx(logs, {.order = 9}).error().reason, ContainsSubstring("fit runs of one robot together"));
+  CHECK_THAT(fit_arma(logs, {.order = 9}).error().reason,
+             ContainsSubstring("fit runs of one robot together"));
   logs[1].wheel_base_m = logs[0].wheel_base_m;
   logs[1].period_s = 0.05;
-  CHECK_THAT(fit_arx(logs, {.order = 9}).error().reason, ContainsSubstring("its period is 0.05 s"));
+  CHECK_THAT(fit_arma(logs, {.order = 9}).error().reason, ContainsSubstring("its period is 0.05 s"));
 }
 
 TEST_CASE("A wheel that runs away is refused as that") {
@@ -206,7 +207,7 @@ TEST_CASE("A wheel that runs away is refused as that") {
     speed = 1.004 * speed + 0.01 * sample.command_m_s.left;
     left += 0.018 * speed;
   }
-  for (const ArxMethod method : {ArxMethod::equation_error, ArxMethod::free_run}) {
+  for (const ArmaMethod method : {ArmaMethod::equation_error, ArmaMethod::free_run}) {
     CHECK_THAT(reason_of(log, {.order = 2, .method = method}), ContainsSubstring("longer run"));
   }
 }

@@ -1,4 +1,4 @@
-#include "model/gap/fit/problem.hpp"
+#include "model/gap/fit/fit_problem.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -22,11 +22,8 @@ double sum_squares_of(const std::vector<double>& values) {
   return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
 }
 
-void serial_for(std::size_t count, const std::function<void(std::size_t)>& job) {
-  for (std::size_t i = 0; i < count; ++i) job(i);
-}
-
-Problem::Problem(std::vector<GapRun> runs, std::vector<WheelPair> metres_per_tick, ParallelFor parallel_for)
+FitProblem::FitProblem(std::vector<GapRun> runs, std::vector<WheelPair> metres_per_tick,
+                       ParallelFor parallel_for)
     : runs_(std::move(runs)),
       metres_per_tick_(std::move(metres_per_tick)),
       parallel_for_(std::move(parallel_for)) {
@@ -41,7 +38,7 @@ Problem::Problem(std::vector<GapRun> runs, std::vector<WheelPair> metres_per_tic
       for (std::size_t i = 0; i < series.at.size(); ++i) {
         block.times_s.push_back(run.period_s *
                                 (static_cast<double>(series.at[i].period) + series.at[i].share));
-        places_.push_back({r, static_cast<Channel>(c), i, series.at[i].period});
+        indices_.push_back({r, static_cast<Channel>(c), i, series.at[i].period});
       }
       block.unsteady = unsteady_shares(unsteady, block.times_s, run.period_s);
       size_ += series.at.size();
@@ -49,37 +46,37 @@ Problem::Problem(std::vector<GapRun> runs, std::vector<WheelPair> metres_per_tic
     }
     if (run.sparse) {
       for (std::size_t i = 1; i < run.references.size(); ++i) {
-        if (run.references[i].anew) continue;
+        if (run.references[i].counts_lost) continue;
         segments_.push_back({r, i - 1, size_, Eigen::Matrix3d::Identity()});
-        for (std::size_t part = 0; part < 3; ++part) {
-          places_.push_back({r, std::nullopt, i, run.references[i].at.period});
+        for (std::size_t component = 0; component < 3; ++component) {
+          indices_.push_back({r, std::nullopt, i, run.references[i].at.period});
         }
         size_ += 3;
       }
     }
     run_range_.emplace_back(begin, size_);
-    if (!run.has_counts) parts_touch_ = true;
+    if (!run.has_counts) outputs_are_tied_ = true;
   }
   set_noise({});
 }
 
-bool Problem::has_counts() const {
+bool FitProblem::has_counts() const {
   return std::ranges::any_of(runs_, [](const GapRun& run) { return run.has_counts; });
 }
 
-bool Problem::has_motion() const {
+bool FitProblem::has_motion() const {
   return std::ranges::any_of(runs_, [](const GapRun& run) { return run.references.size() >= 2; });
 }
 
-double Problem::smallest_reading(std::size_t channel) const {
+double FitProblem::smallest_reading(std::size_t channel) const {
   if (channel > static_cast<std::size_t>(Channel::right)) return 1e-5;
   double largest_tick = 0.0;
   for (const auto& tick : metres_per_tick_) largest_tick = std::max({largest_tick, tick.left, tick.right});
   return std::max(largest_tick / std::sqrt(12.0), 1e-6);
 }
 
-NoiseModel Problem::noise_left_by(const TrialModel& model, double min_apart_s,
-                                  double longest_lasting_s) const {
+NoiseModel FitProblem::noise_left_by(const TrialModel& model, double min_apart_s,
+                                     double longest_lasting_s) const {
   std::vector<RunErrors> errors(runs_.size());
   parallel_for_(runs_.size(), [&](std::size_t r) { errors[r] = free_run_errors(model, runs_[r]); });
   NoiseModel noise = noise_;
@@ -118,7 +115,7 @@ NoiseModel Problem::noise_left_by(const TrialModel& model, double min_apart_s,
   return noise;
 }
 
-void Problem::set_noise(const NoiseModel& noise) {
+void FitProblem::set_noise(const NoiseModel& noise) {
   noise_ = noise;
   whiteners_.clear();
   for (const auto& block : blocks_) {
@@ -133,53 +130,53 @@ void Problem::set_noise(const NoiseModel& noise) {
   }
 }
 
-double Problem::log_likelihood(const std::vector<double>& residuals) const {
+double FitProblem::log_likelihood(const std::vector<double>& residuals) const {
   double log_determinant = 0.0;
   for (const Whitener& whitener : whiteners_) log_determinant += whitener.log_determinant();
   for (const auto& block : segments_) log_determinant -= block.whitening.diagonal().array().log().sum();
   return -0.5 * sum_squares_of(residuals) - log_determinant;
 }
 
-Part Problem::part_of(EffectStage stage) const {
-  if (parts_touch_) return Part::all;
-  return stage == EffectStage::command || stage == EffectStage::wheel ? Part::wheels : Part::motion;
+Outputs FitProblem::outputs_of(EffectStage stage) const {
+  if (outputs_are_tied_) return Outputs::all;
+  return stage == EffectStage::command || stage == EffectStage::wheel ? Outputs::wheels : Outputs::motion;
 }
 
-Part Problem::part_of(const TrialEffect& effect) const {
-  return part_of(effect.info->variants[effect.variant].stage);
+Outputs FitProblem::outputs_of(const TrialEffect& effect) const {
+  return outputs_of(effect.info->variants[effect.variant].stage);
 }
 
 // The motion beyond odometry is what an effect makes of the wheels' motion: with none, it is zero however
 // they move; with one, poses show how the wheels move, too.
-Part Problem::part_shown_by(const TrialModel& model, std::size_t parameter) const {
-  const Part own = part_of_parameter(model, parameter);
+Outputs FitProblem::outputs_shown_by(const TrialModel& model, std::size_t parameter) const {
+  const Outputs own = outputs_of_parameter(model, parameter);
   const bool beyond_odometry = std::ranges::any_of(
-      model.effects, [&](const TrialEffect& effect) { return part_of(effect) == Part::motion; });
-  return own == Part::wheels && beyond_odometry ? Part::all : own;
+      model.effects, [&](const TrialEffect& effect) { return outputs_of(effect) == Outputs::motion; });
+  return own == Outputs::wheels && beyond_odometry ? Outputs::all : own;
 }
 
-Part Problem::part_of_parameter(const TrialModel& model, std::size_t parameter) const {
-  if (parameter < model.shape.of_wheels()) return part_of(EffectStage::command);
-  if (parameter < model.linear_part.size()) return part_of(EffectStage::observation);
+Outputs FitProblem::outputs_of_parameter(const TrialModel& model, std::size_t parameter) const {
+  if (parameter < model.shape.of_wheels()) return outputs_of(EffectStage::command);
+  if (parameter < model.linear_part.size()) return outputs_of(EffectStage::observation);
   parameter -= model.linear_part.size();
   for (const auto& effect : model.effects) {
-    if (parameter < effect.parameters.size()) return part_of(effect);
+    if (parameter < effect.parameters.size()) return outputs_of(effect);
     parameter -= effect.parameters.size();
   }
-  return Part::all;
+  return Outputs::all;
 }
 
-bool Problem::in_part(std::size_t residual, Part part) const {
-  return is_of(part, places_[residual].channel);
+bool FitProblem::is_among(std::size_t residual, Outputs outputs) const {
+  return is_of(outputs, indices_[residual].channel);
 }
 
-bool Problem::is_of(Part part, const std::optional<Channel>& channel) {
-  if (part == Part::all) return true;
+bool FitProblem::is_of(Outputs outputs, const std::optional<Channel>& channel) {
+  if (outputs == Outputs::all) return true;
   const bool of_wheels = channel == Channel::left || channel == Channel::right;
-  return of_wheels == (part == Part::wheels);
+  return of_wheels == (outputs == Outputs::wheels);
 }
 
-std::vector<double> Problem::whitened(std::size_t run, const RunErrors& errors) const {
+std::vector<double> FitProblem::whitened(std::size_t run, const RunErrors& errors) const {
   const auto [begin, end] = run_range_[run];
   std::vector<double> residuals(end - begin, 0.0);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
@@ -197,16 +194,16 @@ std::vector<double> Problem::whitened(std::size_t run, const RunErrors& errors) 
   return residuals;
 }
 
-std::vector<double> Problem::residuals(const TrialModel& model, Part part) const {
+std::vector<double> FitProblem::residuals(const TrialModel& model, Outputs outputs) const {
   std::vector<double> all(size_, 0.0);
   parallel_for_(runs_.size(), [&](std::size_t run) {
-    std::ranges::copy(whitened(run, free_run_errors(model, runs_[run], part)),
+    std::ranges::copy(whitened(run, free_run_errors(model, runs_[run], outputs)),
                       all.begin() + static_cast<std::ptrdiff_t>(run_range_[run].first));
   });
   return all;
 }
 
-std::vector<double> Problem::residuals(std::span<const RunErrors> errors) const {
+std::vector<double> FitProblem::residuals(std::span<const RunErrors> errors) const {
   std::vector<double> all(size_, 0.0);
   for (std::size_t run = 0; run < runs_.size(); ++run) {
     std::ranges::copy(whitened(run, errors[run]),
@@ -215,8 +212,8 @@ std::vector<double> Problem::residuals(std::span<const RunErrors> errors) const 
   return all;
 }
 
-std::optional<Problem::Innovations> Problem::innovations(std::size_t run, Channel channel,
-                                                         std::span<const double> errors) const {
+std::optional<FitProblem::Innovations> FitProblem::innovations(std::size_t run, Channel channel,
+                                                               std::span<const double> errors) const {
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (blocks_[b].run != run || blocks_[b].channel != static_cast<std::size_t>(channel)) continue;
     Innovations result{blocks_[b].offset, std::vector<double>(errors.size())};
@@ -226,7 +223,7 @@ std::optional<Problem::Innovations> Problem::innovations(std::size_t run, Channe
   return std::nullopt;
 }
 
-void Problem::set_initial_travel(std::span<const WheelPair> rolled_m) {
+void FitProblem::set_initial_travel(std::span<const WheelPair> rolled_m) {
   for (std::size_t r = 0; r < runs_.size(); ++r) runs_[r].initial_travel_m = rolled_m[r];
 }
 

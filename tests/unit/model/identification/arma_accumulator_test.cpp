@@ -1,4 +1,4 @@
-#include "model/identification/arx_accumulator.hpp"
+#include "model/identification/arma_accumulator.hpp"
 
 #include "model/identification/least_squares_solution.hpp"
 #include "model/log/run_periods.hpp"
@@ -8,7 +8,7 @@
 using namespace wheelwright;
 
 TEST_CASE("The quick solution of a live fit is that of the singular values") {
-  ArxAccumulator accumulator({9, 0});
+  ArmaAccumulator accumulator({9, 0});
   const DriveLog log = test::plant_run({.metres_per_tick = test::create2_tick_m});
   for_each_period(log, log.period_s,
                   [&](const RunPeriod& period) { accumulator.add(period.command_m_s, period.speed_m_s); });
@@ -20,7 +20,7 @@ TEST_CASE("The quick solution of a live fit is that of the singular values") {
 }
 
 TEST_CASE("After its past is lost an accumulator waits until the rows know theirs") {
-  ArxAccumulator accumulator({3, 0});
+  ArmaAccumulator accumulator({3, 0});
   accumulator.add({0.1, 0.2}, WheelPair{0.1, 0.2});
   CHECK(accumulator.rows() == 1);  // a run begins with a robot at rest
   accumulator.lose_past();

@@ -1,4 +1,4 @@
-#include "model/identification/arx_fit.hpp"
+#include "model/identification/arma_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "model/identification/arx_accumulator.hpp"
+#include "model/identification/arma_accumulator.hpp"
 #include "model/identification/fit_checks.hpp"
 #include "model/identification/free_run_refinement.hpp"
 #include "model/identification/free_run_starts.hpp"
@@ -29,8 +29,8 @@ constexpr double slowest_pole = 0.995;
 // Commands below this share of independence from each other show nothing but rounding.
 constexpr double weakest_command_direction = 1e-6;
 
-ArxAccumulator stack_equations(std::span<const DriveLog> logs, double period_s, const ArxLayout& layout) {
-  ArxAccumulator accumulator(layout);
+ArmaAccumulator stack_equations(std::span<const DriveLog> logs, double period_s, const ArmaLayout& layout) {
+  ArmaAccumulator accumulator(layout);
   for (const auto& log : logs) {
     accumulator.start_from_rest();
     for_each_period(log, period_s, [&](const RunPeriod& period) {
@@ -42,7 +42,7 @@ ArxAccumulator stack_equations(std::span<const DriveLog> logs, double period_s, 
 }
 
 // The command columns come first, so the leading block of the triangle is their own.
-std::optional<Refusal> find_missing_command_changes(const Factor& factor, const ArxLayout& layout) {
+std::optional<Refusal> find_missing_command_changes(const Factor& factor, const ArmaLayout& layout) {
   Factor commands;
   commands.r = factor.r.topLeftCorner(layout.command_columns(), layout.command_columns());
   commands.z = Eigen::MatrixXd::Zero(layout.command_columns(), 1);
@@ -55,7 +55,7 @@ std::optional<Refusal> find_missing_command_changes(const Factor& factor, const 
                  "lower order"};
 }
 
-std::optional<Refusal> find_too_few_rows(Eigen::Index rows, const ArxLayout& layout) {
+std::optional<Refusal> find_too_few_rows(Eigen::Index rows, const ArmaLayout& layout) {
   const Eigen::Index needed = rows_per_unknown * layout.columns();
   if (rows >= needed) return std::nullopt;
   return Refusal{"only " + std::to_string(rows) + " usable rows, but order " + std::to_string(layout.order) +
@@ -91,7 +91,7 @@ std::optional<Refusal> find_unexplained_travel(std::span<const DriveLog> logs, c
 }
 
 // Standard errors of the gain by the derivative of B(1) / (1 - A(1)) after each weight.
-void describe_gain(const WheelResponse& response, const Eigen::MatrixXd& covariance, const ArxLayout& layout,
+void describe_gain(const WheelResponse& response, const Eigen::MatrixXd& covariance, const ArmaLayout& layout,
                    WheelFit& quality) {
   quality.gain = dc_gain(response);
   double rest = 1.0;
@@ -107,10 +107,10 @@ void describe_gain(const WheelResponse& response, const Eigen::MatrixXd& covaria
 
 struct EstimatedWheel {
   WheelResponse response;
-  ArxWheelFit fit;
+  ArmaWheelFit fit;
 };
 
-EstimatedWheel estimate_from_equations(const Factor& factor, const ArxLayout& layout) {
+EstimatedWheel estimate_from_equations(const Factor& factor, const ArmaLayout& layout) {
   const SmallSolution solution = solve_small(factor);
   EstimatedWheel wheel;
   wheel.response = layout.to_response(solution.unknowns);
@@ -140,12 +140,12 @@ void refine(const FreeRunProblem& problem, const WheelResponse* reduced, Estimat
 }
 
 // Runs of one robot, checked, with what fits of all orders share.
-class ArxData {
+class ArmaData {
  public:
-  ArxData(std::span<const DriveLog> logs, double period_s) : logs_(logs), period_s_(period_s) {}
+  ArmaData(std::span<const DriveLog> logs, double period_s) : logs_(logs), period_s_(period_s) {}
 
-  tl::expected<ArxFit, Refusal> fit(const ArxLayout& layout, ArxMethod method) {
-    ArxAccumulator equations = stack_equations(logs_, period_s_, layout);
+  tl::expected<ArmaFit, Refusal> fit(const ArmaLayout& layout, ArmaMethod method) {
+    ArmaAccumulator equations = stack_equations(logs_, period_s_, layout);
     if (auto refusal = find_too_few_rows(equations.rows(), layout)) return tl::unexpected(*refusal);
     const Factor left_factor = equations.left_factor();
     const Factor right_factor = equations.right_factor();
@@ -153,23 +153,23 @@ class ArxData {
 
     EstimatedWheel left = estimate_from_equations(left_factor, layout);
     EstimatedWheel right = estimate_from_equations(right_factor, layout);
-    if (method == ArxMethod::free_run) refine_both(layout, left, right);
+    if (method == ArmaMethod::free_run) refine_both(layout, left, right);
     finish(left_factor, layout, left);
     finish(right_factor, layout, right);
     const double pole = std::max(left.fit.largest_pole, right.fit.largest_pole);
     if (pole >= slowest_pole) return tl::unexpected(runs_away(pole, layout.order));
-    ArxFit result = summary(left, right, equations.rows());
+    ArmaFit result = summary(left, right, equations.rows());
     if (auto refusal = find_unexplained_travel(logs_, result.model)) return tl::unexpected(*refusal);
     return result;
   }
 
  private:
-  void refine_both(const ArxLayout& layout, EstimatedWheel& left, EstimatedWheel& right) {
+  void refine_both(const ArmaLayout& layout, EstimatedWheel& left, EstimatedWheel& right) {
     prepare_refinement();
     std::optional<LinearModel> reduced;
     std::optional<ResponsePrior> prior;
     if (moving_average_) {
-      reduced = reduce_to_arx(moving_average_->model, logs_, layout);
+      reduced = reduce_to_arma(moving_average_->model, logs_, layout);
       prior = moving_average_->prior;
     }
     const WheelPair& tick_m = *logs_.front().metres_per_tick;
@@ -187,14 +187,14 @@ class ArxData {
     if (auto fit = fit_fir(logs_, options)) moving_average_ = std::move(*fit);
   }
 
-  static void finish(const Factor& factor, const ArxLayout& layout, EstimatedWheel& wheel) {
+  static void finish(const Factor& factor, const ArmaLayout& layout, EstimatedWheel& wheel) {
     wheel.fit.largest_pole = largest_pole(wheel.response);
     const double square_sum = residual_square_sum(factor, layout.to_unknowns(wheel.response));
     wheel.fit.one_step_rms_m_s = std::sqrt(square_sum / static_cast<double>(factor.rows));
   }
 
-  ArxFit summary(const EstimatedWheel& left, const EstimatedWheel& right, Eigen::Index rows) const {
-    ArxFit fit;
+  ArmaFit summary(const EstimatedWheel& left, const EstimatedWheel& right, Eigen::Index rows) const {
+    ArmaFit fit;
     fit.model = {ModelType::arma, period_s_, logs_.front().wheel_base_m, left.response, right.response};
     fit.left = left.fit;
     fit.right = right.fit;
@@ -211,7 +211,7 @@ class ArxData {
   std::optional<FirFit> moving_average_;
 };
 
-OrderTrial to_trial(const ArxFit& fit) {
+OrderTrial to_trial(const ArmaFit& fit) {
   return {fit.model, std::max(fit.left.one_step_rms_m_s, fit.right.one_step_rms_m_s),
           std::max(fit.left.largest_pole, fit.right.largest_pole),
           std::max(fit.left.condition, fit.right.condition)};
@@ -219,24 +219,24 @@ OrderTrial to_trial(const ArxFit& fit) {
 
 }  // namespace
 
-tl::expected<ArxFit, Refusal> fit_arx(std::span<const DriveLog> logs, const ArxFitOptions& options) {
+tl::expected<ArmaFit, Refusal> fit_arma(std::span<const DriveLog> logs, const ArmaFitOptions& options) {
   if (auto refusal = find_unfit_log(logs)) return tl::unexpected(*refusal);
   const double period_s = options.period_s.value_or(shortest_period_s(logs));
-  const auto fit_of = [&](ArxData& data, std::size_t order) {
+  const auto fit_of = [&](ArmaData& data, std::size_t order) {
     return data.fit({order, std::min(options.delay, order)}, options.method);
   };
   std::optional<OrderSweep> sweep;
   if (!options.order) {
     auto swept =
         sweep_orders(logs, options.largest_order, options.on_order, [&](std::span<const DriveLog> training) {
-          return [&fit_of, data = ArxData(training, period_s)](std::size_t order) mutable {
+          return [&fit_of, data = ArmaData(training, period_s)](std::size_t order) mutable {
             return fit_of(data, order).map(to_trial);
           };
         });
     if (!swept) return tl::unexpected(swept.error());
     sweep = std::move(*swept);
   }
-  ArxData data(logs, period_s);
+  ArmaData data(logs, period_s);
   auto fit = fit_of(data, sweep ? sweep->chosen : *options.order);
   if (fit) fit->sweep = std::move(sweep);
   return fit;

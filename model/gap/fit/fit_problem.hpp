@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -12,19 +11,13 @@
 #include <Eigen/Core>
 
 #include "model/gap/fit/free_run_errors.hpp"
+#include "model/gap/fit/parallel_for.hpp"
 #include "model/gap/fit/trial_model.hpp"
 #include "model/gap/noise/noise_fit.hpp"
 #include "model/gap/noise/whitening.hpp"
 #include "model/gap/runs/run.hpp"
 
 namespace wheelwright::gap {
-
-// Calls a job for 0 .. count-1, in any order, perhaps side by side; returns when all are done. How is the
-// caller's affair: nothing here knows of threads.
-using ParallelFor = std::function<void(std::size_t count, const std::function<void(std::size_t)>& job)>;
-
-// One after the other.
-void serial_for(std::size_t count, const std::function<void(std::size_t)>& job);
 
 // Noise of each channel, and of a segment between far references.
 struct NoiseModel {
@@ -41,10 +34,10 @@ struct Fit {
   std::vector<double> residuals;
 };
 
-class Problem {
+class FitProblem {
  public:
   // The runs must be made with one period and wheel base.
-  Problem(std::vector<GapRun> runs, std::vector<WheelPair> metres_per_tick, ParallelFor parallel_for);
+  FitProblem(std::vector<GapRun> runs, std::vector<WheelPair> metres_per_tick, ParallelFor parallel_for);
 
   const std::vector<GapRun>& runs() const { return runs_; }
   bool has_counts() const;
@@ -58,29 +51,28 @@ class Problem {
   void set_noise(const NoiseModel& noise);
   const NoiseModel& noise() const { return noise_; }
 
-  // The part of the readings that a parameter of this stage can change; all where some run has no counts.
-  Part part_of(EffectStage stage) const;
-  Part part_of(const TrialEffect& effect) const;
-  bool in_part(std::size_t residual, Part part) const;
-  // Whether some run has no counts, which ties wheels and motion together: then there is no part but all.
-  bool parts_touch() const { return parts_touch_; }
+  // The outputs that a parameter of this stage affects; all where some run has no counts.
+  Outputs outputs_of(EffectStage stage) const;
+  Outputs outputs_of(const TrialEffect& effect) const;
+  bool is_among(std::size_t residual, Outputs outputs) const;
+  // Whether some run has no counts, which ties wheels and motion together: then every parameter affects all.
+  bool outputs_are_tied() const { return outputs_are_tied_; }
 
-  // Innovations of all channels of all runs, one after the other; zero for those that do not belong to the
-  // part.
-  std::vector<double> residuals(const TrialModel& model, Part part = Part::all) const;
+  // Innovations of all channels of all runs, one after the other; zero for other outputs.
+  std::vector<double> residuals(const TrialModel& model, Outputs outputs = Outputs::all) const;
   // Of the runs under the present noise, but for a constant: by the innovations of all channels and what the
   // noise itself makes likely. Models under noises of their own are compared by it.
   double log_likelihood(const std::vector<double>& residuals) const;
   // Innovations of errors that are there already, one set for each run.
   std::vector<double> residuals(std::span<const RunErrors> errors) const;
   // What one residual belongs to.
-  struct Place {
+  struct ResidualIndex {
     std::size_t run;
     std::optional<Channel> channel;  // nothing for a segment
     std::size_t reading;
     std::size_t period;  // grid time
   };
-  const std::vector<Place>& places() const { return places_; }
+  const std::vector<ResidualIndex>& indices() const { return indices_; }
 
   // What errors in one channel of a run come to among the residuals, and where they stand there; nothing for
   // a channel that the run does not have.
@@ -97,12 +89,13 @@ class Problem {
   // Sets where the wheels of each run stood at its start.
   void set_initial_travel(std::span<const WheelPair> rolled_m);
 
-  // One column per parameter, of the residuals; zero for parameters that do not belong to the part.
+  // One column per parameter, of the residuals; zero for parameters that do not affect the outputs.
   Eigen::MatrixXd jacobian(const TrialModel& model, const std::vector<double>& residuals,
-                           Part part = Part::all) const;
+                           Outputs outputs = Outputs::all) const;
 
-  // Levenberg-Marquardt from `start`, over the parameters of one part. Stops early where nothing is gained.
-  Fit fit(const TrialModel& start, int max_steps, Part part = Part::all) const;
+  // Levenberg-Marquardt from `start`, over the parameters that affect the outputs. Stops early where nothing
+  // is gained.
+  Fit fit(const TrialModel& start, int max_steps, Outputs outputs = Outputs::all) const;
 
  private:
   struct Block {  // one channel of one run in the vector of residuals
@@ -128,11 +121,11 @@ class Problem {
 
   std::vector<double> whitened(std::size_t run, const RunErrors& errors) const;
   void fill_columns(const TrialModel& model, const std::vector<double>& residuals, const MovedAtOnce& at_once,
-                    std::size_t run, Part touched, Eigen::MatrixXd& columns) const;
+                    std::size_t run, Outputs touched, Eigen::MatrixXd& columns) const;
   bool shows_only_in(const Eigen::MatrixXd& columns, std::size_t column, Channel channel) const;
-  static bool is_of(Part part, const std::optional<Channel>& channel);
-  Part part_of_parameter(const TrialModel& model, std::size_t parameter) const;
-  Part part_shown_by(const TrialModel& model, std::size_t parameter) const;
+  static bool is_of(Outputs outputs, const std::optional<Channel>& channel);
+  Outputs outputs_of_parameter(const TrialModel& model, std::size_t parameter) const;
+  Outputs outputs_shown_by(const TrialModel& model, std::size_t parameter) const;
 
   std::vector<GapRun> runs_;
   std::vector<WheelPair> metres_per_tick_;  // of each run; zero without counts
@@ -142,9 +135,9 @@ class Problem {
   std::vector<SegmentBlock> segments_;
   std::vector<Whitener> whiteners_;                             // one per block
   std::vector<std::pair<std::size_t, std::size_t>> run_range_;  // of each run in the vector of residuals
-  std::vector<Place> places_;
+  std::vector<ResidualIndex> indices_;
   std::size_t size_ = 0;
-  bool parts_touch_ = false;  // a run without counts ties wheels and motion together
+  bool outputs_are_tied_ = false;  // a run without counts ties wheels and motion together
 };
 
 }  // namespace wheelwright::gap

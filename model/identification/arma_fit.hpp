@@ -8,8 +8,8 @@
 //
 // Two methods:
 //
-// equation_error, the paper's: linear least squares on measured past speeds (ArxAccumulator). A difference of
-// counts is mostly noise (one tick is 24-28 mm/s), and noise on the regressors biases the result.
+// equation_error, the paper's: linear least squares on measured past speeds (ArmaAccumulator). A difference
+// of counts is mostly noise (one tick is 24-28 mm/s), and noise on the regressors biases the result.
 //
 // free_run, the default: starts from there and makes the model's own recursion, fed with commands alone,
 // agree with the wheel travel itself, not its differences (free_run_refinement.hpp). This is what the model
@@ -31,20 +31,20 @@
 
 namespace wheelwright {
 
-enum class ArxMethod { equation_error, free_run };
+enum class ArmaMethod { equation_error, free_run };
 
-struct ArxFitOptions {
+struct ArmaFitOptions {
   std::optional<std::size_t> order = std::nullopt;  // past speeds; commands reach as far back and include the
                                                     // present one; found by a sweep where absent
   std::size_t largest_order = 15;                   // of the sweep
   std::size_t delay = 0;  // periods in which a command surely does nothing: leading weights fixed at zero
   std::optional<double> period_s = std::nullopt;  // of the model; the shortest of the logs where absent
-  ArxMethod method = ArxMethod::free_run;
+  ArmaMethod method = ArmaMethod::free_run;
   std::function<void(std::size_t order)> on_order = nullptr;  // called as a sweep comes to an order
 };
 
 // What one wheel's fit says of itself.
-struct ArxWheelFit {
+struct ArmaWheelFit {
   WheelFit quality;               // gain with standard error; noise is that of travel against the free run
   WheelResponse standard_errors;  // one for each weight
   double condition = 0.0;         // of eq. (12), columns scaled alike
@@ -54,10 +54,10 @@ struct ArxWheelFit {
   double one_step_rms_m_s = 0.0;  // residual of eq. (12) on measured past speeds
 };
 
-struct ArxFit {
+struct ArmaFit {
   LinearModel model;
-  ArxWheelFit left;
-  ArxWheelFit right;
+  ArmaWheelFit left;
+  ArmaWheelFit right;
   std::size_t rows = 0;  // of eq. (12)
   double free_run_distance_rms_m =
       0.0;  // over the known segments of the runs, as model/prediction/score.hpp has it
@@ -67,6 +67,6 @@ struct ArxFit {
 // Fits all runs together. Runs start from rest; rows whose past is not known because of a gap are left out.
 // Refuses, with the reason and how to get better data: too few rows, commands that do not tell the weights
 // apart, a model that runs away, runs of different robots or periods, values that are no numbers.
-tl::expected<ArxFit, Refusal> fit_arx(std::span<const DriveLog> logs, const ArxFitOptions& options = {});
+tl::expected<ArmaFit, Refusal> fit_arma(std::span<const DriveLog> logs, const ArmaFitOptions& options = {});
 
 }  // namespace wheelwright

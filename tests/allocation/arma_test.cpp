@@ -1,4 +1,4 @@
-#include "model/identification/arx_accumulator.hpp"
+#include "model/identification/arma_accumulator.hpp"
 
 #include "tests/allocation/heap_calls.hpp"
 #include "tests/support/catch.hpp"
@@ -6,7 +6,7 @@
 using namespace wheelwright;
 
 TEST_CASE("A live ARMA fit takes its periods without the heap") {
-  ArxAccumulator accumulator({9, 0});
+  ArmaAccumulator accumulator({9, 0});
   test::HeapCalls calls{0};
   {
     const test::CountedScope scope(calls);
