@@ -25,10 +25,7 @@ TrialModel with_steps(TrialModel model, std::size_t place, const CommandSteps& s
   parameters = {steps.step_m_s, std::clamp(steps.level_edges, 0.0, 1.0)};
   const std::size_t per_wheel = model.shape.per_wheel();
   for (std::size_t i = 0; i < model.shape.of_responses(); ++i) {
-    const std::size_t of_wheel = i % per_wheel;
-    if (of_wheel >= model.shape.poles && of_wheel < model.shape.poles + model.shape.weights) {
-      model.linear_part[i] /= times;
-    }
+    if (model.shape.is_weight(i % per_wheel)) model.linear_part[i] /= times;
   }
   return model;
 }

@@ -1,5 +1,8 @@
 #include "model/gap/fit/linear_part_weights.hpp"
 
+#include <algorithm>
+#include <functional>
+#include <iterator>
 #include <numeric>
 
 namespace wheelwright::gap {
@@ -40,9 +43,31 @@ std::vector<double> cross_coupling_weights(const LinearPartShape& shape, const s
       weights.push_back(-std::accumulate(weights.begin(), weights.end(), 0.0));
       break;
     case CrossCoupling::free:
+    case CrossCoupling::modes:
       break;
   }
   return weights;
+}
+
+std::vector<double> product(const std::vector<double>& one, const std::vector<double>& other) {
+  std::vector<double> result(one.size() + other.size() - 1, 0.0);
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    for (std::size_t j = 0; j < other.size(); ++j) result[i + j] += one[i] * other[j];
+  }
+  return result;
+}
+
+Mode mode_of(const LinearPartShape& shape, const double* values) {
+  Mode mode;
+  mode.past.push_back(1.0);
+  std::transform(values, values + shape.poles, std::back_inserter(mode.past), std::negate<>{});
+  mode.weights.assign(values + shape.poles, values + shape.poles + shape.weights);
+  return mode;
+}
+
+void add_mode(std::vector<double>& linear_part, const Mode& mode) {
+  std::transform(mode.past.begin() + 1, mode.past.end(), std::back_inserter(linear_part), std::negate<>{});
+  std::ranges::copy(mode.weights, std::back_inserter(linear_part));
 }
 
 void add_cross_coupling_weights(std::vector<double>& linear_part, CrossCoupling cross_coupling,

@@ -22,4 +22,19 @@ std::vector<double> cross_coupling_weights(const LinearPartShape& shape, const s
 void add_cross_coupling_weights(std::vector<double>& linear_part, CrossCoupling cross_coupling,
                                 const std::vector<double>& weights);
 
+// Of two polynomials in z^-1.
+std::vector<double> product(const std::vector<double>& one, const std::vector<double>& other);
+
+// How travel answers, or turns (CrossCoupling::modes): weights B over past A = 1 - sum a_i z^-i.
+struct Mode {
+  std::vector<double> past;
+  std::vector<double> weights;
+};
+
+// Of the parameters `values`: poles, then weights.
+Mode mode_of(const LinearPartShape& shape, const double* values);
+
+// Adds its parameters to a linear part.
+void add_mode(std::vector<double>& linear_part, const Mode& mode);
+
 }  // namespace wheelwright::gap

@@ -8,6 +8,20 @@
 #include "model/gap/fit/trial_model.hpp"
 
 namespace wheelwright::gap {
+namespace {
+
+// Travel and turns of one wheel's parameters, each changed, at the end of a linear part.
+template <typename Change>
+void add_changed_modes(const LinearPartShape& shape, const double* values, Change change,
+                       std::vector<double>& linear_part) {
+  for (const std::size_t first : {std::size_t{0}, shape.poles + shape.weights}) {
+    Mode mode = mode_of(shape, values + first);
+    change(mode);
+    add_mode(linear_part, mode);
+  }
+}
+
+}  // namespace
 
 // Both sides of the difference equation times the same: the response stays what it is.
 TrialModel TrialModel::with_higher_order(double pole) const {
@@ -16,6 +30,14 @@ TrialModel TrialModel::with_higher_order(double pole) const {
   larger.shape.weights += 1;
   larger.linear_part.clear();
   for (std::size_t wheel = 0; wheel < shape.of_responses(); wheel += shape.per_wheel()) {
+    if (shape.has_modes()) {
+      const auto with_pole = [pole](Mode& mode) {
+        mode.past = times_a_pole(mode.past, pole);
+        mode.weights = times_a_pole(mode.weights, pole);
+      };
+      add_changed_modes(shape, linear_part.data() + wheel, with_pole, larger.linear_part);
+      continue;
+    }
     const auto begin = linear_part.begin() + static_cast<std::ptrdiff_t>(wheel);
     const auto weights = begin + static_cast<std::ptrdiff_t>(shape.poles);
     const auto rest = weights + static_cast<std::ptrdiff_t>(shape.weights);
@@ -44,6 +66,17 @@ TrialModel TrialModel::with_cross_coupling(CrossCoupling cross_coupling) const {
     const auto begin = linear_part.begin() + static_cast<std::ptrdiff_t>(wheel);
     const auto weights = begin + static_cast<std::ptrdiff_t>(shape.poles);
     const auto rest = weights + static_cast<std::ptrdiff_t>(shape.weights);
+    if (crossed.shape.has_modes()) {
+      Mode mode = mode_of(shape, linear_part.data() + wheel);
+      std::vector<double> other = cross_coupling_weights(shape, mode.weights, &*rest);
+      other.resize(shape.weights);
+      const std::vector<double> own = mode.weights;
+      for (const double sign : {1.0, -1.0}) {
+        for (std::size_t i = 0; i < own.size(); ++i) mode.weights[i] = own[i] + sign * other[i];
+        add_mode(crossed.linear_part, mode);
+      }
+      continue;
+    }
     crossed.linear_part.insert(crossed.linear_part.end(), begin, rest);
     if (crossed.shape.crosses_by_one_value()) crossed.linear_part.push_back(0.0);
     if (crossed.shape.crosses_by_weights()) {
@@ -70,6 +103,11 @@ TrialModel TrialModel::with_later_linear_part(double delay_s) const {
     return put;
   };
   for (std::size_t wheel = 0; wheel < shape.of_responses(); wheel += shape.per_wheel()) {
+    if (shape.has_modes()) {
+      const auto later_mode = [&](Mode& mode) { mode.weights = put_off(mode.weights); };
+      add_changed_modes(shape, linear_part.data() + wheel, later_mode, later.linear_part);
+      continue;
+    }
     const auto begin = linear_part.begin() + static_cast<std::ptrdiff_t>(wheel);
     const auto weights = begin + static_cast<std::ptrdiff_t>(shape.poles);
     const auto cross_coupling = weights + static_cast<std::ptrdiff_t>(shape.weights);
@@ -106,11 +144,29 @@ TrialModel TrialModel::with_unequal_lags() const {
 }
 
 TrialModel TrialModel::with_parted_linear_part() const {
+  const auto add_measurement = [this](TrialModel& model) {
+    if (shape.reference_lag) model.linear_part.push_back(reference_lag_s());
+    if (shape.gyro_scaled) model.linear_part.push_back(gyro_scale());
+  };
   const LinearModel as_one = linear();
   TrialModel parted = *this;
   parted.shape.shared = parted.shape.unequal_lags = false;
   parted.shape.weights = as_one.left.from_left.size() - (shape.cross_coupling == CrossCoupling::lag ? 1 : 0);
   parted.linear_part.clear();
+  if (shape.has_modes()) {
+    const double half_excess = 0.5 * excess_of_right();
+    const double half_lag = shape.unequal_lags ? 0.5 * linear_part[shape.of_wheels()] : 0.0;
+    parted.shape.weights = shape.weights + (shape.unequal_lags ? 1 : 0);
+    for (const double sign : {-1.0, 1.0}) {
+      const auto of_wheel = [&](Mode& mode) {
+        if (shape.unequal_lags) mode.weights = delayed(mode.weights, sign * half_lag);
+        for (double& weight : mode.weights) weight *= 1.0 + sign * half_excess;
+      };
+      add_changed_modes(shape, linear_part.data(), of_wheel, parted.linear_part);
+    }
+    add_measurement(parted);
+    return parted;
+  }
   const auto add = [&](const std::vector<double>& past, const std::vector<double>& own,
                        const std::vector<double>& other) {
     std::ranges::copy(past, std::back_inserter(parted.linear_part));
@@ -122,8 +178,7 @@ TrialModel TrialModel::with_parted_linear_part() const {
   };
   add(as_one.left.from_own_past, as_one.left.from_left, as_one.left.from_right);
   add(as_one.right.from_own_past, as_one.right.from_right, as_one.right.from_left);
-  if (shape.reference_lag) parted.linear_part.push_back(reference_lag_s());
-  if (shape.gyro_scaled) parted.linear_part.push_back(gyro_scale());
+  add_measurement(parted);
   return parted;
 }
 

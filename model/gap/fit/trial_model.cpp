@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 
 #include "model/gap/fit/linear_part_weights.hpp"
 
@@ -22,13 +24,43 @@ struct OfOneWheel {
   double lag_periods = 0.0;
 };
 
+std::vector<double> scaled(const std::vector<double>& weights, double factor) {
+  std::vector<double> result = weights;
+  for (double& weight : result) weight *= factor;
+  return result;
+}
+
+// y = 1/2 B/A (own + other) + 1/2 B'/A' (own - other), over the common denominator A A'.
+WheelResponse response_of_modes(const LinearPartShape& shape, const double* values, bool left,
+                                const OfOneWheel& of) {
+  const Mode travel = mode_of(shape, values);
+  const Mode turn = mode_of(shape, values + shape.poles + shape.weights);
+  const auto weights_of = [&](const Mode& mode, const Mode& other_mode) {
+    const auto weights = shape.unequal_lags ? delayed(mode.weights, of.lag_periods) : mode.weights;
+    return scaled(product(weights, other_mode.past), 0.5 * of.gain);
+  };
+  const std::vector<double> by_travel = weights_of(travel, turn);
+  const std::vector<double> by_turn = weights_of(turn, travel);
+  WheelResponse wheel;
+  const std::vector<double> past = product(travel.past, turn.past);
+  std::transform(past.begin() + 1, past.end(), std::back_inserter(wheel.from_own_past), std::negate<>{});
+  std::vector<double>& own = left ? wheel.from_left : wheel.from_right;
+  std::vector<double>& other = left ? wheel.from_right : wheel.from_left;
+  for (std::size_t i = 0; i < by_travel.size(); ++i) {
+    own.push_back(by_travel[i] + by_turn[i]);
+    other.push_back(by_travel[i] - by_turn[i]);
+  }
+  return wheel;
+}
+
 WheelResponse response(const LinearPartShape& shape, const double* values, bool left, const OfOneWheel& of) {
+  if (shape.has_modes()) return response_of_modes(shape, values, left, of);
   WheelResponse wheel;
   wheel.from_own_past.assign(values, values + shape.poles);
   std::vector<double>& own = left ? wheel.from_left : wheel.from_right;
   own.assign(values + shape.poles, values + shape.poles + shape.weights);
   if (shape.unequal_lags) own = delayed(own, of.lag_periods);
-  for (double& weight : own) weight *= of.gain;
+  own = scaled(own, of.gain);
   std::vector<double>& other = left ? wheel.from_right : wheel.from_left;
   other = cross_coupling_weights(shape, own, values + shape.poles + shape.weights);
   const std::size_t size = std::max(own.size(), other.size());

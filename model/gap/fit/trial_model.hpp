@@ -39,7 +39,10 @@ enum class CrossCoupling {
   share,     // each wheel also feels a share of the other's command, as it feels its own
   lag,       // each wheel also feels the changes of the other's command: turns lag behind travel, or lead it
   balanced,  // with weights of its own whose sum is 0: turns answer otherwise than travel, by the same gain
-  free       // with as many weights of its own as its own command has
+  free,      // with as many weights of its own as its own command has
+  modes      // travel and turns each have poles and weights of their own, as mass and yaw inertia make them:
+             // a wheel answers half of what travel makes of both commands, and half of what turns make of
+             // their difference
 };
 
 struct LinearPartShape {
@@ -62,10 +65,21 @@ struct LinearPartShape {
         return weights - 1;  // the last one makes up for the others
       case CrossCoupling::free:
         break;
+      case CrossCoupling::modes:
+        return poles + weights;  // of turns; the first ones are those of travel
     }
     return weights;
   }
-  bool crosses_by_weights() const { return cross_coupling >= CrossCoupling::balanced; }
+  bool has_modes() const { return cross_coupling == CrossCoupling::modes; }
+  bool crosses_by_weights() const {
+    return cross_coupling == CrossCoupling::balanced || cross_coupling == CrossCoupling::free;
+  }
+  // Whether a parameter of one wheel's response, counted from 0, is a weight of commands.
+  bool is_weight(std::size_t of_wheel) const {
+    if (of_wheel < poles) return false;
+    if (of_wheel < poles + weights) return true;
+    return has_modes() ? of_wheel >= 2 * poles + weights : crosses_by_weights();
+  }
   bool crosses_by_one_value() const { return cross_coupling_size() == 1 && !crosses_by_weights(); }
   std::size_t per_wheel() const { return poles + weights + cross_coupling_size(); }
   std::size_t of_responses() const { return shared ? per_wheel() : 2 * per_wheel(); }
@@ -82,9 +96,9 @@ struct TrialModel {
   LinearPartShape shape;
   double period_s = 0.018;
   double wheel_base_m = 0.235;
-  // a, b, share or weights of the other's command; left, then right where not shared, or else by how much the
-  // right wheel's gain exceeds the left's, relative; periods by which the right wheel lags behind the left;
-  // lag of the references, s; by how much the gyro says too much, relative
+  // a, b, share or weights of the other's command, or a and b of turns; left, then right where not shared, or
+  // else by how much the right wheel's gain exceeds the left's, relative; periods by which the right wheel
+  // lags behind the left; lag of the references, s; by how much the gyro says too much, relative
   std::vector<double> linear_part;
   std::vector<TrialEffect> effects;
 

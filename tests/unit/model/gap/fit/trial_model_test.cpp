@@ -137,6 +137,36 @@ TEST_CASE("A core whose crossing is balanced turns otherwise than it travels, by
   check_same(answer(unequal_lags.with_parted_linear_part()), answer(unequal_lags));
 }
 
+TEST_CASE(
+    "A linear part of two modes turns by poles of its own, travels as before, and keeps both in any shape") {
+  const auto shared = GENERATE(false, true);
+  const TrialModel linear_part = some_linear_part(shared);
+  const LinearPartShape& shape = linear_part.shape;
+  TrialModel modes = linear_part.with_cross_coupling(CrossCoupling::modes);
+  check_same(answer(modes), answer(linear_part));
+  for (std::size_t wheel = 0; wheel < modes.shape.of_responses(); wheel += modes.shape.per_wheel())
+    modes.linear_part[wheel + shape.poles + shape.weights] -= 0.1;  // a pole of turns
+  CHECK_THAT(travel(modes, {0.2, 0.2}).left, WithinAbs(travel(linear_part, {0.2, 0.2}).left, 1e-9));
+  const double turned_m = travel(modes, {0.2, -0.2}).left;
+  CHECK(std::abs(turned_m - travel(linear_part, {0.2, -0.2}).left) > 1e-3);
+  check_same(answer(modes.with_higher_order(0.9)), answer(modes));
+  const EffectInfo* delay = find_effect("transport_delay");
+  TrialModel behind_delay = modes;
+  behind_delay.effects = {{delay, 0, {0.04}}};
+  check_same(answer(modes.with_later_linear_part(0.04)), answer(behind_delay));
+  if (!shared) return;
+  TrialModel unequal_lags = modes.with_unequal_lags();
+  unequal_lags.linear_part.back() = 0.3;
+  check_same(answer(unequal_lags.with_parted_linear_part()), answer(unequal_lags));
+}
+
+TEST_CASE("Wheels alike that feel each other answer the same as a linear part of two modes") {
+  TrialModel free = some_linear_part(true).with_cross_coupling(CrossCoupling::free);
+  free.linear_part[free.shape.poles + free.shape.weights + 1] = 0.04;
+  free.linear_part[free.shape.per_wheel()] = 0.0;  // no excess of the right wheel
+  check_same(answer(free.with_cross_coupling(CrossCoupling::modes)), answer(free));
+}
+
 TEST_CASE("A skewed core answers later with the right wheel by what it says, and further by its excess") {
   TrialModel unequal_lags = some_linear_part(true).with_unequal_lags();
   unequal_lags.linear_part[unequal_lags.shape.per_wheel()] = 0.02;
