@@ -49,6 +49,12 @@ struct ExtraColumn {
 // Metadata of a log whose metres per tick no one states: "commands" or "reference", by which they were found.
 inline constexpr std::string_view scale_from_key = "scale_from";
 
+// Standard deviations of one reference pose.
+struct PoseNoise {
+  double position_m = 1e-3;  // of a good tracker
+  double heading_rad = 2e-3;
+};
+
 struct DriveLog {
   std::string name;  // of the file, for messages
   double wheel_base_m = 0.0;
@@ -57,6 +63,7 @@ struct DriveLog {
   WheelPair initial_travel_m;                // tells the angle at which the wheels stood at the start
   double references_late_s = 0.0;            // behind the counts, where that has been found
   ReferenceResponse reference_response;      // likewise, where a delay alone does not describe it
+  std::optional<PoseNoise> reference_noise;  // where it is known
   bool reference_scaled_by_counts = false;   // how far a count goes cannot be judged by it
   std::vector<std::pair<std::string, std::string>> other_metadata;
   std::vector<DriveSample> samples;  // times strictly rising

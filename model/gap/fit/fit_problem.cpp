@@ -100,6 +100,11 @@ NoiseModel FitProblem::noise_left_by(const TrialModel& model, double min_apart_s
   if (!segments_.empty()) {
     double sum_squares = 0.0;
     double count = 0.0;
+    for (const GapRun& run : runs_) {
+      if (!run.sparse || !run.reference_noise) continue;
+      noise.channel[static_cast<std::size_t>(Channel::forward)].reading = run.reference_noise->position_m;
+      noise.channel[static_cast<std::size_t>(Channel::turn)].reading = run.reference_noise->heading_rad;
+    }
     for (const auto& block : segments_) {
       count += runs_[block.run].heading_alone ? 1.0 : 3.0;
       const SegmentError& e = errors[block.run].segments[block.segment];

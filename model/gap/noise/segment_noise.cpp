@@ -9,8 +9,6 @@ namespace {
 
 constexpr double walk_m_per_sqrt_s = 1e-3;
 constexpr double walk_rad_per_sqrt_s = 2e-3;
-constexpr double reading_m = 1e-3;
-constexpr double reading_rad = 2e-3;
 
 }  // namespace
 
@@ -29,6 +27,7 @@ Eigen::Matrix3d default_segment_covariance(const GapRun& run, std::size_t segmen
             : Pose{path.back().x_m + share * end.x_m, path.back().y_m + share * end.y_m,
                    path.back().theta_rad + share * end.theta_rad});
   }
+  const PoseNoise reading = run.reference_noise.value_or(PoseNoise{});
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   const auto lever = [&](const Pose& at) {
     return Eigen::Vector3d(-(path.back().y_m - at.y_m), path.back().x_m - at.x_m, 1.0);
@@ -40,10 +39,11 @@ Eigen::Matrix3d default_segment_covariance(const GapRun& run, std::size_t segmen
         run.period_s * walk_rad_per_sqrt_s * walk_rad_per_sqrt_s * lever(at) * lever(at).transpose();
   }
   const Eigen::Vector3d start = lever(path.front());
-  covariance += reading_rad * reading_rad * start * start.transpose();
+  const double position_variance = reading.position_m * reading.position_m;
+  const double heading_variance = reading.heading_rad * reading.heading_rad;
+  covariance += heading_variance * start * start.transpose();
   covariance +=
-      Eigen::Vector3d(2.0 * reading_m * reading_m, 2.0 * reading_m * reading_m, reading_rad * reading_rad)
-          .asDiagonal();
+      Eigen::Vector3d(2.0 * position_variance, 2.0 * position_variance, heading_variance).asDiagonal();
   // Nothing is known of x and y, and so nothing of the heading by them.
   if (run.heading_alone) covariance = Eigen::Matrix3d(covariance.diagonal().asDiagonal());
   return covariance;

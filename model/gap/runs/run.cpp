@@ -234,6 +234,7 @@ GapRun make_gap_run(const DriveLog& log, const RowFlags& flags, double period_s)
   if (run.has_counts) lay_odometry(run);
   collect_references(log, flags, run);
   run.sparse = far_apart(run);
+  run.reference_noise = log.reference_noise;
   if (!run.sparse) {
     if (run.has_counts) run.reference_response = log.reference_response;
     lay_passed(run);

@@ -63,10 +63,11 @@ struct GapRun {
   std::vector<Pose> passed;           // the same at each grid point, between the references; empty if sparse
   bool heading_alone = false;         // of the references; then they say nothing of x and y
   bool has_counts = false;
-  bool sparse = false;                   // references are far apart
-  ReferenceResponse reference_response;  // of near references beside counts; else empty
-  bool by_gyro = false;                  // `turn` is what a gyro says, with its drift and scale
-  std::vector<OdometryStep> odometry;    // one per period, where there are counts
+  bool sparse = false;                       // references are far apart
+  std::optional<PoseNoise> reference_noise;  // where it is known
+  ReferenceResponse reference_response;      // of near references beside counts; else empty
+  bool by_gyro = false;                      // `turn` is what a gyro says, with its drift and scale
+  std::vector<OdometryStep> odometry;        // one per period, where there are counts
 
   const Series& operator[](Channel channel) const { return series[static_cast<std::size_t>(channel)]; }
   Series& operator[](Channel channel) { return series[static_cast<std::size_t>(channel)]; }

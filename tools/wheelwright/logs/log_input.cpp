@@ -1,6 +1,7 @@
 #include "tools/wheelwright/logs/log_input.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <sstream>
 
 #include "config/load/drive_log_file.hpp"
+#include "model/log/headings_by_positions.hpp"
 #include "model/log/sign_corrected_travel.hpp"
 #include "tools/wheelwright/import/conversion/repair_checks.hpp"
 #include "tools/wheelwright/import/import_files.hpp"
@@ -91,6 +93,23 @@ std::vector<DriveLog> load_runs(const std::string& path, const Reading& reading,
   }
 }
 
+void give_headings(std::vector<DriveLog>& runs, std::ostream& err) {
+  for (DriveLog& run : runs) {
+    if (!has_positions_alone(run)) continue;
+    err << "wheelwright: " << run.name << ": ";
+    if (const auto found = find_headings(run)) {
+      const auto milliradians = std::lround(1e3 * found->heading_rad);
+      err << "its positions have no headings; these were found from positions and counts, to " << milliradians
+          << " mrad\n";
+    } else {
+      err << "its positions are not used: they have no headings, and "
+          << (run.has_ticks() ? "the robot moves too little to find them"
+                              : "without counts these cannot be found")
+          << "\n";
+    }
+  }
+}
+
 }  // namespace
 
 void add_import_options(CLI::App& command, ImportOptions& options) {
@@ -117,9 +136,10 @@ std::vector<DriveLog> load_all_runs(const LogInput& input, std::ostream& err, Pr
         share_of_reading * static_cast<double>(i) / static_cast<double>(input.paths.size()));
     std::ostringstream remarks;
     auto of_file = load_runs(path, reading, remarks);
+    take_sign_corrected_travel(of_file);
+    give_headings(of_file, remarks);
     if (!remarks.view().empty()) progress.clear();
     err << remarks.view();
-    take_sign_corrected_travel(of_file);
     for (auto& run : of_file) runs.push_back(std::move(run));
   }
   return runs;
