@@ -52,8 +52,10 @@ std::vector<Fix> fixes_of(const DriveLog& log) {
       last = &*sample.ticks;
     }
     if (!sample.reference_x_m || !sample.reference_y_m) continue;
+    const Eigen::Vector2d position_m(*sample.reference_x_m, *sample.reference_y_m);
+    if (!fixes.empty() && fixes.back().position_m == position_m) continue;  // repeated until a new one comes
     if (fixes.empty()) counted_m.clear();
-    fixes.push_back({row, {*sample.reference_x_m, *sample.reference_y_m}, std::move(counted_m)});
+    fixes.push_back({row, position_m, std::move(counted_m)});
     counted_m.clear();
   }
   return fixes;
@@ -252,9 +254,9 @@ std::optional<PoseNoise> find_headings(DriveLog& log) {
   for (const std::size_t i : stay) variance += headings[i].variance / static_cast<double>(stay.size());
   const PoseNoise noise{best->noise_m, std::sqrt(variance)};
   if (stay.size() < 2 || !(noise.heading_rad < unknown_rad)) return std::nullopt;
-  for (const Fix& fix : fixes) {
-    log.samples[fix.row].reference_x_m.reset();
-    log.samples[fix.row].reference_y_m.reset();
+  for (DriveSample& sample : log.samples) {
+    sample.reference_x_m.reset();
+    sample.reference_y_m.reset();
   }
   for (const std::size_t i : stay) {
     DriveSample& sample = log.samples[fixes[i].row];

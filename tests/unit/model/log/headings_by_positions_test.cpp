@@ -124,6 +124,19 @@ TEST_CASE("Positions once a second show the heading as well") {
   CHECK_FALSE(drive.log.samples[1].reference_theta_rad);
 }
 
+TEST_CASE("A position that is repeated until a new one comes is one position") {
+  Drive drive = driven({}, 6);
+  auto& samples = drive.log.samples;
+  for (std::size_t row = 0; row < samples.size(); ++row) {
+    samples[row].reference_x_m = samples[row - row % 10].reference_x_m;
+    samples[row].reference_y_m = samples[row - row % 10].reference_y_m;
+  }
+  const auto found = find_headings(drive.log);
+  REQUIRE(found);
+  CHECK_THAT(found->position_m, WithinRel(0.015, 0.4));
+  CHECK(errors_of(drive).rms_rad < 2.0 * found->heading_rad);
+}
+
 TEST_CASE("Where nothing shows the headings the log stays as it is") {
   Drive at_rest = driven({}, 4);
   for (DriveSample& sample : at_rest.log.samples) sample.ticks = WheelTicks{};
