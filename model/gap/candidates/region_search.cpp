@@ -7,12 +7,14 @@
 #include <optional>
 #include <vector>
 
+#include "model/gap/candidates/region_scale.hpp"
+
 namespace wheelwright::gap {
 namespace {
 
-constexpr std::array steps_m{0.4, 0.15, 0.05};
-constexpr int max_moves_of_size = 12;  // of each size
-constexpr double worth_a_move = 0.2;   // of the sum of squares: a tenth of a nat
+constexpr std::array move_steps{0.4, 0.15, 0.05};  // m in a room, and rad
+constexpr int max_moves_of_size = 12;              // of each size
+constexpr double worth_a_move = 0.2;               // of the sum of squares: a tenth of a nat
 
 // Parameters of surface_patch, in their order.
 enum : std::size_t { change, x, y, length, width, heading };
@@ -60,7 +62,7 @@ TrialEffect reshaped(TrialEffect region) {
 
 // By steps, and by half of the region at once: one that reaches over what two runs passed may have to be cut
 // a long way before it fits again. What lies on a floor is mostly as long as wide.
-std::vector<TrialEffect> moved(const TrialEffect& present, double step_m) {
+std::vector<TrialEffect> moved(const TrialEffect& present, double step_m, double step_rad) {
   std::vector<TrialEffect> all;
   const auto add = [&](std::vector<double> region) {
     for (const std::size_t side : {length, width}) {
@@ -78,9 +80,10 @@ std::vector<TrialEffect> moved(const TrialEffect& present, double step_m) {
     }
   }
   for (const double by_m : {step_m, -step_m}) {
-    for (const std::size_t parameter : {x, y, heading}) add(with(region, {parameter}, by_m));
+    for (const std::size_t parameter : {x, y}) add(with(region, {parameter}, by_m));
     add(with(region, {length, width}, by_m));
   }
+  for (const double by_rad : {step_rad, -step_rad}) add(with(region, {heading}, by_rad));
   std::vector<double> square = region;
   square[length] = square[width] = 0.5 * (region[length] + region[width]);
   add(std::move(square));
@@ -90,9 +93,9 @@ std::vector<TrialEffect> moved(const TrialEffect& present, double step_m) {
 }
 
 // Discs around where the region is.
-std::vector<TrialEffect> discs_near(const TrialEffect& region) {
+std::vector<TrialEffect> discs_near(const TrialEffect& region, double scale) {
   std::vector<TrialEffect> all;
-  constexpr double apart_m = 0.3;
+  const double apart_m = 0.3 * scale;
   for (const double diameter_m : {0.5, 0.8, 1.2, 1.8}) {
     for (int i = -3; i <= 3; ++i) {
       for (int j = -3; j <= 3; ++j) {
@@ -100,7 +103,7 @@ std::vector<TrialEffect> discs_near(const TrialEffect& region) {
         disc.variant |= an_ellipse;
         disc.parameters[x] += apart_m * i;
         disc.parameters[y] += apart_m * j;
-        disc.parameters[length] = disc.parameters[width] = diameter_m;
+        disc.parameters[length] = disc.parameters[width] = scale * diameter_m;
         disc.parameters[heading] = 0.0;
         all.push_back(std::move(disc));
       }
@@ -123,6 +126,7 @@ class RegionTuning {
         model_(model),
         place_(place),
         outputs_(train.outputs_of(model.effects[place])),
+        scale_(region_scale(train)),
         parallel_for_(parallel_for) {}
 
   Tuned best_of(const std::vector<TrialEffect>& regions) const {
@@ -137,9 +141,9 @@ class RegionTuning {
   }
 
   Tuned moved_while_better(Tuned best) const {
-    for (const double step_m : steps_m) {
+    for (const double step : move_steps) {
       for (int move = 0; move < max_moves_of_size; ++move) {
-        Tuned next = best_of(moved(best.region, step_m));
+        Tuned next = best_of(moved(best.region, scale_ * step, step));
         if (next.sum_squares > best.sum_squares - worth_a_move) break;
         best = std::move(next);
       }
@@ -158,6 +162,7 @@ class RegionTuning {
   const TrialModel& model_;
   std::size_t place_;
   Outputs outputs_;
+  double scale_;
   const ParallelFor& parallel_for_;
 };
 
@@ -186,7 +191,7 @@ TrialModel with_region_found(const FitProblem& train, TrialModel model, const Pa
   if (!place) return model;
   const RegionTuning tuning(train, model, *place, parallel_for);
   const Tuned tuned = tuning.best_of({model.effects[*place]});
-  model.effects[*place] = tuning.better_of(tuned, discs_near(tuned.region)).region;
+  model.effects[*place] = tuning.better_of(tuned, discs_near(tuned.region, region_scale(train))).region;
   return model;
 }
 

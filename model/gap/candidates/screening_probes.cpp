@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "model/gap/candidates/region_scale.hpp"
+
 namespace wheelwright::gap {
 namespace {
 
 // Places where the robot has been.
-std::vector<Pose> visited_places(const FitProblem& problem, const TrialModel& model) {
-  constexpr double apart_m = 0.35;
+std::vector<Pose> visited_places(const FitProblem& problem, const TrialModel& model, double scale) {
+  const double apart_m = 0.35 * scale;
   constexpr std::size_t most = 40;
   std::vector<Pose> places;
   for (const auto& run : problem.runs()) {
@@ -66,26 +68,40 @@ Points spread(const Points& points, std::size_t x, std::size_t y, const std::vec
   return all;
 }
 
+// Where regions may lie, and how much larger than those of a room they may be (region_scale.hpp).
+struct Floor {
+  std::vector<Pose> places;
+  double scale = 1.0;
+};
+
+std::vector<double> scaled_sizes(const ParameterInfo& side, double scale) {
+  std::vector<double> sizes = side.sizes;
+  for (double& size : sizes) size = std::min(scale * size, side.upper);
+  return sizes;
+}
+
 // All that does not scale the effect, in all combinations, with x and y together; the sizes are still zero.
-Points shapes_of(const std::vector<ParameterInfo>& parameters, const std::vector<Pose>& places) {
+Points shapes_of(const std::vector<ParameterInfo>& parameters, const Floor& floor) {
   Points points{std::vector<double>(parameters.size(), 0.0)};
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const ParameterInfo& parameter = parameters[i];
     if (parameter.scales_effect || parameter.name == "y") continue;
-    points = parameter.name == "x" ? spread(points, i, i + 1, places) : spread(points, i, parameter.sizes);
+    const bool is_side = parameter.name == "length" || parameter.name == "width";
+    points = parameter.name == "x"
+                 ? spread(points, i, i + 1, floor.places)
+                 : spread(points, i, is_side ? scaled_sizes(parameter, floor.scale) : parameter.sizes);
   }
   return points;
 }
 
 // One size is tried at several values, one at a time; several sizes at one value each, together.
-void add_probes(const EffectInfo& info, std::size_t variant, const std::vector<Pose>& places,
-                std::vector<Probe>& probes) {
+void add_probes(const EffectInfo& info, std::size_t variant, const Floor& floor, std::vector<Probe>& probes) {
   const std::vector<ParameterInfo>& parameters = info.parameters_of(variant);
   std::vector<std::size_t> sizes;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (parameters[i].scales_effect) sizes.push_back(i);
   }
-  for (const auto& shape : shapes_of(parameters, places)) {
+  for (const auto& shape : shapes_of(parameters, floor)) {
     if (sizes.size() == 1) {
       for (auto& point : spread({shape}, sizes[0], parameters[sizes[0]].sizes)) {
         probes.push_back({&info, variant, {std::move(point)}});
@@ -105,10 +121,11 @@ void add_probes(const EffectInfo& info, std::size_t variant, const std::vector<P
 std::vector<Probe> probes_of(std::span<const EffectInfo* const> candidate_effects, const FitProblem& problem,
                              const TrialModel& model) {
   std::vector<Probe> probes;
-  const std::vector<Pose> places = visited_places(problem, model);
+  const double scale = region_scale(problem);
+  const Floor floor{visited_places(problem, model, scale), scale};
   for (const EffectInfo* info : candidate_effects) {
     for (std::size_t variant = 0; variant < info->variants.size(); ++variant) {
-      if (told_apart(*info, variant, problem.has_counts())) add_probes(*info, variant, places, probes);
+      if (told_apart(*info, variant, problem.has_counts())) add_probes(*info, variant, floor, probes);
     }
   }
   return probes;
