@@ -41,7 +41,7 @@ EffectInfo command_quantization() {
       "The motor controller works in coarse units, e.g. whole encoder ticks per control period (28.5 mm/s on "
       "some Roombas). It may round them (rises_at 0.5), cut them off (1), or anything else.",
       {{"", EffectStage::command, {}, true}},
-      {{"step", "m/s", "distance of the speeds that can be had", 0.0, 0.2, steps_to_try(), 0.002},
+      {{"step", "m/s", "distance of the speeds that can be had", 0.0, 0.5, steps_to_try(), 0.002},
        {"rises_at",
         "1",
         "share of a step from which a command goes up to the next one",

@@ -17,7 +17,6 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr double smallest_step_m_s = 0.004;
-constexpr double largest_step_m_s = 0.1;
 constexpr double largest_shift_of_phase =
     0.1;  // of a step, at the fastest command, between two that are tried
 constexpr double min_nats = 10.0;
@@ -192,7 +191,8 @@ std::vector<double> steps_to_try(double fastest) {
   std::vector<double> steps;
   if (fastest <= 0.0) return steps;
   const double apart = largest_shift_of_phase / fastest;
-  for (double per_m_s = 1.0 / smallest_step_m_s; per_m_s > 1.0 / largest_step_m_s; per_m_s -= apart)
+  for (double per_m_s = 1.0 / smallest_step_m_s; per_m_s > 1.0 / largest_command_step_m_s(fastest);
+       per_m_s -= apart)
     steps.push_back(1.0 / per_m_s);
   return steps;
 }

@@ -15,7 +15,6 @@ namespace wheelwright::gap {
 namespace {
 
 constexpr double smallest_level_step_m_s = 0.0025;
-constexpr double largest_level_step_m_s = 0.1;
 constexpr double largest_shift_of_levels =
     0.1;                                      // of a step, at the fastest command, between two that are tried
 constexpr double stands_out = 6.0;            // standard deviations of what wrong steps show
@@ -132,7 +131,7 @@ std::vector<CommandSteps> steps_and_edges_to_try(double fastest) {
   if (fastest <= 0.0) return steps;
   const double apart = largest_shift_of_levels / fastest;
   for (const double level_edges : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}) {
-    for (double per_m_s = 1.0 / smallest_level_step_m_s; per_m_s > 1.0 / largest_level_step_m_s;
+    for (double per_m_s = 1.0 / smallest_level_step_m_s; per_m_s > 1.0 / largest_command_step_m_s(fastest);
          per_m_s -= apart) {
       steps.push_back({1.0 / per_m_s, level_edges});
     }

@@ -7,6 +7,7 @@
 // sum of products.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "model/gap/fit/fit_problem.hpp"
@@ -18,6 +19,11 @@ struct CommandSteps {
   double step_m_s;
   double level_edges;
 };
+
+// The largest that is tried: with larger ones a fast robot would have fewer than three speeds.
+inline double largest_command_step_m_s(double fastest_m_s) {
+  return std::max(0.1, fastest_m_s / 3.0);
+}
 
 // The step that stands out of all that were tried, and where it rises; nothing where none does, or where
 // these runs show no speeds (no counts, and poses only now and then). `fit` is the model without the effect,

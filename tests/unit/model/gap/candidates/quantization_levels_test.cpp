@@ -91,6 +91,19 @@ TEST_CASE("A step is found in commands that change all the time, and where it ri
   }
 }
 
+TEST_CASE("The steps of a fast robot are found where they are a quarter of its speed") {
+  TrialModel robot = test::counted_robot();
+  robot.effects = {{find_effect("command_quantization"), 0, {0.25, 0.5}}};
+  const auto held_m_s = [](int period) {
+    const int hold = period / 50;
+    return WheelPair{std::sin(1.7 * hold), std::sin(2.9 * hold + 1.0)};
+  };
+  FitProblem problem({test::counted_run(robot, 3000, held_m_s)}, {test::counted_metres_per_tick}, serial_for);
+  const auto found = steps_beside_linear_model(problem, test::counted_robot());
+  REQUIRE(found);
+  CHECK_THAT(found->parameters[0], WithinRel(0.25, 0.03));
+}
+
 TEST_CASE("A step is found behind a delay") {
   const TrialEffect delay{find_effect("transport_delay"), 0, {0.3}};
   const auto found = steps_in_sines({{find_effect("command_quantization"), 0, {0.02, 0.5}}, delay}, {delay});
