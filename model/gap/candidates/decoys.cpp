@@ -121,16 +121,14 @@ class BodyCoupling final : public EffectOf<BodyCoupling> {
   std::size_t variant_;
 };
 
+// `as_if` completes "it is as if".
 template <typename Decoy>
-EffectInfo decoy(const std::string& name, std::vector<std::string> variants, EffectStage stage,
-                 std::vector<ParameterInfo> parameters) {
-  EffectInfo info{name,
-                  "a decoy",
-                  "",
-                  {},
-                  std::move(parameters),
-                  {.variety = true},
-                  [](const EffectArguments& arguments) { return std::make_unique<Decoy>(arguments); }};
+EffectInfo decoy(const std::string& name, const std::string& as_if, std::vector<std::string> variants,
+                 EffectStage stage, std::vector<ParameterInfo> parameters) {
+  EffectInfo info{
+      name, as_if, "", {}, std::move(parameters), {.variety = true}, [](const EffectArguments& arguments) {
+        return std::make_unique<Decoy>(arguments);
+      }};
   for (auto& variant : variants) info.variants.push_back({std::move(variant), stage});
   return info;
 }
@@ -141,18 +139,24 @@ ParameterInfo size(double smallest) {
 
 std::vector<EffectInfo> make_decoys() {
   return {
-      decoy<SmoothEven>("decoy_even", {""}, EffectStage::command, {size(0.05)}),
-      decoy<CrossTalk>("decoy_cross_talk", {"size", "product"}, EffectStage::command, {size(0.05)}),
-      decoy<HistoryGain>("decoy_history", {""}, EffectStage::command,
-                         {size(0.05), {"time", "s", "", 1.5, 8.0, {2.0, 6.0}, 0.0, false}}),
-      decoy<SpeedMemory>("decoy_memory", {""}, EffectStage::command,
+      decoy<SmoothEven>("decoy_even",
+                        "wheels were quicker forward and slower backward the larger the command", {""},
+                        EffectStage::command, {size(0.05)}),
+      decoy<CrossTalk>("decoy_cross_talk", "the command of one wheel took from the other wheel",
+                       {"size", "product"}, EffectStage::command, {size(0.05)}),
+      decoy<HistoryGain>(
+          "decoy_history", "the gain followed how hard the wheels were driven in the seconds before", {""},
+          EffectStage::command, {size(0.05), {"time", "s", "", 1.5, 8.0, {2.0, 6.0}, 0.0, false}}),
+      decoy<SpeedMemory>("decoy_memory", "the speed of the seconds before held a wheel back or pushed it on",
+                         {""}, EffectStage::command,
                          {size(0.05), {"time", "s", "", 0.3, 10.0, {0.4, 1.5}, 0.0, false}}),
-      decoy<SlowSwing>("decoy_swing", {""}, EffectStage::command,
+      decoy<SlowSwing>("decoy_swing", "the gain swung slowly with time", {""}, EffectStage::command,
                        {{"sine", "1", "", -0.5, 0.5, {0.05}},
                         {"cosine", "1", "", -0.5, 0.5, {0.05}},
                         {"period", "s", "", 2.0, 300.0, {5.0, 15.0, 40.0}, 0.0, false}}),
-      with_wheel_load_variants(decoy<BodyCoupling>(
-          "decoy_body", {"v*w", "v*|v| to w", "w*|v|", "v*|v|", "|w|"}, EffectStage::body, {size(0.05)})),
+      with_wheel_load_variants(decoy<BodyCoupling>("decoy_body", "travelling and turning acted on each other",
+                                                   {"v*w", "v*|v| to w", "w*|v|", "v*|v|", "|w|"},
+                                                   EffectStage::body, {size(0.05)})),
   };
 }
 

@@ -82,7 +82,9 @@ Judgement of_nothing_found(const GapAnalysis& analysis, const SearchLimits& limi
   const Excess& over_quick_noise = residual.over_quick_noise;
   const auto& changes = residual.gain_changes;
   if (decoy_explains(analysis, limits)) {
-    return {Verdict::unnamed, "Something is missing that no effect of the library explains."};
+    const EffectInfo& decoy = *analysis.search.selection_steps.back().candidates.front().effect.info;
+    return {Verdict::unnamed, "Something is missing that no effect of the library explains: it is as if " +
+                                  decoy.summary + "."};
   }
   if (!changes.empty()) {
     Judgement changed{Verdict::unnamed, "The gain changed between training and held-out runs (" +
