@@ -71,15 +71,34 @@ bool something_else_is_the_larger_part(const SplitAnalysis& analysis, const Para
   return explains_the_smaller_part(result, figures);
 }
 
+bool has_other_names(const GapAnalysis& result, const std::vector<std::string>& names) {
+  return static_cast<std::size_t>(std::ranges::count_if(result.found, [](const Finding& found) {
+           return found.setting.name != dropout_name;
+         })) > names.size();
+}
+
+// Of several names, those that the untouched runs do not confirm.
+std::string withdraw_unconfirmed_names(SplitAnalysis& analysis, const ParallelFor& parallel_for) {
+  const std::vector<std::string> names = unconfirmed_names(analysis.result());
+  if (names.empty() || !has_other_names(analysis.result(), names)) return "";
+  analysis.withdraw(names);
+  meet_test_runs(analysis, parallel_for);
+  return unconfirmed_in_words(names);
+}
+
 }  // namespace
 
 void check_on_test_runs(SplitAnalysis& analysis, const ParallelFor& parallel_for) {
   meet_test_runs(analysis, parallel_for);
   GapAnalysis& result = analysis.result();
+  std::string unconfirmed;
+  if (result.linear_changes.empty()) unconfirmed = withdraw_unconfirmed_names(analysis, parallel_for);
   const bool something_is_left = something_else_is_the_larger_part(analysis, parallel_for);
-  const bool closes_nothing = !analysis.names_small_effects() && closes_nothing_untouched(result);
+  const bool closes_nothing = !unconfirmed_names(result).empty() ||
+                              (!analysis.names_small_effects() && closes_nothing_untouched(result));
   if (!result.linear_changes.empty() || !(something_is_left || closes_nothing)) {
     apply_check(result);
+    result.summary += unconfirmed;
     return;
   }
   const std::string part = something_is_left ? part_in_words(result) : not_seen_in_words(result);

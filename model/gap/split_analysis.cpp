@@ -48,6 +48,23 @@ void SplitAnalysis::withdraw_names() {
   judge();
 }
 
+void SplitAnalysis::withdraw(const std::vector<std::string>& names) {
+  constexpr int steps = 12;
+  GapSearch& search = result_.search;
+  TrialModel rest = search.final.model;
+  for (std::size_t i = rest.effects.size(); i-- > 0;) {
+    if (std::ranges::find(names, rest.effects[i].info->name) == names.end()) continue;
+    rest.effects.erase(rest.effects.begin() + static_cast<std::ptrdiff_t>(i));
+    if (i < search.checks.size()) search.checks.erase(search.checks.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  FitWithIntervals known =
+      with_effect_intervals(*train_, train_->fit(rest, steps), steps, context_.parallel_for);
+  search.final = std::move(known.fit);
+  search.intervals = std::move(known.intervals);
+  take_findings();
+  judge();
+}
+
 void SplitAnalysis::search() {
   train_.emplace(runs_.train.runs, runs_.train.metres_per_tick, context_.parallel_for);
   held_out_.emplace(runs_.test.runs, runs_.test.metres_per_tick, context_.parallel_for);
@@ -177,7 +194,7 @@ bool SplitAnalysis::is_of_a_linear_part() const {
   });
 }
 
-void SplitAnalysis::conclude() {
+void SplitAnalysis::take_findings() {
   result_.found = findings_of(result_.search);
   double longest_run_s = 0.0;
   for (const GapRun& run : runs_.train.runs) longest_run_s = std::max(longest_run_s, run.duration_s());
@@ -186,6 +203,10 @@ void SplitAnalysis::conclude() {
     result_.found.insert(result_.found.begin(), *std::move(dropout));
   }
   size_up();
+}
+
+void SplitAnalysis::conclude() {
+  take_findings();
   const bool any = !result_.search.final.model.effects.empty();
   const bool nothing_closes = any && !closes_the_gap();
   if ((nothing_closes || is_of_a_linear_part()) && leave_out_linear_effects()) return conclude();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "model/gap/analysis.hpp"
@@ -39,6 +40,8 @@ class SplitAnalysis {
 
   // Withdraws every effect that the search found, and gives the verdict on the linear model alone.
   void withdraw_names();
+  // Withdraws these alone: the others are fitted again, and the verdict is given on them. At least one stays.
+  void withdraw(const std::vector<std::string>& names);
 
   // Free runs of two models, and the noise floor of the second.
   GapFigures figures(const RobotModel& before, const RobotModel& after,
@@ -54,6 +57,7 @@ class SplitAnalysis {
   void note_references_by(const TrialModel& model);
   bool closes_the_gap() const;
   bool is_of_a_linear_part() const;
+  void take_findings();
   void conclude();
   bool leave_out_linear_effects();
   void remove_names();

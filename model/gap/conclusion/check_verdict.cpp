@@ -44,6 +44,12 @@ std::string part_in_words(const GapAnalysis& analysis) {
   return " The other runs look like" + names + ", by which these come no closer.";
 }
 
+std::string unconfirmed_in_words(const std::vector<std::string>& names) {
+  std::string words;
+  for (const std::string& name : names) words += (words.empty() ? " " : " and ") + name;
+  return words + (names.size() == 1 ? " was" : " were") + " left out: the untouched runs do not confirm it.";
+}
+
 std::string not_seen_in_words(const GapAnalysis& analysis) {
   return " The other runs look like" + names_of(analysis) +
          ", which does not bring the free runs of these closer.";

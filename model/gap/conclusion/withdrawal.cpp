@@ -32,6 +32,18 @@ bool some_is_beyond_doubt_untouched(const GapAnalysis& analysis) {
 
 }  // namespace
 
+std::vector<std::string> unconfirmed_names(const GapAnalysis& analysis) {
+  constexpr double min_test_gain_nats = 10.0;
+  std::vector<std::string> names;
+  if (!analysis.untouched) return names;
+  for (const Finding& found : analysis.found) {
+    if (!of_free_runs(found) || !found.acts_untouched || is_in(analysis.before, found)) continue;
+    if (is_sure_by(found, beyond_doubt_nats)) continue;
+    if (found.test_gain_nats.value_or(0.0) < min_test_gain_nats) names.push_back(found.setting.name);
+  }
+  return names;
+}
+
 bool closes_nothing_untouched(const GapAnalysis& analysis) {
   const auto acts_there = [](const Finding& found) { return of_free_runs(found) && found.acts_untouched; };
   if (!analysis.untouched || std::ranges::none_of(analysis.found, acts_there)) return false;

@@ -92,3 +92,24 @@ TEST_CASE("Counts that stood still are named by the data, whatever free runs say
   analysis.check.passed = false;
   CHECK_FALSE(explains_the_smaller_part(analysis, analysis.test));
 }
+
+TEST_CASE("A name that untouched runs do not confirm is one, unless held-out runs put it beyond doubt") {
+  const auto is_unconfirmed = [](double heldout_nats, double test_nats, bool acts = true,
+                                 bool untouched = true) {
+    GapAnalysis analysis =
+        analysis_with({finding("turn_scrub", 800.0), finding("stiction", heldout_nats)}, position(2.0, 1.0));
+    analysis.untouched = untouched;
+    for (Finding& found : analysis.found) {
+      found.acts_untouched = acts;
+      found.test_gain_nats = 500.0;
+    }
+    analysis.found.back().test_gain_nats = test_nats;
+    return unconfirmed_names(analysis) == std::vector<std::string>{"stiction"};
+  };
+  CHECK(is_unconfirmed(37.0, -25.0));
+  CHECK(is_unconfirmed(37.0, 9.0));
+  CHECK_FALSE(is_unconfirmed(37.0, 11.0));
+  CHECK_FALSE(is_unconfirmed(3000.0, -25.0));
+  CHECK_FALSE(is_unconfirmed(37.0, 0.0, false));  // it does nothing there
+  CHECK_FALSE(is_unconfirmed(37.0, -25.0, true, false));
+}
