@@ -135,6 +135,18 @@ TrialModel TrialModel::with_delay_in_linear_part() const {
   return later;
 }
 
+TrialModel TrialModel::with_response_of(WheelSide wheel) const {
+  TrialModel alike = *this;
+  const auto left = alike.linear_part.begin();
+  const auto right = left + static_cast<std::ptrdiff_t>(shape.per_wheel());
+  if (wheel == WheelSide::left) {
+    std::copy(left, right, right);
+  } else {
+    std::copy(right, right + static_cast<std::ptrdiff_t>(shape.per_wheel()), left);
+  }
+  return alike;
+}
+
 TrialModel TrialModel::with_unequal_lags() const {
   TrialModel unequal_lags = *this;
   unequal_lags.shape.unequal_lags = true;

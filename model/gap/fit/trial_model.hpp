@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "model/effects/effect.hpp"
+#include "model/geometry/wheel_side.hpp"
 #include "model/simulation/linear_model.hpp"
 #include "model/simulation/model_simulation.hpp"
 
@@ -131,6 +132,8 @@ struct TrialModel {
   TrialModel with_unequal_lags() const;
   // The same model with a response of its own for each wheel.
   TrialModel with_parted_linear_part() const;
+  // The same model, both of whose wheels respond as this one does; where the linear part is parted.
+  TrialModel with_response_of(WheelSide wheel) const;
   // Of the effects, as they are listed.
   std::vector<EffectSetting> settings() const;
   // The effects in the order in which they act: as they are listed, but for those that act first.

@@ -85,6 +85,10 @@ std::vector<TrialModel> Search::higher_order_parts(const TrialModel& present) co
   if (present.shape.shared) {
     if (!present.shape.unequal_lags) richer.push_back(present.with_unequal_lags());
     richer.push_back(present.with_parted_linear_part());
+  } else {
+    // The fit of one wheel may have ended in a place that is not the best, and that of the other not.
+    for (const WheelSide wheel : {WheelSide::left, WheelSide::right})
+      richer.push_back(present.with_response_of(wheel));
   }
   // A body is not turned as it is pushed. That it also turns with another gain than it drives is for counts
   // to tell, or for let_turns_have_a_gain.

@@ -160,6 +160,17 @@ TEST_CASE(
   check_same(answer(unequal_lags.with_parted_linear_part()), answer(unequal_lags));
 }
 
+TEST_CASE("Both wheels take the response of one") {
+  const TrialModel linear_part = some_linear_part(false);
+  for (const WheelSide wheel : {WheelSide::left, WheelSide::right}) {
+    const LinearModel alike = linear_part.with_response_of(wheel).linear();
+    CHECK(alike.left.from_left == alike.right.from_right);
+    const LinearModel of_both = linear_part.linear();
+    CHECK(alike.left.from_left ==
+          (wheel == WheelSide::left ? of_both.left.from_left : of_both.right.from_right));
+  }
+}
+
 TEST_CASE("Wheels alike that feel each other answer the same as a linear part of two modes") {
   TrialModel free = some_linear_part(true).with_cross_coupling(CrossCoupling::free);
   free.linear_part[free.shape.poles + free.shape.weights + 1] = 0.04;
