@@ -26,23 +26,36 @@ void PoseWithCovariance::move(const WheelPair& rolled_m, const TravelVariance& v
   travel << variance.left_m2, variance.both_m2, variance.both_m2, variance.right_m2;
   noise_ = by_pose * noise_ * by_pose.transpose() + by_travel * travel * by_travel.transpose();
   const Eigen::Vector2d scaled(systematic_.scale * rolled_m.left, systematic_.scale * rolled_m.right);
-  const double half = 0.5 * systematic_.wheel_mismatch;
-  const Eigen::Vector2d unequal(-half * rolled_m.left, half * rolled_m.right);
-  systematic_offsets_[0] = by_pose * systematic_offsets_[0] + by_travel * scaled;
-  systematic_offsets_[1] = by_pose * systematic_offsets_[1] + by_travel * unequal;
+  by_scale_ = by_pose * by_scale_ + by_travel * scaled;
   pose_ = move_along_arc(pose_, moved, 1.0);
+  for (const double sign : {1.0, -1.0}) {
+    const double half = sign * 0.5 * systematic_.wheel_mismatch;
+    Twist unequal =
+        twist_of_wheels({(1.0 - half) * rolled_m.left, (1.0 + half) * rolled_m.right}, wheel_base_m_);
+    unequal.v_m_s += beyond.v_m_s;
+    unequal.w_rad_s += beyond.w_rad_s;
+    Pose& end = by_mismatch_.at(sign > 0.0 ? 0 : 1);
+    end = move_along_arc(end, unequal, 1.0);
+  }
 }
 
 void PoseWithCovariance::reset(const Pose& pose, const Eigen::Matrix3d& covariance) {
   pose_ = pose;
   noise_ = covariance;
-  systematic_offsets_.fill(Eigen::Vector3d::Zero());
+  by_scale_.setZero();
+  by_mismatch_.fill(pose);
 }
 
 Eigen::Matrix3d PoseWithCovariance::covariance() const {
-  Eigen::Matrix3d sum = noise_;
-  for (const Eigen::Vector3d& offset : systematic_offsets_) sum += offset * offset.transpose();
-  return sum;
+  const auto off_by = [this](const Pose& end) {
+    return Eigen::Vector3d(end.x_m - pose_.x_m, end.y_m - pose_.y_m, end.theta_rad - pose_.theta_rad);
+  };
+  const Eigen::Vector3d one = off_by(by_mismatch_[0]);
+  const Eigen::Vector3d other = off_by(by_mismatch_[1]);
+  const Eigen::Vector3d straight = 0.5 * (one - other);
+  const Eigen::Vector3d bent = 0.5 * (one + other);
+  return noise_ + by_scale_ * by_scale_.transpose() + straight * straight.transpose() +
+         3.0 * bent * bent.transpose();
 }
 
 }  // namespace wheelwright

@@ -1,8 +1,12 @@
 // A pose and how sure it is, carried along arcs.
 //
 // Noise is new in each period, N <- F N F' + G Q G'. Two errors are the same in every period, and what each
-// does to the pose adds up along the way, d <- F d + G e: the scale of both wheels, and the difference of
-// their rolling radii, which turning in place cannot show. The covariance is N + sum d d'.
+// does to the pose adds up along the way. That of the scale of both wheels is small, d <- F d + G e. That of
+// the difference of their rolling radii, which turning in place cannot show, bends the whole way: a pose p+
+// is carried for a difference of one standard deviation and p- for the opposite one. With
+//   d = (p+ - p-) / 2,  c = (p+ + p-) / 2 - p,
+// the end lies at p + z d + z^2 c, z standard normal, to second order (E z^2 = 1, E z^4 = 3), and the mean
+// square error of p is d d' + 3 c c'. The covariance is the sum of all.
 #pragma once
 
 #include <Eigen/Core>
@@ -48,7 +52,8 @@ class PoseWithCovariance {
   SystematicErrors systematic_;
   Pose pose_;
   Eigen::Matrix3d noise_ = Eigen::Matrix3d::Zero();
-  std::array<Eigen::Vector3d, 2> systematic_offsets_{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  Eigen::Vector3d by_scale_ = Eigen::Vector3d::Zero();
+  std::array<Pose, 2> by_mismatch_;  // for wheels that differ by one standard deviation either way
 };
 
 }  // namespace wheelwright
