@@ -8,6 +8,7 @@
 #include "model/gap/conclusion/verdict.hpp"
 #include "model/gap/figures/free_run_figures.hpp"
 #include "model/gap/fit/reference_alignment.hpp"
+#include "model/gap/selection/candidate_evaluation.hpp"
 #include "model/gap/selection/search_start.hpp"
 
 namespace wheelwright::gap {
@@ -49,7 +50,6 @@ void SplitAnalysis::withdraw_names() {
 }
 
 void SplitAnalysis::withdraw(const std::vector<std::string>& names) {
-  constexpr int steps = 12;
   GapSearch& search = result_.search;
   TrialModel rest = search.final.model;
   for (std::size_t i = rest.effects.size(); i-- > 0;) {
@@ -57,8 +57,8 @@ void SplitAnalysis::withdraw(const std::vector<std::string>& names) {
     rest.effects.erase(rest.effects.begin() + static_cast<std::ptrdiff_t>(i));
     if (i < search.checks.size()) search.checks.erase(search.checks.begin() + static_cast<std::ptrdiff_t>(i));
   }
-  FitWithIntervals known =
-      with_effect_intervals(*train_, train_->fit(rest, steps), steps, context_.parallel_for);
+  FitWithIntervals known = with_effect_intervals(*train_, train_->fit(rest, steps_of_a_refit),
+                                                 steps_of_a_refit, context_.parallel_for);
   search.final = std::move(known.fit);
   search.intervals = std::move(known.intervals);
   take_findings();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "model/gap/candidates/decoys.hpp"
 #include "model/gap/conclusion/acceptance.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gap_findings.hpp"
@@ -25,6 +26,19 @@ TEST_CASE("A name stands from a probability of 0.9 on, and below it the answer i
   CHECK(verdict_of(analysis_with({finding("backlash", 50.0, 0.95)}, position(3.0, 1.0))) == Verdict::named);
   CHECK(verdict_of(analysis_with({finding("backlash", 50.0, 0.95), finding("stiction", 50.0, 0.6)},
                                  position(3.0, 1.0))) == Verdict::ambiguous);
+}
+
+TEST_CASE("Where a decoy explains more than any name, the summary says what it does") {
+  const auto summary_of = [](double nats) {
+    GapAnalysis analysis = analysis_with({}, position(1.1, 1.1));
+    Candidate& best = analysis.search.selection_steps.back().candidates.emplace_back();
+    best.effect.info = &*std::ranges::find(decoys(), "decoy_swing", &EffectInfo::name);
+    best.train_nats = best.heldout_nats = nats;
+    reach_verdict(analysis, {}, {what_is_left(analysis), {}});
+    return analysis.summary;
+  };
+  CHECK_THAT(summary_of(200.0), ContainsSubstring("it is as if the gain swung slowly with time."));
+  CHECK_THAT(summary_of(5.0), !ContainsSubstring("as if"));
 }
 
 TEST_CASE("A figure of some millimetres is no gap, however far above its noise it lies") {
