@@ -261,7 +261,8 @@ CalibrationOutcome Calibrator::response() const {
   settle_travel(runs, response_counts_);
   std::erase_if(runs, [](const DriveLog& run) { return run.samples.empty(); });
   for (DriveLog& run : runs) leave_out_crawl(run);
-  const FirFitOptions options{std::nullopt, longest_response, limits_.period_s};
+  const FirFitOptions options{
+      .first_bound = longest_response, .longest = longest_response, .period_s = limits_.period_s};
   auto fit = fit_fir(runs, options);
   if (fit) {
     const WheelPair timing = punctuality_.relative_gain_error();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "model/identification/fit_checks.hpp"
 #include "model/identification/least_squares_accumulator.hpp"
@@ -131,37 +132,73 @@ WheelFit describe(const ResponseEstimate& estimate, const RelativeTravelNoise& n
   return fit;
 }
 
+struct Search {
+  std::span<const DriveLog> logs;
+  double period_s;
+  double tick_m;
+  RelativeTravelNoise noise;
+};
+
+struct Found {
+  Factored factored;
+  std::size_t length;
+  bool cut;
+};
+
+Found search_to(const Search& search, std::size_t bound) {
+  Factored factored = factor_equations(search.logs, search.period_s, bound, search.noise);
+  const auto whole = estimate_both(factored.factor, bound, search.tick_m);
+  const std::size_t length = std::max(length_worth_keeping(whole.left), length_worth_keeping(whole.right));
+  return {std::move(factored), length, 10 * length > 9 * bound};
+}
+
+bool enough_rows(const Factored& factored, std::size_t taps) {
+  return factored.factor.rows >= static_cast<Eigen::Index>(4 * taps);
+}
+
+// A bound that the response fills is doubled as long as the rows are enough for it.
+Found search_beyond(const Search& search, Found found, std::size_t bound, std::size_t longest) {
+  while (found.cut && bound < longest) {
+    bound = std::min(2 * bound, longest);
+    Found next = search_to(search, bound);
+    if (!enough_rows(next.factored, bound)) break;
+    found = std::move(next);
+  }
+  return found;
+}
+
 }  // namespace
 
 tl::expected<FirFit, Refusal> fit_fir(std::span<const DriveLog> logs, const FirFitOptions& options) {
   if (auto refusal = find_unfit_log(logs)) return tl::unexpected(*refusal);
   const double period_s = options.period_s.value_or(shortest_period_s(logs));
-  const std::size_t longest = options.length.value_or(longest_shown(logs, period_s, options.longest));
+  const std::size_t longest = longest_shown(logs, period_s, options.longest);
+  const std::size_t bound = options.length.value_or(std::min(longest, options.first_bound));
 
   const double tick_m = 0.5 * (logs.front().metres_per_tick->left + logs.front().metres_per_tick->right);
   const RelativeTravelNoise noise =
-      most_likely_noise(logs, period_s, std::min<std::size_t>(longest, 20), tick_m);
-  const Factored factored = factor_equations(logs, period_s, longest, noise);
-  if (factored.factor.rows < static_cast<Eigen::Index>(4 * longest)) {
-    const std::size_t needed = 4 * options.length.value_or(options.longest);
-    return tl::unexpected(Refusal{"only " + std::to_string(factored.factor.rows) + " usable samples, but " +
-                                  std::to_string(needed) + " are needed; record a longer run"});
+      most_likely_noise(logs, period_s, std::min<std::size_t>(bound, 20), tick_m);
+  const Search search{logs, period_s, tick_m, noise};
+  Found found = search_to(search, bound);
+  if (!enough_rows(found.factored, bound)) {
+    const std::size_t needed = 4 * options.length.value_or(options.first_bound);
+    return tl::unexpected(Refusal{"only " + std::to_string(found.factored.factor.rows) +
+                                  " usable samples, but " + std::to_string(needed) +
+                                  " are needed; record a longer run"});
   }
+  if (!options.length) found = search_beyond(search, std::move(found), bound, longest);
 
-  std::size_t length = longest;
-  if (!options.length) {
-    const auto whole = estimate_both(factored.factor, longest, tick_m);
-    length = std::max(length_worth_keeping(whole.left), length_worth_keeping(whole.right));
-  }
-
+  const std::size_t length = options.length.value_or(found.length);
+  const LeastSquaresAccumulator::Factor& factor = found.factored.factor;
+  const auto estimates = estimate_both(factor, length, tick_m);
   FirFit fit;
-  const auto estimates = estimate_both(factored.factor, length, tick_m);
   fit.model = {ModelType::fir, period_s, logs.front().wheel_base_m, to_response(estimates.left.response),
                to_response(estimates.right.response)};
   fit.left = describe(estimates.left, noise, period_s);
   fit.right = describe(estimates.right, noise, period_s);
   fit.prior = estimates.prior;
-  fit.rows = static_cast<std::size_t>(factored.factor.rows);
+  fit.rows = static_cast<std::size_t>(factor.rows);
+  fit.cut = found.cut && !options.length;
   return fit;
 }
 

@@ -13,6 +13,7 @@
 //   * Prior: responses decay and are smooth ("tuned/correlated" kernel, Chen, Ohlsson & Ljung, Automatica 48
 //     (2012) 1525-1535); its size and decay are chosen by marginal likelihood, so exact data are not shrunk.
 //   * Length: from the data, as long as the tail is worth it, and at most two thirds of the longest run.
+//     Taps that the response does not need make all of it uncertain, so the search begins with few.
 #pragma once
 
 #include <cstddef>
@@ -30,9 +31,10 @@
 namespace wheelwright {
 
 struct FirFitOptions {
-  std::optional<std::size_t> length;  // periods; found from the data where absent
-  std::size_t longest = 40;           // periods, upper bound of the search
-  std::optional<double> period_s;     // of the model; that of the first log where absent
+  std::optional<std::size_t> length = {};  // periods; found from the data where absent
+  std::size_t first_bound = 40;            // periods; of the search, doubled while the response fills it
+  std::size_t longest = 40;                // periods, the last bound
+  std::optional<double> period_s = {};     // of the model; that of the first log where absent
 };
 
 struct FirFit {
@@ -41,6 +43,7 @@ struct FirFit {
   WheelFit right;
   ResponsePrior prior;   // as the data chose it
   std::size_t rows = 0;  // samples used
+  bool cut = false;  // the response that was searched for fills its bound: the robot's own goes on after it
 };
 
 // Fits all runs together. Runs start from rest; after a gap in time, the first samples, whose past is

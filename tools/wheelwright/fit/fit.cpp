@@ -158,6 +158,7 @@ FitReport fit_counts(const FitOptions& options, std::vector<DriveLog> runs, std:
   if (options.type == "arma") return fit_arma_to(arma_options(options), std::move(runs), err, progress);
   FirFitOptions fit_options;
   fit_options.length = parse_order(options.order, largest_fir_order);
+  fit_options.longest = largest_fir_order;
   return fit_fir_to(fit_options, std::move(runs), progress);
 }
 

@@ -47,6 +47,10 @@ void print_fir_fit(std::ostream& out, const FirFit& fit, std::size_t runs, const
   out << "  free run on these runs: distance " << fixed_number(1000.0 * score.distance_rms_m.value_or(0.0), 2)
       << " mm RMS, wheel speed " << fixed_number(1000.0 * score.wheel_speed_rms_m_s.value_or(0.0), 2)
       << " mm/s RMS\n";
+  if (fit.cut) {
+    out << "  the wheels still answer after the " << taps
+        << " periods of this response; its gain is that of a part: use --type arma\n";
+  }
 }
 
 }  // namespace wheelwright::tools

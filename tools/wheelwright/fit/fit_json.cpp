@@ -52,6 +52,7 @@ void add_fir(ordered_json& json, const FirReport& report) {
   json["type"] = "fir";
   json["order"] = report.fit.model.left.from_left.size();
   json["rows"] = report.fit.rows;
+  json["response_cut"] = report.fit.cut;
   json["left"] = wheel_json(report.fit.left);
   json["right"] = wheel_json(report.fit.right);
   json["free_run"] = {{"distance_rms_m", report.score.distance_rms_m.value_or(0.0)},

@@ -83,6 +83,27 @@ std::vector<DriveLog> short_steps(double gain, unsigned seed) {
   return runs;
 }
 
+// Wheels of gain 1 that answer with a lag of the first order; their commands are held for 0.36 s.
+DriveLog lagging_run(double lag_s, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal(0.0, 0.2);
+  DriveLog log = published_plant_run({.rows = 4000});
+  const double share = 1.0 - std::exp(-log.period_s / lag_s);
+  WheelPair command;
+  WheelPair speed;
+  WheelPair travelled;
+  for (std::size_t k = 0; k < log.samples.size(); ++k) {
+    if (k % 20 == 0) command = {normal(random), normal(random)};
+    log.samples[k].command_m_s = command;
+    log.samples[k].ticks = WheelTicks{std::llround(travelled.left / log.metres_per_tick->left),
+                                      std::llround(travelled.right / log.metres_per_tick->right)};
+    speed = {speed.left + share * (command.left - speed.left),
+             speed.right + share * (command.right - speed.right)};
+    travelled = {travelled.left + log.period_s * speed.left, travelled.right + log.period_s * speed.right};
+  }
+  return log;
+}
+
 }  // namespace
 
 TEST_CASE("Steps as short as the response give its gain to a tenth, though some reach the robot late") {
@@ -93,6 +114,22 @@ TEST_CASE("Steps as short as the response give its gain to a tenth, though some 
     CHECK_THAT(fit->left.gain.from_left, WithinRel(1.05, 0.1));
     CHECK_THAT(fit->right.gain.from_right, WithinRel(1.05, 0.1));
   }
+}
+
+TEST_CASE("A response longer than the search begins with is found whole, or is said to be cut") {
+  // A lag of 0.4 s, read each 18 ms: 40 periods hold 83 % of the gain.
+  const DriveLog log = lagging_run(0.4, 5);
+
+  const auto whole = fit_fir(std::span(&log, 1), {.longest = 200});
+  REQUIRE(whole);
+  CHECK_FALSE(whole->cut);
+  CHECK(whole->model.left.from_left.size() > 80);
+  CHECK_THAT(whole->left.gain.from_left, WithinAbs(1.0, 2e-3));
+  CHECK_THAT(whole->right.gain.from_right, WithinAbs(1.0, 2e-3));
+
+  const auto part = fit_fir(std::span(&log, 1), {.longest = 40});
+  REQUIRE(part);
+  CHECK(part->cut);
 }
 
 TEST_CASE("The FIR response of the published plant is its analytic impulse response") {
