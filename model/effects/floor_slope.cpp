@@ -7,7 +7,7 @@
 namespace wheelwright::effects {
 namespace {
 
-constexpr double moving_m_s = 0.01;  // below it the slope's pull fades: the gears hold a standing robot
+constexpr double rolling_m_s = 0.01;  // below it the slope's pull fades: the gears hold a standing robot
 
 class FloorSlope final : public EffectOf<FloorSlope> {
  public:
@@ -34,7 +34,7 @@ class FloorSlope final : public EffectOf<FloorSlope> {
  private:
   static constexpr double default_speed_m_s = 0.2;
 
-  static double share(double speed) { return std::min(1.0, std::abs(speed) / moving_m_s); }
+  static double share(double speed) { return std::min(1.0, std::abs(speed) / rolling_m_s); }
   double along(const Pose& pose) const {
     return along_x_ * std::cos(pose.theta_rad) + along_y_ * std::sin(pose.theta_rad);
   }

@@ -5,7 +5,7 @@
 namespace wheelwright::effects {
 namespace {
 
-constexpr std::size_t controlled = 1;
+constexpr std::size_t controlled_stiction = 1;
 
 class Stiction final : public EffectOf<Stiction> {
  public:
@@ -14,7 +14,7 @@ class Stiction final : public EffectOf<Stiction> {
   explicit Stiction(const EffectArguments& arguments)
       : levels_{arguments.parameters[0] + arguments.parameters[1], arguments.parameters[1],
                 arguments.parameters[2], arguments.parameters[3]} {
-    if (arguments.variant == controlled) levels_.recovery_per_s = 1.0 / arguments.parameters[4];
+    if (arguments.variant == controlled_stiction) levels_.recovery_per_s = 1.0 / arguments.parameters[4];
   }
 
   void wheel(WheelPair& speed_m_s, const StepContext& context) override {
@@ -32,7 +32,7 @@ class Stiction final : public EffectOf<Stiction> {
   DryFriction right_;
 };
 
-std::vector<ParameterInfo> free_parameters() {
+std::vector<ParameterInfo> stiction_parameters() {
   return {{"breakaway_excess",
            "m/s",
            "drive that a standing wheel needs beyond what friction costs a moving one",
@@ -59,8 +59,8 @@ std::vector<ParameterInfo> free_parameters() {
            false}};
 }
 
-std::vector<ParameterInfo> controlled_parameters() {
-  std::vector<ParameterInfo> parameters = free_parameters();
+std::vector<ParameterInfo> controlled_stiction_parameters() {
+  std::vector<ParameterInfo> parameters = stiction_parameters();
   parameters[0] = {"breakaway_excess",
                    "m/s",
                    "drive that a standing wheel needs beyond what friction takes from a moving one",
@@ -91,8 +91,8 @@ EffectInfo stiction() {
       "Static friction above the sliding one. A slow ramp up starts late, a slow ramp down stops later: the "
       "threshold of starting lies above that of stopping, which a dead zone's does not. 'controlled': a "
       "controller of the wheel's speed drives harder the longer the wheel stands, until it breaks away.",
-      {{"", EffectStage::wheel}, {"controlled", EffectStage::wheel, controlled_parameters()}},
-      free_parameters(),
+      {{"", EffectStage::wheel}, {"controlled", EffectStage::wheel, controlled_stiction_parameters()}},
+      stiction_parameters(),
       {.variety = true},
       [](const EffectArguments& arguments) { return std::make_unique<Stiction>(arguments); }};
   info.in_character = sticks;

@@ -7,6 +7,7 @@
 #include "model/gap/conclusion/linear_verdict.hpp"
 #include "model/gap/conclusion/verdict.hpp"
 #include "model/gap/figures/free_run_figures.hpp"
+#include "model/gap/runs/short_name.hpp"
 #include "model/gap/split_analysis.hpp"
 #include "model/prediction/wheel_misfit.hpp"
 
@@ -42,7 +43,7 @@ void say_that_no_held_out_run_shows_it(SplitAnalysis& analysis, const std::vecto
                    " of the training runs that no held-out run shows and no effect of the library explains.";
   const auto& runs = analysis.runs().train.runs;
   const double share = 1.0 / static_cast<double>(runs.size());
-  for (const std::size_t run : off) result.where.push_back({"run " + runs[run].name, share, share});
+  for (const std::size_t run : off) result.where.push_back({"run " + short_name(run, runs), share, share});
 }
 
 // What shows in runs of the training alone (a place that no other run visits) cannot be confirmed by those

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 
+#include "model/gap/runs/short_name.hpp"
 #include "model/statistics/significant_digits.hpp"
 
 namespace wheelwright::gap {
@@ -103,8 +104,8 @@ CheckStatistic statistic_of(const ChannelWords& of, const FitProblem& problem,
   std::ostringstream events;
   events << std::fixed << std::setprecision(1);
   for (const auto& event : std::span(found.events).first(std::min(named_events, found.events.size()))) {
-    const GapRun& run = problem.runs()[event.run];
-    events << (events.view().empty() ? "" : ", ") << run.name << " at " << run.start_s + event.time_s << " s";
+    events << (events.view().empty() ? "" : ", ") << short_name(event.run, problem.runs()) << " at "
+           << problem.runs()[event.run].start_s + event.time_s << " s";
   }
   CheckStatistic statistic;
   statistic.name = "intermittent events, " + std::string(of.name);
@@ -112,7 +113,7 @@ CheckStatistic statistic_of(const ChannelWords& of, const FitProblem& problem,
   statistic.size = found.size;
   statistic.visible = is_visible(found.size, of.channel);
   statistic.predictable = false;
-  statistic.curve = {"time in " + problem.runs()[found.events.front().run].name + " [s]",
+  statistic.curve = {"time in " + short_name(found.events.front().run, problem.runs()) + " [s]",
                      "change of the error in 0.3 s" + std::string(of.angle ? " [mrad]" : " [mm]"),
                      in_milli(found.changes)};
   statistic.regime = "events like " + events.str();

@@ -6,6 +6,7 @@
 #include "model/gap/candidates/decoys.hpp"
 #include "model/gap/conclusion/acceptance.hpp"
 #include "model/gap/data_checks/commanded_stillness.hpp"
+#include "model/gap/runs/short_name.hpp"
 #include "model/statistics/significant_digits.hpp"
 
 namespace wheelwright::gap {
@@ -190,10 +191,11 @@ std::vector<GainChange> changed_gains(const GapAnalysis& analysis, const FitProb
   const double held_out = search.heldout_sum_squares_after / static_cast<double>(heldout.readings());
   std::vector<GainChange> changes;
   if (held_out < much_worse * fitted && !only_held_out(analysis)) return changes;
-  for (const auto& run : heldout.runs()) {
+  for (std::size_t r = 0; r < heldout.runs().size(); ++r) {
+    const GapRun& run = heldout.runs()[r];
     const WheelPair gain = travel_gain(search.final.model, run);
     const double change = std::max(std::abs(gain.left - 1.0), std::abs(gain.right - 1.0));
-    if (change >= min_change) changes.push_back({run.name, gain});
+    if (change >= min_change) changes.push_back({short_name(r, heldout.runs()), gain});
   }
   return changes;
 }

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "model/gap/runs/short_name.hpp"
 #include "model/statistics/order_statistics.hpp"
 #include "model/statistics/significant_digits.hpp"
 
@@ -149,7 +150,7 @@ std::vector<Cell> cells_for(const FitProblem& problem, const std::vector<Moment>
   }
   if (problem.runs().size() > 1) {
     for (std::size_t r = 0; r < problem.runs().size(); ++r) {
-      cells.push_back({"run " + problem.runs()[r].name, [r](const Moment& m) { return m.run == r; }});
+      cells.push_back({"run " + short_name(r, problem.runs()), [r](const Moment& m) { return m.run == r; }});
     }
   }
   return cells;

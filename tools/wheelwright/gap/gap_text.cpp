@@ -3,9 +3,12 @@
 #include <cmath>
 #include <iomanip>
 #include <ostream>
+#include <span>
+#include <string_view>
 
 #include "config/load/text_format.hpp"
 #include "model/effects/library/effect_library.hpp"
+#include "model/gap/runs/short_name.hpp"
 #include "tools/wheelwright/gap/check_section.hpp"
 #include "tools/wheelwright/page/number_text.hpp"
 
@@ -30,7 +33,7 @@ void print_finding(std::ostream& out, const gap::Finding& found) {
     out << (parameters[i].unit == "1" ? "" : " " + parameters[i].unit) << "\n";
   }
   out << "    log likelihood of held-out runs higher by " << fixed_number(found.heldout_gain_nats, 1)
-      << "; probability " << fixed_number(found.posterior, 3);
+      << "; probability " << (found.posterior < 0.0005 ? "below 0.001" : fixed_number(found.posterior, 3));
   for (std::size_t i = 0; i < found.rivals.size() && i < 2; ++i) {
     if (found.rivals[i].posterior > 0.001) {
       out << ", " << found.rivals[i].effect << " " << fixed_number(found.rivals[i].posterior, 3);
@@ -41,10 +44,12 @@ void print_finding(std::ostream& out, const gap::Finding& found) {
 
 void print_row(std::ostream& out, const std::string& name, const std::optional<double>& before,
                const std::optional<double>& after, const std::optional<double>& floor) {
+  constexpr double much_larger = 1.1;
   if (!before || !after) return;
   out << "  " << std::left << std::setw(40) << name << std::right << std::setw(10)
       << fixed_number(1000.0 * *before, 2) << std::setw(10) << fixed_number(1000.0 * *after, 2)
-      << std::setw(10) << (floor ? fixed_number(1000.0 * *floor, 2) : "-") << "\n";
+      << std::setw(10) << (floor ? fixed_number(1000.0 * *floor, 2) : "-")
+      << (*after > much_larger * *before ? "  worse than before" : "") << "\n";
 }
 
 void print_figures(std::ostream& out, const std::string& runs, const gap::GapFigures& figures) {
@@ -77,7 +82,7 @@ void print_faults(std::ostream& out, const std::string& title, const std::vector
   if (count > most) out << "  and " << count - most << " more, all in gap.json\n";
 }
 
-std::string names_text(const std::vector<std::string>& runs) {
+std::string names_text(std::span<const std::string> runs) {
   constexpr std::size_t most = 4;
   std::string text;
   for (std::size_t i = 0; i < runs.size() && i < most; ++i) text += (i == 0 ? "" : ", ") + runs[i];
@@ -88,11 +93,19 @@ std::string names_text(const std::vector<std::string>& runs) {
 }  // namespace
 
 std::string run_roles_text(const gap::GapAnalysis& analysis) {
-  std::string text = "training: " + names_text(analysis.trained);
-  text += analysis.tail_held_out      ? "; held out: its last third"
-          : analysis.held_out.empty() ? ""
-                                      : "; held out: " + names_text(analysis.held_out);
-  if (analysis.untouched) text += "; untouched: " + names_text(analysis.tested);
+  std::vector<std::string_view> names;
+  for (const auto* runs : {&analysis.trained, &analysis.held_out, &analysis.tested}) {
+    names.insert(names.end(), runs->begin(), runs->end());
+  }
+  const std::vector<std::string> shortened = gap::short_names(names);
+  const std::span all(shortened);
+  const std::size_t trained = analysis.trained.size();
+  const std::size_t held_out = analysis.held_out.size();
+  std::string text = "training: " + names_text(all.first(trained));
+  text += analysis.tail_held_out ? "; held out: its last third"
+          : held_out == 0        ? ""
+                                 : "; held out: " + names_text(all.subspan(trained, held_out));
+  if (analysis.untouched) text += "; untouched: " + names_text(all.subspan(trained + held_out));
   return text;
 }
 
@@ -102,7 +115,10 @@ void print_gap(std::ostream& out, const gap::GapAnalysis& analysis) {
   print_faults(out, "what held a wheel", analysis.data_faults, true);
   if (!analysis.found.empty()) out << "\nwhat is missing:\n";
   for (const auto& found : analysis.found) print_finding(out, found);
-  if (!analysis.where.empty()) out << "\nwhere the linear model is wrong:\n";
+  if (!analysis.where.empty()) {
+    out << "\nwhere the linear model is wrong" << (analysis.found.empty() ? "" : ", without what is missing")
+        << ":\n";
+  }
   for (const auto& regime : analysis.where) {
     out << "  " << std::left << std::setw(39) << regime.name << " " << percent(regime.share_of_gap)
         << " of the gap in " << percent(regime.share_of_time) << " of the time\n";
