@@ -172,6 +172,13 @@ Figure scaled(const Figure& figure, double factor) {
   return result;
 }
 
+Figure divided_by(double constant, const Figure& figure) {
+  Figure result{constant / figure.value, {}, figure.from};
+  if (figure.interval)
+    result.interval = {constant / figure.interval->upper, constant / figure.interval->lower};
+  return result;
+}
+
 std::vector<Unsaid> unsaid_of(const RobotModel& model, std::span<const std::string_view> put,
                               std::span<const UnsaidReason> reasons) {
   std::vector<Unsaid> unsaid;

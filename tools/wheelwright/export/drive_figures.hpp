@@ -47,8 +47,9 @@ std::string linear_part(const RobotModel& model);
 std::string value_of(const Figure& figure);
 std::string remark_of(const Figure& figure);
 
-// Times a constant; plus a constant; and the mean of two that may share their effects.
+// Times a constant; plus a constant; a constant over it; and the mean of two that may share their effects.
 Figure scaled(const Figure& figure, double factor);
+Figure divided_by(double constant, const Figure& figure);
 Figure shifted(Figure figure, double by);
 Figure mean_of(const Figure& one, const Figure& other);
 

@@ -54,19 +54,26 @@ void add_limits(std::vector<PlacedNumber>& numbers, const std::string& quantity,
   add_limits(numbers, "angular_" + quantity, "rad/" + per, scaled(*figure, 2.0 / separation_m));
 }
 
+// The plugin turns the wheels by its two numbers, and the links say how far that takes the robot. The links
+// stay as they are; so a robot that turns less than its wheel base says gets a smaller separation, and one
+// that goes further a smaller radius.
 void add_plugin(std::vector<PlacedNumber>& numbers, const DriveFigures& figures, const WheelGeometry& wheel) {
-  const Figure separation_m = scaled(figures.separation_multiplier, figures.wheel_separation_m);
-  const Figure left_m = scaled(figures.left_radius_multiplier, wheel.radius_m);
-  const Figure right_m = scaled(figures.right_radius_multiplier, wheel.radius_m);
-  const Figure mean_m = mean_of(left_m, right_m);
-  numbers.push_back(
-      measured(Part::drive_plugin, "wheel_separation", {separation_m}, "m",
-               "given " + nine_digits(figures.wheel_separation_m) + " m: " + remark_of(separation_m)));
-  numbers.push_back(measured(Part::drive_plugin, "wheel_radius", {mean_m}, "m",
-                             "the mean of left " + value_of(left_m) + " m and right " + value_of(right_m) +
-                                 " m: " + remark_of(mean_m)));
-  add_limits(numbers, "velocity", "s", figures.largest_speed_m_s, separation_m.value);
-  add_limits(numbers, "acceleration", "s^2", figures.largest_change_m_s2, separation_m.value);
+  const double base_m = figures.wheel_separation_m;
+  const Figure track_m = scaled(figures.separation_multiplier, base_m);
+  const Figure separation_m = divided_by(base_m, figures.separation_multiplier);
+  const Figure rolls = mean_of(figures.left_radius_multiplier, figures.right_radius_multiplier);
+  const Figure radius_m = divided_by(wheel.radius_m, rolls);
+  numbers.push_back(measured(Part::drive_plugin, "wheel_separation", {separation_m}, "m",
+                             "with wheels " + nine_digits(base_m) +
+                                 " m apart the robot turns as one whose wheels are " + value_of(track_m) +
+                                 " m apart: " + remark_of(separation_m)));
+  numbers.push_back(measured(
+      Part::drive_plugin, "wheel_radius", {radius_m}, "m",
+      "with wheels of " + nine_digits(wheel.radius_m) + " m, which go as far as such of left " +
+          value_of(scaled(figures.left_radius_multiplier, wheel.radius_m)) + " m and right " +
+          value_of(scaled(figures.right_radius_multiplier, wheel.radius_m)) + " m: " + remark_of(radius_m)));
+  add_limits(numbers, "velocity", "s", figures.largest_speed_m_s, base_m);
+  add_limits(numbers, "acceleration", "s^2", figures.largest_change_m_s2, base_m);
 }
 
 void add_joint(std::vector<PlacedNumber>& numbers, Part joint, const WheelTorque& torque, double lag_s) {

@@ -16,7 +16,7 @@ const std::string plugin =
     "      <left_joint>left_hinge</left_joint>\n"
     "      <right_joint>right_hinge</right_joint>\n"
     "      <wheel_separation> 0.24 </wheel_separation>  <!-- by tape -->\n"
-    "      <wheel_radius>0.0359856</wheel_radius>\n"
+    "      <wheel_radius>0.0360144058</wheel_radius>\n"
     "      <topic>cmd_vel</topic>\n"
     "    </plugin>\n";
 
@@ -77,16 +77,16 @@ TEST_CASE("The DiffDrive plugin of an SDF file gets its numbers, and the limits 
   const auto outcome = patched.run("sdf", radius);
   INFO(outcome.err << outcome.out << patched.text());
   REQUIRE(outcome.status == ExitStatus::done);
-  CHECK_THAT(
-      patched.text(),
-      ContainsSubstring("      <!-- wheelwright: wheel_separation: given 0.25 m: 95 % interval 0.259 to "
-                        "0.262; effective_track of 2026-02-03T00:00:00Z -->\n"
-                        "      <wheel_separation> 0.26 </wheel_separation>  <!-- by tape -->\n"));
+  CHECK_THAT(patched.text(),
+             ContainsSubstring("wheels 0.25 m apart the robot turns as one whose wheels are 0.26 m apart: "));
+  CHECK_THAT(patched.text(), ContainsSubstring("; effective_track of 2026-02-03T00:00:00Z -->\n"
+                                               "      <wheel_separation> 0.240384615 </wheel_separation>  "
+                                               "<!-- by tape -->\n"));
   CHECK_THAT(patched.text(), ContainsSubstring("      <max_linear_velocity>0.4</max_linear_velocity>\n"));
   CHECK_THAT(patched.text(), ContainsSubstring("\n      <topic>cmd_vel</topic>\n    </plugin>\n"));
-  CHECK_THAT(outcome.out, ContainsSubstring("DiffDrive wheel_radius: already 0.0359856"));
+  CHECK_THAT(outcome.out, ContainsSubstring("DiffDrive wheel_radius: already 0.0360144058"));
   CHECK_THAT(outcome.out,
-             ContainsSubstring("robot:18: DiffDrive wheel_separation: changed from 0.24 to 0.26"));
+             ContainsSubstring("robot:18: DiffDrive wheel_separation: changed from 0.24 to 0.240384615"));
   CHECK_THAT(outcome.out, ContainsSubstring("coulomb_friction cannot be said in this format"));
   const std::string once = patched.text();
   CHECK_THAT(patched.run("sdf", radius).out, ContainsSubstring("nothing to change"));
@@ -116,7 +116,7 @@ TEST_CASE("A URDF file without the plugin takes the dynamics of its joints, and 
   INFO(outcome.err << outcome.out);
   REQUIRE(outcome.status == ExitStatus::done);
   CHECK_THAT(outcome.out,
-             ContainsSubstring("DiffDrive wheel_separation: 0.26 cannot be said here: this file"));
+             ContainsSubstring("DiffDrive wheel_separation: 0.240384615 cannot be said here: this file"));
   CHECK_THAT(outcome.out, ContainsSubstring("joint left_hinge friction: added"));
   refused(without(urdf, plugin), inertia, "name the left one by --left-joint");
   refused(without(urdf, plugin), radius, "has no DiffDrive plugin");
