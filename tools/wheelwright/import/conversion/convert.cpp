@@ -15,13 +15,15 @@
 namespace wheelwright::import {
 namespace {
 
-// Rows may be missing, or lie between the periods, but not by the hundred.
+// Rows may be missing, but not by the hundred. They may lie between the periods: a simulator writes each of
+// its own steps, down to a tenth of a millisecond.
 std::string period_contradiction(const DriveLog& log) {
-  constexpr double max_off = 50.0;
+  constexpr double max_periods_per_row = 50.0;
+  constexpr double max_rows_per_period = 600.0;
   std::vector<double> t_s;
   for (const auto& sample : log.samples) t_s.push_back(sample.t_s);
   const double step_s = median_step_s(t_s);
-  if (log.period_s <= max_off * step_s && step_s <= max_off * log.period_s) return {};
+  if (log.period_s <= max_rows_per_period * step_s && step_s <= max_periods_per_row * log.period_s) return {};
   return "rows are " + config::plain_number(step_s) + " s apart (median), but the period is said to be " +
          config::plain_number(log.period_s) +
          " s; correct it, or say the unit of the time: --set time.unit=ms";

@@ -1,4 +1,5 @@
 #include "tools/wheelwright/import/inference/infer_mapping.hpp"
+#include "tools/wheelwright/import/inference/units/heading_unit.hpp"
 
 #include <algorithm>
 #include <array>
@@ -126,6 +127,8 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
       infer_counters(*columns, given, mapping, inference.findings, inference.doubts);
       infer_steering(*columns, given, mapping, inference.findings, inference.doubts);
       set_duty(*columns, given, mapping);
+      if (infer_heading_unit(*columns, given, mapping, inference.findings))
+        columns = gather_sample(recordings, mapping);
       if (!states_its_frame(recordings) &&
           infer_reference_frame(recordings, *columns, given, mapping, inference.findings, inference.doubts))
         columns = gather_sample(recordings, mapping);

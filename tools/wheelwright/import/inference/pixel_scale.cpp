@@ -1,15 +1,16 @@
 #include "tools/wheelwright/import/inference/pixel_scale.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/run_repair.hpp"
-#include "tools/wheelwright/import/conversion/wheel_command.hpp"
-#include "tools/wheelwright/import/conversion/wheel_travel.hpp"
 #include "tools/wheelwright/import/inference/column_names.hpp"
+#include "tools/wheelwright/import/inference/robot_ways.hpp"
 #include "tools/wheelwright/import/inference/units/gain_units.hpp"
 #include "tools/wheelwright/import/inference/units/reference_units.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
@@ -21,63 +22,6 @@ using config::plain_number;
 
 constexpr double min_agreement = 0.8;  // correlation of the ways of the reference with those of the robot
 constexpr std::size_t min_way_windows = 10;
-
-enum class WayBy { wheels, commands };
-
-// What is known well enough to say how far the robot went in metres.
-std::optional<WayBy> way_source(const DriveColumns& columns, const Mapping& mapping) {
-  const bool has_wheels = mapping.wheels && mapping.wheels->right && !mapping.wheels->body_motion &&
-                          mapping.wheels->kind != WheelKind::speed && !columns.wheel[1].empty();
-  if (!mapping.wheel_base_m) return std::nullopt;
-  if (has_wheels) return wheel_scale(*mapping.wheels) ? std::optional(WayBy::wheels) : std::nullopt;
-  const bool has_speeds = mapping.command && !columns.command[0].empty() &&
-                          (!mapping.command->is_duty() || mapping.command->full_scale_m_s.has_value());
-  return has_speeds ? std::optional(WayBy::commands) : std::nullopt;
-}
-
-// How far the middle of the robot went up to each row, in metres, and how far it turned.
-struct Ways {
-  Column way;
-  Column turn;
-
-  explicit Ways(std::size_t rows) : way(rows, 0.0), turn(rows, 0.0) {}
-
-  // Along the straight line from one row to another.
-  double chord(std::size_t from, std::size_t to) const {
-    const double half_turn = 0.5 * (turn[to] - turn[from]);
-    const double share = std::abs(half_turn) > 1e-6 ? std::sin(half_turn) / half_turn : 1.0;
-    return std::abs(share * (way[to] - way[from]));
-  }
-};
-
-Ways ways_of_robot(const DriveColumns& columns, std::span<const std::size_t> rows, const Mapping& mapping,
-                   WayBy source) {
-  Ways ways(rows.size());
-  const double base_m = *mapping.wheel_base_m;
-  if (source == WayBy::wheels) {
-    const double scale = *wheel_scale(*mapping.wheels);
-    const WheelTravel travel = wheel_travel(columns, rows, mapping);
-    const double left = mapping.wheels->left_reversed ? -scale : scale;
-    const double right = mapping.wheels->right_reversed ? -scale : scale;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      const double left_m = left * travel.values[0][i];
-      const double right_m = right * travel.values[1][i];
-      ways.way[i] = 0.5 * (left_m + right_m);
-      ways.turn[i] = (right_m - left_m) / base_m;
-    }
-    return ways;
-  }
-  const auto commands = wheel_commands(columns, rows, mapping);
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    const double duration_s = columns.t_s[rows[i]] - columns.t_s[rows[i - 1]];
-    const double left_m = duration_s * commands[0][i - 1];
-    const double right_m = duration_s * commands[1][i - 1];
-    const bool is_known = std::isfinite(left_m) && std::isfinite(right_m);
-    ways.way[i] = ways.way[i - 1] + (is_known ? 0.5 * (left_m + right_m) : 0.0);
-    ways.turn[i] = ways.turn[i - 1] + (is_known ? (right_m - left_m) / base_m : 0.0);
-  }
-  return ways;
-}
 
 // Over windows of a second.
 struct WaySums {
@@ -143,6 +87,28 @@ bool are_in_no_unit(const DriveColumns& columns, const Mapping& mapping, WayBy s
   return slope > far && !mapping.command->is_duty() && largest(columns.command[0]) <= fastest_m_s;
 }
 
+// As far as a robot that does about what it is told
+// goes in one of these units.
+bool take_small_unit(double places_per_commanded_metre, ReferenceMapping& reference,
+                     std::vector<std::string>& findings) {
+  for (const char* unit : {"mm", "cm"}) {
+    if (!is_near(places_per_commanded_metre, 1.0 / in_si(distance_units(), unit))) continue;
+    reference.unit = unit;
+    findings.push_back("places are in " + reference.unit + ": they go " +
+                       plain_number(rounded_gain(places_per_commanded_metre)) +
+                       " times as far as commanded in metres");
+    return true;
+  }
+  return false;
+}
+
+// In an image no place lies left of its origin, or above it.
+double smallest(const Column& column) {
+  double value = std::numeric_limits<double>::infinity();
+  for (const double one : column) value = std::isfinite(one) ? std::min(value, one) : value;
+  return value;
+}
+
 // By the unit of the column, or as messages are.
 bool states_metres(std::span<const Recording> recordings, const ChannelName& x) {
   const FoundChannel found = find_channel(recordings, x);
@@ -171,6 +137,9 @@ void infer_pixel_scale(std::span<const Recording> recordings, const DriveColumns
                      ": check the scale of the wheels (wheels.metres_per_count) and reference.unit");
     return;
   }
+  const bool in_image = smallest(columns.x) >= 0.0 && smallest(columns.y) >= 0.0;
+  if (!are_pixels && !in_image && *source == WayBy::commands && take_small_unit(*slope, reference, findings))
+    return;
   reference.unit = pixel_unit;
   reference.metres_per_pixel = rounded_gain(1.0 / *slope);
   reference.scale_from_robot = true;

@@ -1,4 +1,5 @@
 // References whose places are in no unit of length: on the globe, and in an image.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -94,6 +95,35 @@ TEST_CASE("Places that go hundreds of times as far as the wheels are taken for p
       import_seen(drive, "x,y,theta", [](const ForeignRow& row) { return in_image(row) + field(row.theta); });
   check_seen(outcome, drive, 0.02);
   CHECK(outcome.doubts("x and y are in no unit of length"));
+}
+
+TEST_CASE("Without wheels the commands show that places are in mm and headings in degrees") {
+  const auto drive = foreign_drive();
+  const auto outcome =
+      import_text(foreign_text(drive, "t,cmd_left,cmd_right,x,y,theta",
+                               [](const ForeignRow& row) {
+                                 return number(row.t_s) + "," + number(row.command_left) + "," +
+                                        number(row.command_right) + field(1000.0 * row.x - 5000.0) +
+                                        field(1000.0 * row.y) + field(180.0 / pi * row.theta);
+                               }),
+                  {"robot.wheel_base_m=" + number(ForeignDrive::base_m)});
+  REQUIRE(outcome.conversion);
+  CHECK(outcome.understood.mapping.reference->unit == "mm");
+  CHECK(outcome.understood.mapping.reference->angle_unit == "deg");
+  CHECK(outcome.found("headings are in degrees"));
+}
+
+TEST_CASE("Rows as close as a simulator's own steps do not contradict the period of its commands") {
+  std::string text = "t,cmd_left,cmd_right,x,y,theta\n";
+  for (int row = 0; row < 4000; ++row) {
+    const double t_s = 0.0005 * row;
+    text += number(t_s) + "," + (t_s < 0.3 ? "0,0," : "0.1,0.1,") + number(0.1 * std::max(0.0, t_s - 0.3)) +
+            ",0,0\n";
+  }
+  const auto outcome = import_text(text, {"robot.wheel_base_m=0.3", "time.period_s=0.05"});
+  INFO((outcome.conversion ? "" : outcome.conversion.error()));
+  REQUIRE(outcome.conversion);
+  CHECK(outcome.conversion->runs.front().period_s == 0.05);
 }
 
 TEST_CASE("Pixels beside a robot without any scale are asked for") {

@@ -1,0 +1,33 @@
+// How far the robot went and turned, by its wheels or, without those, by its commands: what a reference whose
+// units nobody states is held against.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "tools/wheelwright/import/conversion/drive_columns.hpp"
+#include "tools/wheelwright/import/mapping/mapping.hpp"
+
+namespace wheelwright::import {
+
+enum class WayBy { wheels, commands };
+
+// What is known well enough to say how far the robot went in metres.
+std::optional<WayBy> way_source(const DriveColumns& columns, const Mapping& mapping);
+
+// How far the middle of the robot went up to each row, in metres, and how far it turned.
+struct Ways {
+  Column way;
+  Column turn;
+
+  explicit Ways(std::size_t rows) : way(rows, 0.0), turn(rows, 0.0) {}
+
+  // Along the straight line from one row to another.
+  double chord(std::size_t from, std::size_t to) const;
+};
+
+Ways ways_of_robot(const DriveColumns& columns, std::span<const std::size_t> rows, const Mapping& mapping,
+                   WayBy source);
+
+}  // namespace wheelwright::import
