@@ -11,6 +11,10 @@ constexpr double block_s = 0.25;
 constexpr double settle_s = 1.0;
 constexpr double driving_m_s = 0.03;
 constexpr double excess_smoothing = 0.25;
+// Before the need of current is known: what no sound driving takes, by the mean of a second or more.
+constexpr int few_blocks = 4;
+constexpr double most_times = 2.5;
+constexpr double more_a = 0.1;
 // CUSUM: shifts of twice the allowance are found fastest; a single block, however odd, is no proof.
 constexpr double allowance = 0.75;
 constexpr double max_of_one_block = 3.0;
@@ -46,15 +50,21 @@ void EnvironmentMonitor::drop_block() {
   }
 }
 
+// A motor whose wheel is held draws some ten times as much as one that rolls.
+double EnvironmentMonitor::excess_of(const Wheel& wheel, const CurrentModel::Features& features,
+                                     double current_a) const {
+  const double direction = features[0] < 0.0 ? -1.0 : 1.0;
+  if (wheel.model.ready()) return direction * (current_a - wheel.model.expected_a(features));
+  if (wheel.driving_ticks < few_blocks * ticks_per_block_) return 0.0;
+  return std::max(0.0, direction * current_a - most_times * wheel.driving_a - more_a);
+}
+
 void EnvironmentMonitor::add_tick(Wheel& wheel, const CurrentModel::Features& features, double current_a,
-                                  double innovation, double& excess_a) {
+                                  double innovation, double& excess_a) const {
   wheel.features += features;
   wheel.current_a += current_a;
   wheel.innovation2 += innovation * innovation;
-  if (!wheel.model.ready()) return;
-  const double direction = features[0] < 0.0 ? -1.0 : 1.0;
-  const double excess = direction * (current_a - wheel.model.expected_a(features));
-  excess_a += excess_smoothing * (excess - excess_a);
+  excess_a += excess_smoothing * (excess_of(wheel, features, current_a) - excess_a);
 }
 
 EnvironmentMonitor::BlockScore EnvironmentMonitor::close_block(Wheel& wheel) const {
@@ -105,6 +115,14 @@ double EnvironmentMonitor::innovation_score() const {
   return std::min(wheels_[0].sums.rougher, wheels_[1].sums.rougher) / innovation_alarm;
 }
 
+bool EnvironmentMonitor::currents_are_known(const DrivingEvidence& evidence) {
+  const auto& [left_speed, right_speed] = evidence.speed_m_s;
+  current_sign_.take(left_speed, evidence.current_a.left);
+  current_sign_.take(right_speed, evidence.current_a.right);
+  return current_sign_.tells(left_speed, evidence.current_a.left) &&
+         current_sign_.tells(right_speed, evidence.current_a.right);
+}
+
 bool EnvironmentMonitor::take(const DrivingEvidence& evidence) {
   const bool was_due = due_;
   due_ = due_ || evidence.both_misfit;
@@ -117,19 +135,31 @@ bool EnvironmentMonitor::take(const DrivingEvidence& evidence) {
   const auto& [left_speed, right_speed] = evidence.speed_m_s;
   const bool drives = std::abs(left_speed) > driving_m_s && std::abs(right_speed) > driving_m_s;
   if (!evidence.received || !drives) return due_ && !was_due;
+  if (!currents_are_known(evidence)) {
+    drop_block();
+    return due_ && !was_due;
+  }
   // The excess is wanted most while a wheel has a fault; learning waits until it is over.
   const bool counts = evidence.sound && settle_ticks_ == 0;
   const auto features = [&](double speed, double acceleration, double other_speed) {
     return CurrentModel::features(speed, acceleration, speed - other_speed, evidence.heading_rad);
   };
   add_tick(wheels_[0], features(left_speed, evidence.acceleration_m_s2.left, right_speed),
-           evidence.current_a.left, evidence.innovation.left, excess_a_.left);
+           current_sign_.along_wheel_a(left_speed, evidence.current_a.left), evidence.innovation.left,
+           excess_a_.left);
   add_tick(wheels_[1], features(right_speed, evidence.acceleration_m_s2.right, left_speed),
-           evidence.current_a.right, evidence.innovation.right, excess_a_.right);
+           current_sign_.along_wheel_a(right_speed, evidence.current_a.right), evidence.innovation.right,
+           excess_a_.right);
   if (!counts) {
     drop_block();
     return due_ && !was_due;
   }
+  const auto note_driving = [](Wheel& wheel, double current_a) {
+    ++wheel.driving_ticks;
+    wheel.driving_a += (std::abs(current_a) - wheel.driving_a) / wheel.driving_ticks;
+  };
+  note_driving(wheels_[0], evidence.current_a.left);
+  note_driving(wheels_[1], evidence.current_a.right);
   if (++ticks_ == ticks_per_block_) {
     const BlockScore left = close_block(wheels_[0]);
     add_up(left, close_block(wheels_[1]));

@@ -14,14 +14,16 @@
 //
 // Only driving counts; while the robot stands, and while a wheel has a fault, nothing is added up and nothing
 // is learnt. The verdict stays until recalibrated() is called. Before about 12 s of driving the usual values
-// are not known and nothing but the last is reported. A floor that has less grip but pulls no harder does not
-// show.
+// are not known and nothing but the last is reported; nor is anything in the first quarter of a second of
+// driving backward, which shows what sign currents have. A floor that has less grip but pulls no harder does
+// not show.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
 #include "model/filter/current_model.hpp"
+#include "model/filter/current_sign.hpp"
 #include "model/filter/usual_level.hpp"
 #include "model/geometry/pose.hpp"
 
@@ -49,8 +51,8 @@ class EnvironmentMonitor {
   // The model has been made again: what is usual is learnt again.
   void recalibrated();
 
-  // Motor current beyond what the motion needs, in its direction, smoothed over about 0.1 s; 0 until the need
-  // is known.
+  // Motor current beyond what the motion needs, in its direction, smoothed over about 0.1 s. Until the need
+  // is known: beyond a multiple of what driving has taken so far, or 0.
   const WheelPair& excess_a() const { return excess_a_; }
 
   // The tests themselves, in standard deviations added up; the verdict is at 1.
@@ -76,19 +78,25 @@ class EnvironmentMonitor {
     CurrentModel::Features features = CurrentModel::Features::Zero();  // sums over the block
     double current_a = 0.0;
     double innovation2 = 0.0;
+    double driving_a = 0.0;  // mean of all ticks of sound driving so far
+    int driving_ticks = 0;
     Sums sums;
   };
 
   void add_tick(Wheel& wheel, const CurrentModel::Features& features, double current_a, double innovation,
-                double& excess_a);
+                double& excess_a) const;
+  double excess_of(const Wheel& wheel, const CurrentModel::Features& features, double current_a) const;
   BlockScore close_block(Wheel& wheel) const;
   void add_up(const BlockScore& left, const BlockScore& right);
   double score_of(double Sums::*sum) const;
   void drop_block();
 
+  bool currents_are_known(const DrivingEvidence& evidence);
+
   int ticks_per_block_;
   int settle_ticks_ = 0;  // after a fault, until its traces have gone
   int ticks_ = 0;
+  CurrentSign current_sign_;
   std::array<Wheel, 2> wheels_;
   Sums both_;
   WheelPair excess_a_;
