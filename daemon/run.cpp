@@ -208,7 +208,7 @@ void Run::log_setup() {
 void Run::start_threads() {
   threads_.push_back(start_thread("ww-predict", *wiring_, [this] {
     set_up_predictor_thread(real_time_);
-    run_predictor(brain_, *wiring_);
+    run_predictor(brain_, *wiring_, sensor_loop_);
   }));
   threads_.push_back(start_thread("ww-calibrate", *wiring_, [this] { calibrator_.run(); }));
   threads_.push_back(start_thread("ww-log", *wiring_, [this] { log_.run(); }));

@@ -79,6 +79,7 @@ class VirtualRun {
     send(link_.urgent_bytes());
     result_.frames.push_back(frame);
     result_.records.push_back(brain_.take(frame));
+    if (const StopReason reason = brain_.wanted_stop(); reason != StopReason::none) link_.stop(reason);
     result_.true_poses.push_back(robot_.truth().pose);
     if (auto outcome = calibrator_.take(frame)) deliver(*outcome);
     while (const auto command = brain_.next_command()) commands_.push_back(*command);

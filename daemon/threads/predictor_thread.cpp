@@ -33,13 +33,15 @@ void accept_deliveries(Brain& brain, Wiring& wiring) {
 
 }  // namespace
 
-void run_predictor(Brain& brain, Wiring& wiring) {
+void run_predictor(Brain& brain, Wiring& wiring, roomba::SensorLoop& sensor_loop) {
   while (!wiring.ending.load(std::memory_order_relaxed)) {
     wiring.frame_arrived.acquire();
     accept_deliveries(brain, wiring);
     LogEntry entry;
     while (wiring.frames_to_predictor.pop(entry.frame)) {
       entry.record = brain.take(entry.frame);
+      if (const StopReason reason = brain.wanted_stop(); reason != StopReason::none)
+        sensor_loop.request_stop(reason);
       while (const auto command = brain.next_command()) wiring.push(wiring.commands, *command);
       wiring.push(wiring.entries, entry);
       if (wiring.has_telemetry) wiring.telemetry.push(wiring.telemetry.entries, entry);

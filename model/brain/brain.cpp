@@ -10,6 +10,8 @@ namespace {
 // A stand of this length hides how long a fit took, so that the same run has the same ticks.
 constexpr double shortest_wait_s = 1.0;
 constexpr double shortest_coast_s = 0.7;
+constexpr double longest_without_count_s = 1.0;
+constexpr double longest_held_s = 1.5;
 
 }  // namespace
 
@@ -169,7 +171,9 @@ PoseRecord Brain::take(const SensorFrame& frame) {
   const bool may_run = frame.armed && frame.stop == StopReason::none;
   if (may_run && !was_armed_) begin_run(frame.tick);
   was_armed_ = may_run;
-  if (running_ && frame.stop != StopReason::none) end_by(frame.stop);
+  const bool stops = running_ && frame.stop != StopReason::none;
+  if (stops) end_by(frame.stop);
+  take_back_commands(frame, stops);
   if (frame.valid) {
     if (frame.after_gap) odometry_.rebase();
     const double elapsed_s = static_cast<double>(frame.tick - latest_.tick) * limits_.period_s;
@@ -201,8 +205,30 @@ PoseRecord Brain::take(const SensorFrame& frame) {
     record.predicted_covariance = prediction.covariance;
     record.visited = prediction.visited;
   }
+  watch_faults(record);
   last_record_ = record;
   return record;
+}
+
+void Brain::watch_faults(const PoseRecord& record) {
+  const bool drives = running_ && record.hybrid.has_value();
+  const auto either = [&](auto is_meant) {
+    return drives && (is_meant(record.hybrid->left_fault) || is_meant(record.hybrid->right_fault));
+  };
+  const bool held = either([](FaultKind fault) { return fault == FaultKind::stalled; });
+  const bool by_counts =
+      mission_.pose_source == PoseSource::odometry && record.command.activity == Activity::route;
+  const bool no_count = by_counts && either([](FaultKind fault) {
+                          return fault == FaultKind::frozen || fault == FaultKind::stuck_at;
+                        });
+  ticks_held_ = held ? ticks_held_ + 1 : 0;
+  ticks_without_count_ = no_count ? ticks_without_count_ + 1 : 0;
+}
+
+StopReason Brain::wanted_stop() const {
+  if (ticks_held_ * limits_.period_s > longest_held_s) return StopReason::held;
+  return ticks_without_count_ * limits_.period_s > longest_without_count_s ? StopReason::lost_count
+                                                                           : StopReason::none;
 }
 
 int Brain::ticks_ahead() const {
@@ -222,8 +248,11 @@ std::optional<Command> Brain::next_command() {
   if (next_tick_ > latest_.tick + ticks_ahead()) return std::nullopt;
   const WheelOrder wanted = order();
   Command command{next_tick_, rounded_command(wanted.speed_m_s, limits_), wanted.activity, wanted.repetition};
-  remember_prediction(next_tick_);
-  if (model_) model_->step(command.speed_m_s);
+  remember_prediction(next_tick_, static_cast<std::uint16_t>(follower_.visited()));
+  if (model_) {
+    model_->save(next_tick_);
+    model_->step(command.speed_m_s);
+  }
   past_commands_.at(static_cast<std::size_t>(next_tick_) % past_commands_.size()) = {next_tick_,
                                                                                      command.speed_m_s};
   activity_ = command.activity;
@@ -231,11 +260,32 @@ std::optional<Command> Brain::next_command() {
   return command;
 }
 
-void Brain::remember_prediction(std::int64_t tick) {
+// Commands are made ahead, and the prediction runs ahead with them. Where another was given than that of the
+// plan, and where a stop takes the place of all that were to come, it goes back and predicts once more.
+void Brain::take_back_commands(const SensorFrame& frame, bool stops) {
+  const auto past = [this](std::int64_t tick) -> PastCommand& {
+    return past_commands_.at(static_cast<std::size_t>(tick) % past_commands_.size());
+  };
+  if (!model_ || frame.tick >= next_tick_ || past(frame.tick).tick != frame.tick) return;
+  const WheelPair& given = frame.command.speed_m_s;
+  const WheelPair& planned = past(frame.tick).speed_m_s;
+  if (!stops && given.left == planned.left && given.right == planned.right) return;
+  const auto back_at = model_->go_back_to(frame.tick);
+  if (!back_at) return;
+  past(frame.tick).speed_m_s = given;
+  const std::uint16_t visited =
+      predictions_.at(static_cast<std::size_t>(frame.tick) % predictions_.size()).visited;
+  for (std::int64_t tick = *back_at; tick < next_tick_; ++tick) {
+    if (stops && tick > frame.tick) past(tick).speed_m_s = {};
+    if (tick > frame.tick) remember_prediction(tick, visited);
+    model_->step(past(tick).speed_m_s);
+  }
+}
+
+void Brain::remember_prediction(std::int64_t tick, std::uint16_t visited) {
   if (!model_) return;
   Prediction& slot = predictions_.at(static_cast<std::size_t>(tick) % predictions_.size());
-  slot = {tick, model_->predictor.pose(), model_->predictor.speed_m_s(), Eigen::Matrix3d::Zero(),
-          static_cast<std::uint16_t>(follower_.visited())};
+  slot = {tick, model_->predictor.pose(), model_->predictor.speed_m_s(), Eigen::Matrix3d::Zero(), visited};
   if (model_->uncertainty) slot.covariance = model_->uncertainty->covariance();
 }
 

@@ -76,6 +76,9 @@ class Brain {
 
   Activity activity() const { return activity_; }
   bool ended() const { return activity_ == Activity::finished || activity_ == Activity::stopped; }
+  // Why the wheels have to stop now, which whoever sends the commands has to see to: a wheel is held and does
+  // not come free, or odometry, with an encoder that counts no more, would turn on the spot for ever.
+  StopReason wanted_stop() const;
   // Why the run ended early.
   StopReason stop_reason() const { return stop_; }
   const Pose& final_predicted_pose() const { return last_record_.predicted; }
@@ -128,7 +131,9 @@ class Brain {
   Pose rest_by_sensors(const Pose& measured);
   bool in_run(const SensorFrame& frame) const;
   int ticks_ahead() const;
-  void remember_prediction(std::int64_t tick);
+  void watch_faults(const PoseRecord& record);
+  void take_back_commands(const SensorFrame& frame, bool stops);
+  void remember_prediction(std::int64_t tick, std::uint16_t visited);
   Stage stage() const;
 
   Mission mission_;
@@ -148,6 +153,8 @@ class Brain {
   bool running_ = false;
   StopReason stop_ = StopReason::none;
   bool outcome_arrived_ = false;
+  int ticks_without_count_ = 0;  // on a route by odometry
+  int ticks_held_ = 0;
   int ticks_in_stage_ = 0;
   Activity activity_ = Activity::idle;
 

@@ -179,6 +179,27 @@ std::optional<Refusal> Calibrator::doubt_of_manoeuvre() const {
   return doubt ? doubt : punctuality_.doubt();
 }
 
+namespace {
+
+std::string percent(double share) {
+  return std::to_string(std::lround(100.0 * share)) + " %";
+}
+
+// Motors are a few percent apart, encoders less. A wheel that shows far less than the other had a counter
+// that did not count for a part of the calibration, or it was held.
+std::optional<Refusal> doubt_of_gains(double left, double right) {
+  constexpr double most_apart = 1.5;
+  if (left > 0.0 && right > 0.0 && left < most_apart * right && right < most_apart * left)
+    return std::nullopt;
+  const bool is_left = left < right;
+  return Refusal{"the " + std::string(is_left ? "left" : "right") + " wheel counted " +
+                 percent(is_left ? left : right) + " of what it was told to drive, the other " +
+                 percent(is_left ? right : left) +
+                 "; look whether it turns freely and its encoder counts: wheelwright doctor --move"};
+}
+
+}  // namespace
+
 CalibrationOutcome Calibrator::encoder_order() const {
   CalibrationOutcome outcome;
   outcome.kind = CalibrationKind::encoder_order;
@@ -190,7 +211,9 @@ CalibrationOutcome Calibrator::encoder_order() const {
   const auto right = std::abs(check_end_.right - check_start_->right);
   if (left < min_check_ticks && right < min_check_ticks) {
     outcome.refusal = Refusal{
-        "the left wheel was commanded to move, but neither counter did; do both wheels stand on the floor?"};
+        "the left wheel was commanded to move, but neither counter did; do both wheels stand on the floor, "
+        "and "
+        "does its encoder count (wheelwright doctor --move)?"};
   } else if (2 * std::min(left, right) > std::max(left, right)) {
     outcome.refusal =
         Refusal{"the left wheel was commanded to move, and both counters did; is the robot being pushed?"};
@@ -264,6 +287,8 @@ CalibrationOutcome Calibrator::response() const {
   const FirFitOptions options{
       .first_bound = longest_response, .longest = longest_response, .period_s = limits_.period_s};
   auto fit = fit_fir(runs, options);
+  if (fit) outcome.refusal = doubt_of_gains(fit->left.gain.from_left, fit->right.gain.from_right);
+  if (outcome.refusal) return outcome;
   if (fit) {
     const WheelPair timing = punctuality_.relative_gain_error();
     widen(fit->left.gain, timing.left, fit->left.gain_standard_error);
@@ -315,6 +340,8 @@ CalibrationOutcome Calibrator::arma() const {
     outcome.refusal = with_remark(fit.error(), outcome.remark);
     return outcome;
   }
+  outcome.refusal = doubt_of_gains(fit->left.quality.gain.from_left, fit->right.quality.gain.from_right);
+  if (outcome.refusal) return outcome;
   outcome.model = model_of(fit->model, fit->left.quality, fit->right.quality,
                            "random drive on the robot, seed " + std::to_string(mission_.random_drive->seed));
   outcome.arma = std::move(*fit);

@@ -45,7 +45,7 @@ struct RandomDrivePlan {
   double longest_hold_s = 1.2;
   double largest_change_m_s = 0.15;  // of one wheel at once; harder steps make a Roomba report overcurrent
   // The circle in which the middle of the axle stays, and how far its middle is ahead of where the run began:
-  // turning in place needs an object near by, the circle needs free floor.
+  // turning in place needs an object near by (behind the robot), the circle needs free floor.
   double radius_m = 0.5;
   double ahead_m = 0.6;
   // The tour: this share of the time the robot drives between random points of the circle as it drives a

@@ -72,6 +72,10 @@ std::string_view name_of(StopReason reason) {
       return "calibration refused";
     case StopReason::requested:
       return "requested";
+    case StopReason::held:
+      return "a wheel is held though its motor pulls";
+    case StopReason::lost_count:
+      return "an encoder that steers the route counts no more";
   }
   return "unknown";
 }

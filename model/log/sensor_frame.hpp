@@ -48,6 +48,8 @@ enum class StopReason : std::uint8_t {
   stalled,       // the sensor loop itself stood still, and the wheels were stopped for it
   refused,       // a calibration was not possible
   requested,     // by the user
+  held,          // a wheel does not turn although its motor pulls
+  lost_count,    // an encoder that the route is steered by counts no more
 };
 std::string_view name_of(StopReason reason);
 

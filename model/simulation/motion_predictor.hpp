@@ -43,6 +43,9 @@ class MotionPredictor {
   void set_pose(const Pose& pose) { simulation_.set_pose(pose); }
   // To rest at a pose.
   void reset(const Pose& pose);
+  // The model in motion, and to go on from where it was at another time.
+  const ModelSimulation& simulation() const { return simulation_; }
+  void go_on_from(const ModelSimulation& then) { simulation_ = then; }
   // Goes on from the pose of another predictor of the same robot; the motion is its own.
   void take_over(const MotionPredictor& before) { simulation_.take_over(before.simulation_); }
 

@@ -39,6 +39,8 @@ class CountedDrive {
     exchange_tick_ = tick;
   }
 
+  void stop_at(std::int64_t tick) { stop_tick_ = tick; }
+
   Activity activity() const { return brain_.activity(); }
   std::uint16_t model_version() const { return brain_.last_record().model_version; }
   bool has_retired() const { return retired_ != nullptr; }
@@ -51,6 +53,7 @@ class CountedDrive {
     {
       const test::CountedScope scope(calls);
       if (tick == 30) link_.arm();
+      if (tick == stop_tick_) link_.stop(StopReason::requested);
       send(link_.begin_tick(tick, 0.0, command_for(tick)));
     }
     bool answered = false;
@@ -97,6 +100,7 @@ class CountedDrive {
   std::unique_ptr<DrivingModel> better_;
   std::unique_ptr<DrivingModel> retired_;
   std::int64_t exchange_tick_ = 0;
+  std::int64_t stop_tick_ = -1;
   std::array<Command, 64> commands_{};
 };
 
@@ -129,6 +133,18 @@ TEST_CASE("A model is exchanged on the way without the heap, and the old one is 
     CHECK(drive->drive_to_the_end());
     CHECK(drive->model_version() == 2);
     CHECK(drive->has_retired());
+    CHECK(drive->calls == 0);
+  }
+}
+
+TEST_CASE("A stop on the way takes back what was predicted ahead without the heap") {
+  for (const auto source : {PoseSource::fir, PoseSource::hybrid}) {
+    INFO("pose source " << static_cast<int>(source));
+    const auto drive =
+        std::make_unique<CountedDrive>(test::triangle_mission(source), with(roomba::Transport::query));
+    drive->stop_at(250);
+    CHECK_FALSE(drive->drive_to_the_end());
+    CHECK(drive->activity() == Activity::stopped);
     CHECK(drive->calls == 0);
   }
 }

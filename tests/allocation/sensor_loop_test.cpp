@@ -80,7 +80,7 @@ CallsWhileDriving drive_a_route(roomba::Transport transport) {
   });
   std::thread predictor([&] {
     const test::CountedScope scope(predictor_calls);
-    run_predictor(brain, *wiring);
+    run_predictor(brain, *wiring, sensor_loop);
   });
 
   CallsWhileDriving result;

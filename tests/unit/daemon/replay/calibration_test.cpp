@@ -72,6 +72,21 @@ TEST_CASE("Where the light bumper sees nothing the encoder calibration is refuse
   CHECK(robot.truth().wheels_at_rest);
 }
 
+TEST_CASE("An encoder that ceases to count while the responses are measured is no gain of the robot") {
+  simulation::SimulatedRobot robot(test::robot_in_room("default", "box_without_slip", 1));
+  daemon::VirtualRunConfig config;
+  config.mission.response = ResponsePlan{};
+  const auto result =
+      daemon::run_virtually(config, robot, [](simulation::SimulatedRobot& one, std::int64_t tick) {
+        if (tick == 100)
+          one.inject({.kind = simulation::Fault::Kind::freeze_encoder, .side = simulation::Side::right});
+      });
+  CHECK_FALSE(result.response);
+  REQUIRE(result.refusal);
+  CHECK_THAT(result.refusal->reason, ContainsSubstring("the right wheel counted "));
+  CHECK(robot.truth().wheels_at_rest);
+}
+
 TEST_CASE("Swapped encoders are noticed by moving one wheel and put right") {
   auto description = test::robot_in_room("default", "box_without_slip", 1);
   description.encoder.swap_sides = true;

@@ -156,6 +156,38 @@ TEST_CASE("Replay of a run that a wheel drop ended gives the same pose log") {
   check_the_same(result);
 }
 
+TEST_CASE("A route by odometry ends where an encoder counts no more, and its replay likewise") {
+  const auto config = configuration(PoseSource::odometry, false);
+  const auto run = drive(config, model(), 5, [](simulation::SimulatedRobot& robot, std::int64_t tick) {
+    if (tick == 250)
+      robot.inject({.kind = simulation::Fault::Kind::freeze_encoder, .side = simulation::Side::left});
+  });
+  REQUIRE(run.stop == StopReason::lost_count);
+  CHECK(run.records.back().tick < 250 + 200);
+  check_the_same(replayed(run, config, model()));
+}
+
+TEST_CASE("A route ends where a wheel is held and does not come free") {
+  auto config = configuration(PoseSource::fir, false);
+  config.route->checkpoints = test::laps(3);
+  const auto run = drive(config, model(), 5, [](simulation::SimulatedRobot& robot, std::int64_t tick) {
+    if (tick == 300)
+      robot.inject({.kind = simulation::Fault::Kind::stall_wheel, .side = simulation::Side::left});
+  });
+  CHECK((run.stop == StopReason::held || run.stop == StopReason::overcurrent));
+  CHECK(run.records.back().tick < 300 + 200);
+}
+
+TEST_CASE("Replay of a stop on a route by the model alone takes back what was predicted ahead as well") {
+  const auto config = configuration(PoseSource::fir, false);
+  const auto run = drive(config, model(), 5, [](simulation::SimulatedRobot& robot, std::int64_t tick) {
+    if (tick == 250)
+      robot.inject({.kind = simulation::Fault::Kind::lift_wheel, .side = simulation::Side::right});
+  });
+  REQUIRE(run.stop == StopReason::wheel_drop);
+  check_the_same(replayed(run, config, model()));
+}
+
 TEST_CASE("Replay of a drive in which a better model took over applies it at the same tick") {
   for (const auto source : {PoseSource::fir, PoseSource::hybrid}) {
     INFO(name_of(source));
