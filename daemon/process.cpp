@@ -126,8 +126,13 @@ EndCause run_process(const ProcessOptions& options) {
       note_end(service.restarts, outcome);
       return outcome.cause;
     }
-    spdlog::info("{}: loaded again", options.config_file.string());
     config = std::move(*outcome.reload);
+    service.arms_next_run = outcome.arms_next_run;
+    if (outcome.arms_next_run) {
+      service.hold.reset();
+      continue;
+    }
+    spdlog::info("{}: loaded again", options.config_file.string());
     service.hold = "the configuration was loaded again";
   }
 }

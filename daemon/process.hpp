@@ -30,6 +30,7 @@ struct Service {
   Restarts restarts;
   std::optional<std::string> hold;  // why the robot is not armed by itself, though the configuration says so
   bool from_terminal = false;       // whose hang-up (SIGHUP) is the end of the operator
+  bool arms_next_run = false;       // the signal that arms began it
 };
 
 // Reads the configuration that the options name. Throws config::ConfigError.
@@ -42,7 +43,9 @@ std::optional<RobotModel> known_model(const config::DaemonConfig& config);
 // or another exception where it could not start.
 //
 // SIGTERM, SIGINT  wheels to rest, logs closed, out
-// SIGUSR1          arm: clears a latched stop and starts the mission (again); nothing while the robot drives
+// SIGUSR1          arm: clears a latched stop and starts the mission, once more as a run of its own, with a
+// folder of
+//                  its own; nothing while the robot drives
 // SIGUSR2          stop: wheels to rest, the process stays
 // SIGHUP           reload the configuration, all of it, unless the robot drives or there is a mistake in it;
 //                  the robot is not armed by it. A daemon that was started from a terminal ends as by

@@ -56,13 +56,16 @@ std::string explain(const roomba::Silence& silence, const SilenceContext& contex
   const std::string what = describe_replies(replies);
   if (context.load.is_busy()) {
     return fmt::format(
-        "{} while the machine was busy ({}, {}); {}, and if it comes again look at the cable: "
-        "wheelwright doctor",
+        "{} while the machine was busy ({}, {}); {}, and if it comes again look at the cable and the "
+        "adapter's "
+        "delay, since replies that come later than a period look damaged: wheelwright doctor",
         what, load, loop, relieve);
   }
   return fmt::format(
-      "{} while the machine was in time ({}, {}); look at the cable and its plugs: wheelwright doctor", what,
-      loop, load);
+      "{} while the machine was in time ({}, {}); look at the cable and its plugs, and at the adapter's "
+      "delay, "
+      "since replies that come later than a period look damaged: wheelwright doctor",
+      what, loop, load);
 }
 
 }  // namespace wheelwright::daemon

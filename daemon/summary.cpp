@@ -72,7 +72,7 @@ std::string steered_by(PoseSource source) {
 void add_faults(Table& table, const CalibrationReport& calibration, const LogReport& log) {
   if (log.faults > 0) table.row("wheel and encoder faults", "{}", log.faults);
   if (!calibration.adapted.empty()) {
-    table.row("models adapted while driving", "{}", calibration.adapted.size());
+    table.row("models adapted", "{}", calibration.adapted.size());
   }
   if (log.recalibration_due) table.row("recalibration", "{}", "due: the model does not fit any more");
 }
@@ -93,8 +93,9 @@ void add_route(Table& table, const config::DaemonConfig& config, const LogReport
   table.title("Route '" + config.route->name + "', steered by " + steered_by(config.pose_source));
   table.row("checkpoints visited", "{} of {}", last.visited, config.route->checkpoints.size());
   if (is_sensorless(config.pose_source) && last.has_prediction && last.predicted_covariance.trace() > 0.0) {
-    table.row("uncertainty of the end", "{:.3f} m (95 % of drives end within it of the prediction)",
-              position_radius95_m(last.predicted_covariance));
+    table.row("uncertainty of the end", "{:.3f} m ({})", position_radius95_m(last.predicted_covariance),
+              log.recalibration_due ? "of a model that fits: this one does not any more"
+                                    : "95 % of drives end within it of the prediction");
   }
   if (config.pose_source == PoseSource::hybrid && last.hybrid) {
     table.row("uncertainty of the end", "{:.3f} m (95 % of drives end within it of the filter's pose)",

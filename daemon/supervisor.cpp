@@ -47,9 +47,7 @@ std::optional<RunOutcome> Supervisor::obey(int signal) {
     case SIGXCPU:
       return ended_by_signal("a limit of processor time is reached (ulimit -t, LimitCPU=)");
     case SIGUSR1:
-      armed_once_ = true;
-      arm();
-      return std::nullopt;
+      return arm_or_begin_next_run();
     case SIGUSR2:
       parts_.sensor_loop.request_stop(StopReason::requested);
       return std::nullopt;
@@ -65,6 +63,21 @@ std::optional<RunOutcome> Supervisor::obey(int signal) {
 bool Supervisor::moves() const {
   const auto latest = parts_.board.latest();
   return latest && latest->frame.armed && latest->frame.command.activity != Activity::finished;
+}
+
+// Of a run that ended, the logs are whole: the next one has files of its own. A robot that was lost has to
+// answer first.
+std::optional<RunOutcome> Supervisor::arm_or_begin_next_run() {
+  const bool has_ended = parts_.wiring.finished.load() || parts_.wiring.stop.load() != StopReason::none;
+  if (has_ended && !moves() && parts_.wiring.robot_is_connected.load() && parts_.board.latest()) {
+    RunOutcome outcome = parts_.wiring.finished.load() ? RunOutcome{} : ended_early();
+    outcome.reload = parts_.config;
+    outcome.arms_next_run = true;
+    return outcome;
+  }
+  armed_once_ = true;
+  arm();
+  return std::nullopt;
 }
 
 // All of a configuration may change, since all is built again from it; but not under a robot that drives.
@@ -119,7 +132,8 @@ std::optional<RunOutcome> Supervisor::end_of_run() {
 }
 
 void Supervisor::arm_when_ready() {
-  if (armed_once_ || !parts_.config.arm_at_start || !parts_.wiring.robot_answers.load()) return;
+  const bool wanted = parts_.config.arm_at_start || service_.arms_next_run;
+  if (armed_once_ || !wanted || !parts_.wiring.robot_answers.load()) return;
   armed_once_ = true;
   if (service_.hold) {
     spdlog::warn("not armed: {}; SIGUSR1 arms the robot", *service_.hold);

@@ -27,6 +27,7 @@ struct RunOutcome {
   std::string stopped;                         // why, where it did not finish
   std::optional<config::DaemonConfig> reload;  // go on with this one, in the same process
   bool interrupted = false;                    // the robot drove, or could not be reached at the end
+  bool arms_next_run = false;                  // which begins with `reload`
 
   bool finished() const { return cause == EndCause::done; }
 };
@@ -57,6 +58,7 @@ class Supervisor {
   std::optional<RunOutcome> obey(int signal);
   std::optional<RunOutcome> end_of_run();
   std::optional<RunOutcome> reload();
+  std::optional<RunOutcome> arm_or_begin_next_run();
   RunOutcome ended_early() const;
   RunOutcome ended_by_signal(const std::string& why) const;
   void arm();

@@ -22,6 +22,9 @@ void RingClient::on_frame(const SensorFrame& frame) {
 void RingClient::on_event(const roomba::Event& event) {
   if (event.code == roomba::EventCode::robot_answers) {
     wiring_.robot_answers.store(true, std::memory_order_relaxed);
+    wiring_.robot_is_connected.store(true, std::memory_order_relaxed);
+  } else if (event.code == roomba::EventCode::link_lost) {
+    wiring_.robot_is_connected.store(false, std::memory_order_relaxed);
   }
   wiring_.push(wiring_.events, event);
 }

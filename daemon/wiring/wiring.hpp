@@ -71,8 +71,9 @@ struct Wiring {
 
   std::counting_semaphore<> frame_arrived{0};
   std::atomic<bool> ending{false};
-  std::atomic<bool> robot_answers{false};
-  std::atomic<bool> finished{false};  // the mission came to its end
+  std::atomic<bool> robot_answers{false};       // it has answered
+  std::atomic<bool> robot_is_connected{false};  // and has not been lost since
+  std::atomic<bool> finished{false};            // the mission came to its end
   std::atomic<StopReason> stop{StopReason::none};
   std::atomic<std::uint64_t> dropped{0};  // items that found their ring full
   ThreadFailure failure;

@@ -1,7 +1,9 @@
 // The robot or its cable goes away in mid-run and comes back.
 #include <cmath>
 #include <csignal>
+#include <filesystem>
 
+#include "config/load/drive_log_file.hpp"
 #include "tests/loopback/bench/bench.hpp"
 #include "tests/loopback/bench/line_tap.hpp"
 #include "tests/support/catch.hpp"
@@ -55,6 +57,26 @@ TEST_CASE("A robot that is switched off and on again stands until it is armed, t
   CHECK(daemon->says("finished", 10s));
   CHECK(daemon->end() == 0);
   check_odometry_has_no_jump(bench.pose_log());
+}
+
+TEST_CASE("A robot that is armed again after its run drives another, with a folder of its own") {
+  Bench bench;
+  const auto robot = bench.start_robot("default");
+  const auto daemon = bench.start_daemon(bench.configure({.run = "at_end: stay", .route = "[[0.3, 0]]"}));
+  REQUIRE(daemon->says("finished", 15s));
+  std::this_thread::sleep_for(300ms);
+  daemon->signal(SIGUSR1);
+  REQUIRE(eventually(5s, [&] { return bench.runs().size() == 2; }));
+  REQUIRE(eventually(15s, [&] { return times_said(daemon->err(), "finished") >= 2; }));
+  CHECK(daemon->end() == 0);
+  for (const auto& run : bench.runs()) {
+    INFO(run.string());
+    for (const char* name : {"config.yaml", "model.yaml", "drive_log.csv", "pose_log.csv"})
+      CHECK(std::filesystem::exists(run / name));
+    const wheelwright::DriveLog log = wheelwright::config::load_drive_log(run / "drive_log.csv");
+    CHECK(log.samples.front().t_s == 0.0);
+    CHECK(log.samples.size() > 100);
+  }
 }
 
 TEST_CASE("A cable that is pulled out costs the run, and put in again, the robot is stopped, not followed") {
