@@ -1,42 +1,51 @@
 // rate_limit: change of wheel speed is limited.
 #include <algorithm>
+#include <cmath>
 
 #include "model/effects/effect.hpp"
 
 namespace wheelwright::effects {
 namespace {
 
+constexpr std::size_t speed_limit = 1;
+constexpr std::size_t ramp = 2;
+
 class RateLimit final : public EffectOf<RateLimit> {
  public:
   explicit RateLimit(const EffectArguments& arguments)
-      : limit_(arguments.parameters[0]),
-        drag_per_s_(arguments.parameters[1]),
-        of_command_(arguments.variant == 0) {}
+      : limit_(arguments.parameters[0]), drag_per_s_(arguments.parameters[1]), variant_(arguments.variant) {}
 
   void command(WheelPair& command_m_s, const StepContext& context) override {
-    if (of_command_) follow(command_m_s, context.period_s);
+    if (variant_ != speed_limit) follow(command_m_s, context.period_s);
   }
   void wheel(WheelPair& speed_m_s, const StepContext& context) override {
-    if (!of_command_) follow(speed_m_s, context.period_s);
+    if (variant_ == speed_limit) follow(speed_m_s, context.period_s);
   }
   void reset() override { now_ = {}; }
 
  private:
   // What drags on the wheel takes a part of the drive that is left to speed it up, and helps to slow it down.
   void follow(WheelPair& wanted, double period_s) {
-    const auto follow_one = [&](double& now, double to) {
-      const double upwards = std::max(0.0, limit_ - drag_per_s_ * now);
-      const double downwards = std::max(0.0, limit_ + drag_per_s_ * now);
-      now += std::clamp(to - now, -period_s * downwards, period_s * upwards);
-    };
-    follow_one(now_.left, wanted.left);
-    follow_one(now_.right, wanted.right);
-    wanted = now_;
+    follow_one(now_.left, wanted.left, period_s);
+    follow_one(now_.right, wanted.right, period_s);
+  }
+
+  // A ramp that goes on all the time brings the mean of where it begins and where it ends, and stays there
+  // for the rest of a period in which it arrives.
+  void follow_one(double& now, double& wanted, double period_s) const {
+    const double upwards = std::max(0.0, limit_ - drag_per_s_ * now);
+    const double downwards = std::max(0.0, limit_ + drag_per_s_ * now);
+    const double before = now;
+    const double most = period_s * (wanted > now ? upwards : downwards);
+    now += std::clamp(wanted - now, -most, most);
+    const double change = now - before;
+    const double ramping = most > 0.0 ? std::abs(change) / most : 0.0;  // share of the period
+    wanted = variant_ == ramp ? now - 0.5 * ramping * change : now;
   }
 
   double limit_;
   double drag_per_s_;
-  bool of_command_;
+  std::size_t variant_;
   WheelPair now_;
 };
 
@@ -53,9 +62,9 @@ EffectInfo rate_limit() {
       "rate_limit",
       "change of wheel speed is limited",
       "A ramp in the firmware or a limit of motor current: large steps take longer in proportion, small "
-      "ones do "
-      "not, which no linear lag does.",
-      {{"command", EffectStage::command}, {"speed", EffectStage::wheel}},
+      "ones do not, which no linear lag does. 'command': of what is wanted, once a period; 'ramp': likewise, "
+      "many times a period; 'speed': of the wheel.",
+      {{"command", EffectStage::command}, {"speed", EffectStage::wheel}, {"ramp", EffectStage::command}},
       {{"limit",
         "m/s^2",
         "largest change of a wheel's speed",

@@ -1,4 +1,5 @@
 // What effects of commands and wheels do to a motion, against what can be said of it on paper.
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -193,6 +194,26 @@ TEST_CASE("A limit of acceleration gets less with speed by what drags, and braki
   const double before_m_s = speed_after(dragged, 0.2, 200);
   CHECK_THAT(before_m_s, WithinAbs(0.2, 1e-12));
   CHECK_THAT(speed_after(dragged, 0.0, 1), WithinAbs(0.2 - period_s * (0.5 + 2.0 * 0.2), 1e-12));
+}
+
+TEST_CASE("A ramp within periods brings the mean speed that its way in small steps has") {
+  constexpr double limit_m_s2 = 0.7;
+  ModelSimulation ramp = only({"rate_limit", "ramp", {limit_m_s2, 0.0}});
+  double wanted_m_s = 0.0;
+  double speed_m_s = 0.0;
+  for (int k = 0; k < 60; ++k) {
+    if (k % 4 == 0) wanted_m_s = 0.2 * std::sin(1.7 * k);
+    constexpr int steps = 2000;
+    constexpr double step_s = period_s / steps;
+    double way_m = 0.0;
+    for (int i = 0; i < steps; ++i) {
+      const double before_m_s = speed_m_s;
+      speed_m_s += std::clamp(wanted_m_s - speed_m_s, -limit_m_s2 * step_s, limit_m_s2 * step_s);
+      way_m += step_s * 0.5 * (before_m_s + speed_m_s);
+    }
+    INFO("period " << k);
+    CHECK_THAT(ramp.step({wanted_m_s, wanted_m_s}).wheel_m_s.left, WithinAbs(way_m / period_s, 1e-5));
+  }
 }
 
 TEST_CASE("A limit is met sharply or by a knee") {
