@@ -8,6 +8,8 @@
 #include "model/gap/conclusion/verdict.hpp"
 #include "model/gap/figures/free_run_figures.hpp"
 #include "model/gap/runs/short_name.hpp"
+#include "model/gap/selection/search_start.hpp"
+#include "model/gap/simulation/needed_differences.hpp"
 #include "model/gap/split_analysis.hpp"
 #include "model/prediction/wheel_misfit.hpp"
 
@@ -78,7 +80,16 @@ void compare_linear_part(SplitAnalysis& analysis) {
 void compare_with(const RobotModel& simulation, SplitAnalysis& analysis) {
   GapAnalysis& result = analysis.result();
   const ModelOrigin origin{&simulation, analysis.origin().logs};
-  const LinearChanges changes = changes_of_linear_part(result, origin, analysis.train(), analysis.held_out());
+  const TrialModel& found = result.search.final.model;
+  FitProblem train = analysis.train();
+  FitProblem held_out = analysis.held_out();
+  const NoiseModel noise = train.noise_left_by(found);
+  train.set_noise(noise);
+  held_out.set_noise(noise);
+  NeededDifferences needed = needed_differences(trial_effects_of(simulation), found, train, held_out);
+  const LinearChanges changes =
+      changes_of_linear_part(needed.model, origin, analysis.train(), analysis.held_out());
+  result.differing_effects = std::move(needed.effects);
   result.linear_changes = changes.changes;
   result.linear_gain_nats = changes.heldout_gain_nats;
   result.before = simulation;

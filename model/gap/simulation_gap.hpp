@@ -25,4 +25,9 @@ tl::expected<SimulationGap, GapRefusal> analyse_simulation_gap(std::span<const D
                                                                const ParallelFor& parallel_for,
                                                                const Progress& progress);
 
+// The simulator itself on the commands of the robot's runs, by its free runs over those of training and of
+// `check`. An answer that this contradicts is corrected: nothing is not missing where the simulator is off by
+// more than noise. Where it is as near as noise allows, the summary says so.
+void hold_against_simulator(SimulationGap& gap, const Score& train, const Score& test);
+
 }  // namespace wheelwright::gap

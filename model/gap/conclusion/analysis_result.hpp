@@ -44,8 +44,10 @@ struct GapAnalysis {
   bool untouched = false;                    // whether these took no part in any choice
   std::vector<LinearChange> linear_changes;  // of the model that was given
   double linear_gain_nats = 0.0;             // of the held-out runs' log likelihood, by these
-  PredictiveCheck check;                     // of the accepted model
-  double names_gain_nats = 0.0;              // of all its effects, in the runs of `check`
+  // Beside a simulation: names of effects that have to be other than its own (needed_differences.hpp).
+  std::vector<std::string> differing_effects;
+  PredictiveCheck check;         // of the accepted model
+  double names_gain_nats = 0.0;  // of all its effects, in the runs of `check`
   CheckedRuns checked = CheckedRuns::held_out;
   bool tail_held_out = false;  // a single run: its last third stands in for a run of its own
 };

@@ -115,11 +115,10 @@ std::string not_compared_in_words(const RobotModel& given, double period_s) {
   return words.str();
 }
 
-LinearChanges changes_of_linear_part(const GapAnalysis& analysis, const ModelOrigin& origin,
+LinearChanges changes_of_linear_part(const TrialModel& accepted, const ModelOrigin& origin,
                                      const FitProblem& train, const FitProblem& heldout) {
   const RobotModel& given = *origin.given;
   if (!has_period(given, train.runs().front().period_s)) return {};
-  const TrialModel& accepted = analysis.search.final.model;
   RobotModel whole = whole_model_of(accepted, origin);
   whole.linear_part = given.linear_part;
   // A linear effect that was found, as a delay, stands beside the fitted linear part; beside the given one it
@@ -139,7 +138,8 @@ LinearChanges changes_of_linear_part(const GapAnalysis& analysis, const ModelOri
 
 bool add_linear_changes(GapAnalysis& analysis, const ModelOrigin& origin, const FitProblem& train,
                         const FitProblem& heldout) {
-  add_linear_changes(analysis, changes_of_linear_part(analysis, origin, train, heldout), *origin.given);
+  add_linear_changes(analysis, changes_of_linear_part(analysis.search.final.model, origin, train, heldout),
+                     *origin.given);
   return !analysis.linear_changes.empty();
 }
 

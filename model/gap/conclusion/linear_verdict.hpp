@@ -11,9 +11,10 @@
 
 namespace wheelwright::gap {
 
-// How the data differ from the linear part of the given model (`origin`), beside what was accepted. A model
+// How the data differ from the linear part of the given model (`origin`), beside the effects of what was
+// accepted. A model
 // of another period is not compared.
-LinearChanges changes_of_linear_part(const GapAnalysis& analysis, const ModelOrigin& origin,
+LinearChanges changes_of_linear_part(const TrialModel& accepted, const ModelOrigin& origin,
                                      const FitProblem& train, const FitProblem& heldout);
 
 // A longer delay among the changes, as a finding of `transport_delay`.

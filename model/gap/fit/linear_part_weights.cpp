@@ -1,6 +1,7 @@
 #include "model/gap/fit/linear_part_weights.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <numeric>
@@ -44,6 +45,7 @@ std::vector<double> cross_coupling_weights(const LinearPartShape& shape, const s
       break;
     case CrossCoupling::free:
     case CrossCoupling::modes:
+    case CrossCoupling::balanced_modes:
       break;
   }
   return weights;
@@ -63,6 +65,17 @@ Mode mode_of(const LinearPartShape& shape, const double* values) {
   std::transform(values, values + shape.poles, std::back_inserter(mode.past), std::negate<>{});
   mode.weights.assign(values + shape.poles, values + shape.poles + shape.weights);
   return mode;
+}
+
+Mode with_gain_of(const Mode& mode, Mode changed) {
+  const auto gain = [](const Mode& of) {
+    return std::accumulate(of.weights.begin(), of.weights.end(), 0.0) /
+           std::accumulate(of.past.begin(), of.past.end(), 0.0);
+  };
+  const double factor = gain(mode) / gain(changed);
+  if (!std::isfinite(factor)) return changed;
+  for (double& weight : changed.weights) weight *= factor;
+  return changed;
 }
 
 void add_mode(std::vector<double>& linear_part, const Mode& mode) {

@@ -34,6 +34,9 @@ struct Mode {
 // Of the parameters `values`: poles, then weights.
 Mode mode_of(const LinearPartShape& shape, const double* values);
 
+// The second, with weights scaled so that its gain is that of the first.
+Mode with_gain_of(const Mode& mode, Mode changed);
+
 // Adds its parameters to a linear part.
 void add_mode(std::vector<double>& linear_part, const Mode& mode);
 

@@ -34,7 +34,8 @@ std::vector<double> scaled(const std::vector<double>& weights, double factor) {
 WheelResponse response_of_modes(const LinearPartShape& shape, const double* values, bool left,
                                 const OfOneWheel& of) {
   const Mode travel = mode_of(shape, values);
-  const Mode turn = mode_of(shape, values + shape.poles + shape.weights);
+  Mode turn = mode_of(shape, values + shape.poles + shape.weights);
+  if (shape.cross_coupling == CrossCoupling::balanced_modes) turn = with_gain_of(travel, turn);
   const auto weights_of = [&](const Mode& mode, const Mode& other_mode) {
     const auto weights = shape.unequal_lags ? delayed(mode.weights, of.lag_periods) : mode.weights;
     return scaled(product(weights, other_mode.past), 0.5 * of.gain);

@@ -41,9 +41,10 @@ enum class CrossCoupling {
   lag,       // each wheel also feels the changes of the other's command: turns lag behind travel, or lead it
   balanced,  // with weights of its own whose sum is 0: turns answer otherwise than travel, by the same gain
   free,      // with as many weights of its own as its own command has
-  modes      // travel and turns each have poles and weights of their own, as mass and yaw inertia make them:
+  modes,     // travel and turns each have poles and weights of their own, as mass and yaw inertia make them:
              // a wheel answers half of what travel makes of both commands, and half of what turns make of
              // their difference
+  balanced_modes  // the same, with one gain: the weights of turns count in proportion to each other
 };
 
 struct LinearPartShape {
@@ -67,11 +68,12 @@ struct LinearPartShape {
       case CrossCoupling::free:
         break;
       case CrossCoupling::modes:
+      case CrossCoupling::balanced_modes:
         return poles + weights;  // of turns; the first ones are those of travel
     }
     return weights;
   }
-  bool has_modes() const { return cross_coupling == CrossCoupling::modes; }
+  bool has_modes() const { return cross_coupling >= CrossCoupling::modes; }
   bool crosses_by_weights() const {
     return cross_coupling == CrossCoupling::balanced || cross_coupling == CrossCoupling::free;
   }

@@ -19,6 +19,9 @@ constexpr double smallest_gain_change = 0.01;
 constexpr double smallest_delay_s = 0.005;
 constexpr double smallest_delay_periods = 0.25;
 constexpr double smallest_lag_s = 0.015;
+// Of what a change would make, that no change of the effects would make as well: where it is less, as of a
+// gain beside the taper of a dead zone, the runs do not tell which of them it is.
+constexpr double smallest_own_share = 1e-3;
 constexpr Eigen::Index parameter_count = 4;
 constexpr double prior_information =
     1.0;  // a change by 1 or 1 s is one standard deviation: no run is that vague
@@ -53,9 +56,10 @@ class CorrectedRuns {
         reference_lag_s_(measured.reference_lag_s()),
         gyro_scale_(measured.gyro_scale()) {}
 
-  std::vector<double> residuals(const Parameters& p) const {
+  std::vector<double> residuals(const Parameters& p) const { return residuals_of(model_, p); }
+
+  std::vector<double> residuals_of(RobotModel model, const Parameters& p) const {
     const CommandCorrection correction = correction_of(p);
-    RobotModel model = model_;
     model.linear_part = corrected(model_.linear_part, correction);
     const MeasuredSimulation simulation{ModelSimulation(model), any_acts(model, &EffectInfo::by_pose),
                                         any_acts(model, &EffectInfo::by_wheel_angle), reference_lag_s_,
@@ -81,6 +85,31 @@ class CorrectedRuns {
       }
     }
     return columns;
+  }
+
+  // By all parameters of the effects whose size shows. A gain may be as well the taper of a dead zone.
+  Eigen::MatrixXd derivatives_by_effects(const Parameters& p, const std::vector<double>& residuals) const {
+    constexpr double share_of_range = 1e-3;
+    std::vector<Eigen::VectorXd> columns;
+    const Eigen::Map<const Eigen::VectorXd> here(residuals.data(),
+                                                 static_cast<Eigen::Index>(residuals.size()));
+    for (std::size_t e = 0; e < model_.effects.size(); ++e) {
+      const auto infos = parameters_of(model_.effects[e].setting);
+      for (std::size_t i = 0; i < infos.size(); ++i) {
+        RobotModel moved = model_;
+        double& value = moved.effects[e].setting.parameters[i];
+        const double size = share_of_range * (infos[i].upper - infos[i].lower);
+        const double step = value + size > infos[i].upper ? -size : size;
+        value += step;
+        const auto there = residuals_of(std::move(moved), p);
+        const Eigen::Map<const Eigen::VectorXd> beside(there.data(), here.size());
+        Eigen::VectorXd column = (beside - here) / step;
+        if (column.squaredNorm() > 0.0) columns.push_back(std::move(column));
+      }
+    }
+    Eigen::MatrixXd all(here.size(), static_cast<Eigen::Index>(columns.size()));
+    for (std::size_t i = 0; i < columns.size(); ++i) all.col(static_cast<Eigen::Index>(i)) = columns[i];
+    return all;
   }
 
   Point at(const Parameters& p) const {
@@ -118,7 +147,7 @@ Parameters no_change() {
 Parameters best_delay(const CorrectedRuns& runs, double period_s) {
   Parameters best = no_change();
   double least = sum_squares_of(runs.residuals(best));
-  for (double delay_s = -0.15; delay_s <= 0.6; delay_s += 2.0 * period_s) {
+  for (double delay_s = std::ceil(-0.15 / period_s) * period_s; delay_s <= 0.6; delay_s += period_s) {
     Parameters p = no_change();
     p(2) = delay_s;
     const double sum_squares = sum_squares_of(runs.residuals(p));
@@ -132,6 +161,15 @@ Parameters best_delay(const CorrectedRuns& runs, double period_s) {
 Parameters fitted(const CorrectedRuns& runs, const Parameters& start) {
   const LevenbergMarquardtRule rule{.max_attempts = 5, .min_damping = 1e-7, .increase = 8.0, .min_fall = 0.2};
   return levenberg_marquardt(runs, runs.at(start), rule).parameters;
+}
+
+// Of the square of a column, what no sum of the others makes. The others may hang together.
+double own_share(const Eigen::VectorXd& column, const Eigen::MatrixXd& others) {
+  if (others.cols() == 0) return 1.0;
+  const Eigen::MatrixXd products = others.transpose() * others;
+  const Eigen::MatrixXd damped = products + Eigen::MatrixXd((1e-9 * products.diagonal()).asDiagonal());
+  const Eigen::VectorXd made = others * damped.ldlt().solve(others.transpose() * column);
+  return (column - made).squaredNorm() / column.squaredNorm();
 }
 
 bool leaves_out(const ParameterInterval& interval, double none) {
@@ -155,12 +193,17 @@ LinearChanges linear_changes(const RobotModel& model, const TrialModel& measured
   if (result.heldout_gain_nats < confirming_nats) return result;
 
   const auto residuals = runs.residuals(p);
-  const auto deviations = linear_intervals(train, runs.derivatives(p, residuals), residuals);
+  const Eigen::MatrixXd by_effects = runs.derivatives_by_effects(p, residuals);
+  const Eigen::MatrixXd by_linear_part = runs.derivatives(p, residuals);
+  Eigen::MatrixXd columns(by_effects.rows(), parameter_count + by_effects.cols());
+  columns << by_linear_part, by_effects;
+  const auto deviations = linear_intervals(train, columns, residuals);
   const auto add = [&](std::string_view what, std::string_view wheel, Eigen::Index i, double none,
                        double smallest, std::string_view unit) {
     const ParameterInterval& deviation = deviations[static_cast<std::size_t>(i)].deviation;
     const ParameterInterval interval{p(i) + deviation.lower, p(i) + deviation.upper};
     if (std::abs(p(i) - none) < smallest || !leaves_out(interval, none)) return;
+    if (own_share(by_linear_part.col(i), by_effects) < smallest_own_share) return;
     result.changes.push_back({what, wheel, p(i), unit, interval});
   };
   add("delay", "both", 2, 0.0, std::max(smallest_delay_s, smallest_delay_periods * period_s), "s");

@@ -3,7 +3,7 @@
 // The model, with all effects that are known, gets a corrected linear part and delayed commands
 // (command_correction.hpp).
 // Gains, delay and lag are fitted to the training runs by least squares of the innovations; intervals come
-// from a bootstrap over blocks of time.
+// from a bootstrap over blocks of time, and allow for what is not known of the effects.
 #pragma once
 
 #include <optional>

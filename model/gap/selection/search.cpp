@@ -94,7 +94,7 @@ std::vector<TrialModel> Search::higher_order_parts(const TrialModel& present) co
   // to tell, or for let_turns_have_a_gain.
   using enum CrossCoupling;
   const auto cross_couplings =
-      train_.has_counts() ? std::vector{share, lag, free, modes} : std::vector{lag, balanced};
+      train_.has_counts() ? std::vector{share, lag, free, modes} : std::vector{lag, balanced, balanced_modes};
   for (const CrossCoupling cross_coupling : cross_couplings) {
     if (cross_coupling > present.shape.cross_coupling)
       richer.push_back(present.with_cross_coupling(cross_coupling));

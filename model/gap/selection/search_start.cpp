@@ -24,17 +24,16 @@ LinearPartShape shape_for(const FitProblem& train) {
   return shape;
 }
 
-std::vector<TrialEffect> known_effects(const RobotModel* given) {
+}  // namespace
+
+std::vector<TrialEffect> trial_effects_of(const RobotModel& model) {
   std::vector<TrialEffect> effects;
-  if (given == nullptr) return effects;
-  for (const auto& effect : given->effects) {
+  for (const auto& effect : model.effects) {
     const EffectInfo* info = find_effect(effect.setting.name);
     effects.push_back({info, variant_index(*info, effect.setting.variant), effect.setting.parameters});
   }
   return effects;
 }
-
-}  // namespace
 
 TrialModel search_start(FitProblem& train, const RobotModel* given) {
   const GapRun& run = train.runs().front();
@@ -42,7 +41,7 @@ TrialModel search_start(FitProblem& train, const RobotModel* given) {
   double least = 0.0;
   for (const double lag_s : {0.06, 0.15}) {
     TrialModel guess = first_guess(shape_for(train), run.period_s, run.wheel_base_m, lag_s, 0.036);
-    guess.effects = known_effects(given);
+    if (given != nullptr) guess.effects = trial_effects_of(*given);
     train.set_noise({});
     const Fit fit = train.fit(guess, 8);
     if (best.linear_part.empty() || fit.sum_squares < least) {

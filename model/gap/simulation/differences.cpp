@@ -88,8 +88,18 @@ std::string size_text(const ParameterDifference& parameter, const Known& size) {
   return text.str();
 }
 
+// The first that is surely not zero: of a slope across the way, not the part along it.
+const ParameterDifference& telling(const EffectDifference& difference) {
+  const auto is_sure = [](const ParameterDifference& parameter) {
+    const auto& known = parameter.robot ? parameter.robot : parameter.simulation;
+    return known && known->interval.lower * known->interval.upper > 0.0;
+  };
+  const auto sure = std::ranges::find_if(difference.parameters, is_sure);
+  return sure == difference.parameters.end() ? difference.parameters.front() : *sure;
+}
+
 std::string words_for(const EffectDifference& difference) {
-  const ParameterDifference& first = difference.parameters.front();
+  const ParameterDifference& first = telling(difference);
   switch (difference.kind) {
     case DifferenceKind::missing:
       return "It lacks " + difference.effect + " (" + first.name + " " + size_text(first, *first.robot) +
@@ -121,6 +131,27 @@ std::string_view kind_name(DifferenceKind kind) {
   return names.at(static_cast<std::size_t>(kind));
 }
 
+namespace {
+
+// Those that the robot's runs do not ask for: what is the same may look like another size of two effects.
+void leave_out_needless(std::vector<EffectDifference>& differences, const GapAnalysis& robot) {
+  const auto is_needed = [&](const EffectDifference& difference) {
+    return std::ranges::find(robot.differing_effects, difference.effect) != robot.differing_effects.end();
+  };
+  std::erase_if(differences, [&](const EffectDifference& difference) {
+    return difference.kind == DifferenceKind::missing && !is_needed(difference);
+  });
+  for (EffectDifference& difference : differences) {
+    if (is_needed(difference)) continue;
+    if (difference.kind == DifferenceKind::surplus) difference.kind = DifferenceKind::not_shown;
+    if (difference.kind != DifferenceKind::wrong_size) continue;
+    difference.kind = DifferenceKind::same;
+    for (ParameterDifference& parameter : difference.parameters) parameter.differs = false;
+  }
+}
+
+}  // namespace
+
 std::vector<EffectDifference> effect_differences(const GapAnalysis& simulation, const GapAnalysis& robot) {
   std::vector<EffectDifference> differences;
   for (const Finding& of_robot : robot.found) {
@@ -134,6 +165,7 @@ std::vector<EffectDifference> effect_differences(const GapAnalysis& simulation, 
         of_one(of_simulation, false,
                would_show(of_simulation, robot) ? DifferenceKind::surplus : DifferenceKind::not_shown));
   }
+  leave_out_needless(differences, robot);
   return differences;
 }
 

@@ -43,7 +43,8 @@ struct EffectDifference {
 };
 
 // Of all effects that either has. Sizes differ where the interval of their difference (half widths added in
-// squares) leaves out zero, and by more than 3 % of the larger one.
+// squares) leaves out zero, and by more than 3 % of the larger one; and where the robot's runs ask for it
+// (needed_differences.hpp).
 std::vector<EffectDifference> effect_differences(const GapAnalysis& simulation, const GapAnalysis& robot);
 
 // As in "It lacks coulomb_friction (speed_loss 0.011 m/s [0.0106, 0.0111])."; empty where nothing differs.

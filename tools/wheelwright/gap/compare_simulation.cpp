@@ -26,6 +26,13 @@ std::vector<DriveLog> runs_of_simulator(const SimulationInput& input, const std:
   return simulated;
 }
 
+std::vector<DriveLog> runs_of_simulation(const SimulationInput& input, std::ostream& err,
+                                         ProgressLine& progress) {
+  auto runs = load_all_runs({input.logs, input.import}, err, progress);
+  for (const DriveLog& run : runs) check_simulation_run(run, err);
+  return gap::informative_segments(std::move(runs), {}).runs;
+}
+
 // Of those runs whose names are among the tested ones, or are not.
 Score score_of(const std::vector<DriveLog>& simulated, const std::vector<DriveLog>& real,
                const std::vector<std::string>& tested, bool are_tested) {
@@ -48,8 +55,7 @@ ComparedSimulation compare_simulation(const SimulationInput& input, const std::v
   real.insert(real.end(), test.begin(), test.end());
   const bool made = input.logs.empty();
   const std::vector<DriveLog> simulated =
-      made ? runs_of_simulator(input, real, folder, err, progress)
-           : gap::informative_segments(load_all_runs({input.logs, input.import}, err, progress), {}).runs;
+      made ? runs_of_simulator(input, real, folder, err, progress) : runs_of_simulation(input, err, progress);
   auto gap = gap::analyse_simulation_gap(simulated, train, test, parallel_for(), progress.callback());
   if (!gap) throw UsageError(gap.error().reason);
   ComparedSimulation result{*std::move(gap), std::nullopt, std::nullopt};
@@ -57,6 +63,7 @@ ComparedSimulation compare_simulation(const SimulationInput& input, const std::v
   const std::vector<std::string>& tested = result.gap.robot.tested;
   result.train = score_of(simulated, real, tested, false);
   result.test = score_of(simulated, real, tested, true);
+  gap::hold_against_simulator(result.gap, *result.train, *result.test);
   return result;
 }
 

@@ -61,6 +61,28 @@ Motion simulated_motion(const DriveLog& log) {
   return sum;
 }
 
+constexpr double min_share = 0.9;  // of a run, that a simulation of it has to hold
+
+std::string last_of(const DriveLog& real) {
+  return ", but the commands of " + real.name + " last " + config::fixed_number(duration_s(real), 1) + " s";
+}
+
+void check_that_it_moves(const DriveLog& simulated, const DriveLog& real) {
+  constexpr double hardly = 0.01;
+  constexpr double least_asked = 0.5;  // metres, radians
+  const bool has_poses = std::ranges::any_of(simulated.samples, [](const DriveSample& sample) {
+    return sample.reference_x_m || sample.reference_theta_rad;
+  });
+  const Motion asked = commanded_motion(real);
+  const Motion motion = simulated_motion(simulated);
+  if (simulated.has_ticks() || !has_poses || asked.travel_m + asked.turn_rad < least_asked ||
+      motion.travel_m + motion.turn_rad > hardly * (asked.travel_m + asked.turn_rad))
+    return;
+  throw UsageError(simulated.name + ": the robot stands still, but its commands are for " +
+                   config::fixed_number(asked.travel_m, 1) + " m and " +
+                   config::fixed_number(asked.turn_rad, 1) + " rad");
+}
+
 // Millimetres and degrees are plain numbers, too.
 void check_units(const DriveLog& simulated, const DriveLog& real) {
   constexpr double times = 10.0;
@@ -78,30 +100,33 @@ void check_units(const DriveLog& simulated, const DriveLog& real) {
   }
 }
 
-// A simulation that diverges leaves rows without numbers, or places where no robot comes.
-void check_simulated(const DriveLog& simulated, const DriveLog& real) {
-  constexpr double min_share = 0.9;
-  constexpr double farthest_m = 1e4;
-  const std::string beside =
-      ", but the commands of " + real.name + " last " + config::fixed_number(duration_s(real), 1) + " s";
-  const double min_s = min_share * duration_s(real);
-  if (duration_s(simulated) < min_s) {
+void check_length(const DriveLog& simulated, const DriveLog& real) {
+  if (duration_s(simulated) < min_share * duration_s(real)) {
     throw UsageError(simulated.name + ": ends after " + config::fixed_number(duration_s(simulated), 1) +
-                     " s" + beside);
+                     " s" + last_of(real));
   }
-  double told_s = 0.0;
+}
+
+// A simulation that diverges leaves places where no robot comes, or rows without numbers.
+void check_divergence(const DriveLog& simulated) {
+  constexpr double farthest_m = 1e4;
   for (const DriveSample& sample : simulated.samples) {
-    const double time_s = sample.t_s - simulated.samples.front().t_s;
-    if (tells_motion(sample)) told_s = time_s;
     const double far_m = std::hypot(sample.reference_x_m.value_or(0.0), sample.reference_y_m.value_or(0.0));
     if (far_m <= farthest_m) continue;
-    throw UsageError(simulated.name + ": after " + config::fixed_number(time_s, 1) + " s the robot is " +
-                     config::plain_number(far_m) + " m away; the simulation diverges");
+    throw UsageError(simulated.name + ": after " +
+                     config::fixed_number(sample.t_s - simulated.samples.front().t_s, 1) +
+                     " s the robot is " + config::plain_number(far_m) + " m away; the simulation diverges");
   }
-  if (told_s < min_s) {
-    throw UsageError(simulated.name + ": neither poses nor counts after " + config::fixed_number(told_s, 1) +
-                     " s" + beside);
-  }
+}
+
+// Where poses and counts end before the commands do, what is wrong; else nothing.
+std::string end_of_motion(const DriveLog& simulated, const DriveLog& real) {
+  const auto& samples = simulated.samples;
+  const auto last = std::find_if(samples.rbegin(), samples.rend(), tells_motion);
+  const double told_s = last == samples.rend() ? 0.0 : last->t_s - samples.front().t_s;
+  if (told_s >= min_share * duration_s(real)) return "";
+  return simulated.name + ": neither poses nor counts after " + config::fixed_number(told_s, 1) + " s" +
+         last_of(real);
 }
 
 // A simulator that writes poses alone was driven by the commands that it was given.
@@ -113,10 +138,13 @@ DriveLog load_with_commands(const SimulatorRun& run, const import::GivenMapping&
   if (conversion->runs.size() != 1)
     throw UsageError(out + ": holds " + std::to_string(conversion->runs.size()) +
                      " runs, but one was asked for");
+  const auto& reference = both->mapping.reference;
+  if (reference && reference->scale_from_robot)
+    throw UsageError(out +
+                     ": its positions are in no unit of length; give --simulation-set reference.unit=m, or "
+                     "the unit in which they are");
   for (const auto& doubt : both->inference.doubts) err << "wheelwright: " << out << ": " << doubt << "\n";
   for (const auto& remark : conversion->remarks) err << "wheelwright: " << out << ": " << remark << "\n";
-  err << "wheelwright: " << out << ": holds no commands; those of " << run.commands.string()
-      << " are taken\n";
   DriveLog simulated = std::move(conversion->runs.front());
   simulated.name = out;
   return simulated;
@@ -137,10 +165,20 @@ DriveLog load_unchecked(const SimulatorRun& run, double given_base_m, ImportOpti
 
 }  // namespace
 
+void check_simulation_run(const DriveLog& simulated, std::ostream& err) {
+  check_divergence(simulated);
+  check_that_it_moves(simulated, simulated);
+  if (const std::string end = end_of_motion(simulated, simulated); !end.empty())
+    err << "wheelwright: " << end << "\n";
+}
+
 DriveLog load_simulated_run(const SimulatorRun& run, const DriveLog& real, const ImportOptions& options,
                             std::ostream& err) {
   DriveLog simulated = load_unchecked(run, real.wheel_base_m, options, err);
-  check_simulated(simulated, real);
+  check_length(simulated, real);
+  check_divergence(simulated);
+  if (std::string end = end_of_motion(simulated, real); !end.empty()) throw UsageError(end);
+  check_that_it_moves(simulated, real);
   check_units(simulated, real);
   return simulated;
 }

@@ -40,6 +40,13 @@ std::vector<DriveLog> commanded_earlier(std::vector<DriveLog> runs, std::size_t 
   return runs;
 }
 
+std::vector<DriveLog> by_poses(std::vector<DriveLog> runs) {
+  for (DriveLog& run : runs) {
+    for (DriveSample& sample : run.samples) sample.ticks.reset();
+  }
+  return runs;
+}
+
 const EffectDifference* difference_of(const SimulationGap& gap, const std::string& effect) {
   const auto found = std::ranges::find(gap.differences, effect, &EffectDifference::effect);
   return found == gap.differences.end() ? nullptr : &*found;
@@ -97,6 +104,36 @@ TEST_CASE("A simulation that does as the robot does has nothing missing, whateve
   CHECK(gap.robot.found.empty());
   REQUIRE(difference_of(gap, "dead_zone") != nullptr);
   CHECK(difference_of(gap, "dead_zone")->kind == DifferenceKind::same);
+}
+
+TEST_CASE("What both have is the same where the simulation shows poses alone, and the robot counts as well") {
+  for (const char* effect : {"distance_scale", "wheel_scale_mismatch", "coulomb_friction"}) {
+    INFO(effect);
+    const auto runs = runs_with(effect, 11, test::Severity::large, 0.03, 6);
+    const auto gap = gap_between(by_poses({runs.begin(), runs.begin() + 3}), {runs.begin() + 3, runs.end()});
+    INFO(gap.robot.summary);
+    CHECK(gap.robot.verdict == Verdict::nothing_missing);
+    CHECK(std::ranges::all_of(gap.differences, [](const EffectDifference& difference) {
+      return difference.kind == DifferenceKind::same || difference.kind == DifferenceKind::not_shown;
+    }));
+  }
+}
+
+TEST_CASE("A simulator that is off by more than noise has something missing, though no effect differs") {
+  const auto runs = runs_with("clean", 11);
+  auto gap = gap_between(runs, runs);
+  REQUIRE(gap.robot.verdict == Verdict::nothing_missing);
+  Score score = gap.robot.train.floor;
+  hold_against_simulator(gap, score, gap.robot.test.floor);
+  CHECK(gap.robot.verdict == Verdict::nothing_missing);
+
+  score.position_rms_m->value = 0.1;
+  Score of_test = gap.robot.test.floor;
+  of_test.position_rms_m->value = 0.1;
+  hold_against_simulator(gap, score, of_test);
+  CHECK(gap.robot.verdict == Verdict::unnamed);
+  CHECK_THAT(gap.robot.summary,
+             ContainsSubstring("the simulator itself is ") && ContainsSubstring("position"));
 }
 
 TEST_CASE("An effect of both is the same where runs stay untouched, too, on which nothing is to be closed") {

@@ -146,7 +146,7 @@ TEST_CASE("Of a linear robot wheelwright gap says that nothing is missing, and w
   const auto at = workspace("gap_clean", runs_with("clean"));
   const auto outcome = gap(at);
   REQUIRE(outcome.status == ExitStatus::done);
-  CHECK_THAT(outcome.out, ContainsSubstring("runs: training: " + at.files[0] + "; held out: " + at.files[1]));
+  CHECK_THAT(outcome.out, ContainsSubstring("runs: training: run1.csv; held out: run2.csv\n"));
   const auto json = gap_json(at);
   INFO(json["summary"].get<std::string>());
   CHECK(json["verdict"] == "nothing_missing");
@@ -324,6 +324,8 @@ TEST_CASE(
              ContainsSubstring("neither poses nor counts after 5."));
   CHECK_THAT(said_of("NR > 300 && !/^#/ { $6 = 1e9 } { print }"),
              ContainsSubstring("the simulation diverges"));
+  CHECK_THAT(said_of("!/^#|t,/ { $4 = $5 = \"\"; $6 = $7 = $8 = 0 } { print }"),
+             ContainsSubstring("run1.csv: the robot stands still, but its commands are for "));
   CHECK_THAT(said_of("!/^#|t,/ { $6 *= 1000; $7 *= 1000 } { print }"),
              ContainsSubstring("if its positions are in mm give --simulation-set reference.unit=mm"));
   CHECK_THAT(
