@@ -19,8 +19,8 @@ constexpr double smallest_gain_change = 0.01;
 constexpr double smallest_delay_s = 0.005;
 constexpr double smallest_delay_periods = 0.25;
 constexpr double smallest_lag_s = 0.015;
-// Of what a change would make, that no change of the effects would make as well: where it is less, as of a
-// gain beside the taper of a dead zone, the runs do not tell which of them it is.
+// Of what a change makes, that no other change makes as well: where it is less, as of both gains beside the
+// taper of a dead zone, the runs do not show which of them it is.
 constexpr double smallest_own_share = 1e-3;
 constexpr Eigen::Index parameter_count = 4;
 constexpr double prior_information =
@@ -164,10 +164,14 @@ Parameters fitted(const CorrectedRuns& runs, const Parameters& start) {
 }
 
 // Of the square of a column, what no sum of the others makes. The others may hang together.
-double own_share(const Eigen::VectorXd& column, const Eigen::MatrixXd& others) {
-  if (others.cols() == 0) return 1.0;
+double own_share(const Eigen::MatrixXd& columns, Eigen::Index which) {
+  Eigen::MatrixXd others = columns;
+  others.col(which).setZero();
   const Eigen::MatrixXd products = others.transpose() * others;
-  const Eigen::MatrixXd damped = products + Eigen::MatrixXd((1e-9 * products.diagonal()).asDiagonal());
+  Eigen::MatrixXd damped = products;
+  for (Eigen::Index i = 0; i < damped.rows(); ++i)
+    damped(i, i) += products(i, i) > 0.0 ? 1e-9 * products(i, i) : 1.0;
+  const Eigen::VectorXd column = columns.col(which);
   const Eigen::VectorXd made = others * damped.ldlt().solve(others.transpose() * column);
   return (column - made).squaredNorm() / column.squaredNorm();
 }
@@ -194,16 +198,15 @@ LinearChanges linear_changes(const RobotModel& model, const TrialModel& measured
 
   const auto residuals = runs.residuals(p);
   const Eigen::MatrixXd by_effects = runs.derivatives_by_effects(p, residuals);
-  const Eigen::MatrixXd by_linear_part = runs.derivatives(p, residuals);
   Eigen::MatrixXd columns(by_effects.rows(), parameter_count + by_effects.cols());
-  columns << by_linear_part, by_effects;
+  columns << runs.derivatives(p, residuals), by_effects;
   const auto deviations = linear_intervals(train, columns, residuals);
   const auto add = [&](std::string_view what, std::string_view wheel, Eigen::Index i, double none,
                        double smallest, std::string_view unit) {
     const ParameterInterval& deviation = deviations[static_cast<std::size_t>(i)].deviation;
     const ParameterInterval interval{p(i) + deviation.lower, p(i) + deviation.upper};
     if (std::abs(p(i) - none) < smallest || !leaves_out(interval, none)) return;
-    if (own_share(by_linear_part.col(i), by_effects) < smallest_own_share) return;
+    if (own_share(columns, i) < smallest_own_share) return;
     result.changes.push_back({what, wheel, p(i), unit, interval});
   };
   add("delay", "both", 2, 0.0, std::max(smallest_delay_s, smallest_delay_periods * period_s), "s");
