@@ -186,11 +186,19 @@ bool SplitAnalysis::leave_out_linear_effects() {
   return true;
 }
 
-// A short delay alone is one parameter in the place of several of a linear part that could hold it.
+// A short delay alone is one parameter in the place of several of a linear part that could hold it; and one
+// whose interval reaches down to there is no longer for sure.
 bool SplitAnalysis::is_of_a_linear_part() const {
   const TrialModel& model = result_.search.final.model;
+  const auto at_least = [&](TrialEffect effect) {
+    const auto found = std::ranges::find_if(
+        result_.found, [&](const Finding& one) { return one.setting.name == effect.info->name; });
+    if (found != result_.found.end() && !found->intervals.empty())
+      effect.parameters.front() = found->intervals.front().lower;
+    return effect;
+  };
   return !model.effects.empty() && std::ranges::all_of(model.effects, [&](const TrialEffect& effect) {
-    return effect.info->linear && !beyond_a_linear_part(model, effect);
+    return effect.info->linear && !beyond_a_linear_part(model, at_least(effect));
   });
 }
 
