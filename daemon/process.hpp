@@ -43,8 +43,7 @@ std::optional<RobotModel> known_model(const config::DaemonConfig& config);
 // or another exception where it could not start.
 //
 // SIGTERM, SIGINT  wheels to rest, logs closed, out
-// SIGUSR1          arm: clears a latched stop and starts the mission, once more as a run of its own, with a
-// folder of
+// SIGUSR1          arm: clears a latched stop and starts the mission, after a run as another with a folder of
 //                  its own; nothing while the robot drives
 // SIGUSR2          stop: wheels to rest, the process stays
 // SIGHUP           reload the configuration, all of it, unless the robot drives or there is a mistake in it;

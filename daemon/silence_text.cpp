@@ -18,6 +18,9 @@ std::string describe_replies(const open_interface::ReplyCounts& replies) {
                      replies.missing, replies.incomplete, replies.garbled);
 }
 
+constexpr std::string_view or_late =
+    ", and at the adapter's delay, since replies later than a period look damaged: wheelwright doctor";
+
 constexpr std::string_view relieve =
     "end other programs and give the daemon real-time scheduling (systemd/README.md)";
 
@@ -56,16 +59,11 @@ std::string explain(const roomba::Silence& silence, const SilenceContext& contex
   const std::string what = describe_replies(replies);
   if (context.load.is_busy()) {
     return fmt::format(
-        "{} while the machine was busy ({}, {}); {}, and if it comes again look at the cable and the "
-        "adapter's "
-        "delay, since replies that come later than a period look damaged: wheelwright doctor",
-        what, load, loop, relieve);
+        "{} while the machine was busy ({}, {}); {}, and if it comes again look at the cable{}", what, load,
+        loop, relieve, or_late);
   }
-  return fmt::format(
-      "{} while the machine was in time ({}, {}); look at the cable and its plugs, and at the adapter's "
-      "delay, "
-      "since replies that come later than a period look damaged: wheelwright doctor",
-      what, loop, load);
+  return fmt::format("{} while the machine was in time ({}, {}); look at the cable and its plugs{}", what,
+                     loop, load, or_late);
 }
 
 }  // namespace wheelwright::daemon

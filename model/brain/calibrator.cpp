@@ -211,9 +211,8 @@ CalibrationOutcome Calibrator::encoder_order() const {
   const auto right = std::abs(check_end_.right - check_start_->right);
   if (left < min_check_ticks && right < min_check_ticks) {
     outcome.refusal = Refusal{
-        "the left wheel was commanded to move, but neither counter did; do both wheels stand on the floor, "
-        "and "
-        "does its encoder count (wheelwright doctor --move)?"};
+        "no counter moved while the left wheel was told to turn; do both wheels stand on the floor, and do "
+        "the encoders count (wheelwright doctor --move)?"};
   } else if (2 * std::min(left, right) > std::max(left, right)) {
     outcome.refusal =
         Refusal{"the left wheel was commanded to move, and both counters did; is the robot being pushed?"};

@@ -50,7 +50,7 @@ void EnvironmentMonitor::drop_block() {
   }
 }
 
-// A motor whose wheel is held draws some ten times as much as one that rolls.
+// A motor whose wheel is held draws several times as much as one that turns it.
 double EnvironmentMonitor::excess_of(const Wheel& wheel, const CurrentModel::Features& features,
                                      double current_a) const {
   const double direction = features[0] < 0.0 ? -1.0 : 1.0;

@@ -130,14 +130,6 @@ bool is_gap(const EffectDifference& difference) {
          difference.kind == DifferenceKind::surplus;
 }
 
-// The model that the robot was compared with is the simulation's.
-std::string of_simulation(std::string changes) {
-  constexpr std::string_view of_model = "that of the model";
-  for (std::size_t at = changes.find(of_model); at != std::string::npos; at = changes.find(of_model, at))
-    changes.replace(at, of_model.size(), "that of the simulation");
-  return changes;
-}
-
 // Verdict and summary of the robot's analysis become those on the simulation.
 void conclude(SimulationGap& gap) {
   GapAnalysis& robot = gap.robot;
@@ -149,7 +141,7 @@ void conclude(SimulationGap& gap) {
   if (!robot.linear_changes.empty()) {
     words += (words.empty() ? "" : " ");
     words += "The linear part of the robot, beside that of the simulation: " +
-             of_simulation(in_words(robot.linear_changes)) + ".";
+             in_words(robot.linear_changes, "the simulation") + ".";
     if (auto delay = delay_finding(robot.linear_changes, robot.linear_gain_nats))
       robot.found.push_back(*std::move(delay));
   }

@@ -43,7 +43,7 @@ struct FirFit {
   WheelFit right;
   ResponsePrior prior;   // as the data chose it
   std::size_t rows = 0;  // samples used
-  bool cut = false;  // the response that was searched for fills its bound: the robot's own goes on after it
+  bool cut = false;      // the response fills nine tenths of the last bound: the robot's own goes on
 };
 
 // Fits all runs together. Runs start from rest; after a gap in time, the first samples, whose past is

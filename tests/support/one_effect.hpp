@@ -19,4 +19,11 @@ inline ModelSimulation only(const EffectSetting& effect) {
   return only(std::vector{effect});
 }
 
+// Of the left wheel, once both have been told this for some periods.
+inline double speed_after(ModelSimulation& simulation, double command_m_s, int periods) {
+  double speed_m_s = 0.0;
+  for (int k = 0; k < periods; ++k) speed_m_s = simulation.step({command_m_s, command_m_s}).wheel_m_s.left;
+  return speed_m_s;
+}
+
 }  // namespace wheelwright::test

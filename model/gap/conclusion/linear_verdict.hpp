@@ -12,8 +12,7 @@
 namespace wheelwright::gap {
 
 // How the data differ from the linear part of the given model (`origin`), beside the effects of what was
-// accepted. A model
-// of another period is not compared.
+// accepted. A model of another period is not compared.
 LinearChanges changes_of_linear_part(const TrialModel& accepted, const ModelOrigin& origin,
                                      const FitProblem& train, const FitProblem& heldout);
 

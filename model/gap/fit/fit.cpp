@@ -1,6 +1,7 @@
 // How residuals follow the parameters, and the fit that goes down that slope.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "model/gap/fit/fit_problem.hpp"
 #include "model/statistics/levenberg_marquardt.hpp"
@@ -53,8 +54,9 @@ class FitOfOutputs {
  public:
   using Point = Fit;
 
-  FitOfOutputs(const FitProblem& problem, Outputs outputs, const ParallelFor& parallel_for)
-      : problem_(problem), outputs_(outputs), parallel_for_(parallel_for) {}
+  FitOfOutputs(const FitProblem& problem, Outputs outputs, const ParallelFor& parallel_for,
+               std::vector<char> is_held = {})
+      : problem_(problem), outputs_(outputs), parallel_for_(parallel_for), is_held_(std::move(is_held)) {}
 
   Fit at(const TrialModel& model) const {
     Fit fit{model, 0.0, problem_.residuals(model, outputs_)};
@@ -63,8 +65,11 @@ class FitOfOutputs {
   }
   static double objective(const Fit& fit) { return fit.sum_squares; }
   NormalEquations linearise(const Fit& fit) const {
-    return normal_equations(problem_.jacobian(fit.model, fit.residuals, outputs_), fit.residuals,
-                            parallel_for_);
+    Eigen::MatrixXd columns = problem_.jacobian(fit.model, fit.residuals, outputs_);
+    for (std::size_t i = 0; i < is_held_.size(); ++i) {
+      if (is_held_[i] != 0) columns.col(static_cast<Eigen::Index>(i)).setZero();
+    }
+    return normal_equations(columns, fit.residuals, parallel_for_);
   }
   std::optional<Fit> moved(const Fit& fit, const Eigen::VectorXd& step) const {
     const TrialModel model = fit.model.moved(step);
@@ -76,7 +81,17 @@ class FitOfOutputs {
   const FitProblem& problem_;
   Outputs outputs_;
   const ParallelFor& parallel_for_;
+  std::vector<char> is_held_;
 };
+
+LevenbergMarquardtRule rule_of(int max_steps) {
+  constexpr double worth_a_step = 0.2;  // of the sum of squares: a tenth of a nat
+  return {.max_steps = max_steps,
+          .min_damping = 1e-7,
+          .decrease = 0.2,
+          .increase = 8.0,
+          .min_fall = worth_a_step};
+}
 
 }  // namespace
 
@@ -163,16 +178,16 @@ void FitProblem::fill_columns(const TrialModel& model, const std::vector<double>
 }
 
 Fit FitProblem::fit(const TrialModel& start, int max_steps, Outputs outputs) const {
-  constexpr double worth_a_step = 0.2;  // of the sum of squares: a tenth of a nat
-  const LevenbergMarquardtRule rule{.max_steps = max_steps,
-                                    .min_damping = 1e-7,
-                                    .decrease = 0.2,
-                                    .increase = 8.0,
-                                    .min_fall = worth_a_step};
   const FitOfOutputs problem(*this, outputs, parallel_for_);
-  Fit best = levenberg_marquardt(problem, problem.at(start), rule);
+  Fit best = levenberg_marquardt(problem, problem.at(start), rule_of(max_steps));
   if (outputs != Outputs::all) best = FitOfOutputs(*this, Outputs::all, parallel_for_).at(best.model);
   return best;
+}
+
+Fit FitProblem::fit_with_held(const TrialModel& start, int max_steps,
+                              const std::vector<char>& is_held) const {
+  const FitOfOutputs problem(*this, Outputs::all, parallel_for_, is_held);
+  return levenberg_marquardt(problem, problem.at(start), rule_of(max_steps));
 }
 
 }  // namespace wheelwright::gap

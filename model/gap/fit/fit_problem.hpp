@@ -96,6 +96,8 @@ class FitProblem {
   // Levenberg-Marquardt from `start`, over the parameters that affect the outputs. Stops early where nothing
   // is gained.
   Fit fit(const TrialModel& start, int max_steps, Outputs outputs = Outputs::all) const;
+  // The same over all outputs, with parameters held where they are; one flag for each.
+  Fit fit_with_held(const TrialModel& start, int max_steps, const std::vector<char>& is_held) const;
 
  private:
   struct Block {  // one channel of one run in the vector of residuals

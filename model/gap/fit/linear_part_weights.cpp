@@ -1,7 +1,6 @@
 #include "model/gap/fit/linear_part_weights.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <iterator>
 #include <numeric>
@@ -67,20 +66,31 @@ Mode mode_of(const LinearPartShape& shape, const double* values) {
   return mode;
 }
 
-Mode with_gain_of(const Mode& mode, Mode changed) {
-  const auto gain = [](const Mode& of) {
-    return std::accumulate(of.weights.begin(), of.weights.end(), 0.0) /
-           std::accumulate(of.past.begin(), of.past.end(), 0.0);
+Modes modes_of(const LinearPartShape& shape, const double* values) {
+  const auto sum = [](const std::vector<double>& all) {
+    return std::accumulate(all.begin(), all.end(), 0.0);
   };
-  const double factor = gain(mode) / gain(changed);
-  if (!std::isfinite(factor)) return changed;
-  for (double& weight : changed.weights) weight *= factor;
-  return changed;
+  const double* of_turn = values + shape.poles + shape.weights;
+  Modes modes{mode_of(shape, values), {}};
+  if (shape.cross_coupling != CrossCoupling::balanced_modes) {
+    modes.turn = mode_of(shape, of_turn);
+    return modes;
+  }
+  LinearPartShape all_but_last = shape;
+  all_but_last.weights -= 1;
+  modes.turn = mode_of(all_but_last, of_turn);
+  const double gain = sum(modes.travel.weights) / sum(modes.travel.past);
+  modes.turn.weights.push_back(gain * sum(modes.turn.past) - sum(modes.turn.weights));
+  return modes;
 }
 
-void add_mode(std::vector<double>& linear_part, const Mode& mode) {
-  std::transform(mode.past.begin() + 1, mode.past.end(), std::back_inserter(linear_part), std::negate<>{});
-  std::ranges::copy(mode.weights, std::back_inserter(linear_part));
+void add_modes(std::vector<double>& linear_part, const Modes& modes, CrossCoupling cross_coupling) {
+  const auto add = [&](const Mode& mode, std::ptrdiff_t left_out) {
+    std::transform(mode.past.begin() + 1, mode.past.end(), std::back_inserter(linear_part), std::negate<>{});
+    linear_part.insert(linear_part.end(), mode.weights.begin(), mode.weights.end() - left_out);
+  };
+  add(modes.travel, 0);
+  add(modes.turn, cross_coupling == CrossCoupling::balanced_modes ? 1 : 0);
 }
 
 void add_cross_coupling_weights(std::vector<double>& linear_part, CrossCoupling cross_coupling,

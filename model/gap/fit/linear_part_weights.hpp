@@ -34,10 +34,16 @@ struct Mode {
 // Of the parameters `values`: poles, then weights.
 Mode mode_of(const LinearPartShape& shape, const double* values);
 
-// The second, with weights scaled so that its gain is that of the first.
-Mode with_gain_of(const Mode& mode, Mode changed);
+struct Modes {
+  Mode travel;
+  Mode turn;
+};
 
-// Adds its parameters to a linear part.
-void add_mode(std::vector<double>& linear_part, const Mode& mode);
+// Of the parameters of one wheel: travel, then turns. Of CrossCoupling::balanced_modes the last weight of
+// turns is what makes both gains equal.
+Modes modes_of(const LinearPartShape& shape, const double* values);
+
+// Adds their parameters to a linear part.
+void add_modes(std::vector<double>& linear_part, const Modes& modes, CrossCoupling cross_coupling);
 
 }  // namespace wheelwright::gap

@@ -14,11 +14,10 @@ namespace {
 template <typename Change>
 void add_changed_modes(const LinearPartShape& shape, const double* values, Change change,
                        std::vector<double>& linear_part) {
-  for (const std::size_t first : {std::size_t{0}, shape.poles + shape.weights}) {
-    Mode mode = mode_of(shape, values + first);
-    change(mode);
-    add_mode(linear_part, mode);
-  }
+  Modes modes = modes_of(shape, values);
+  change(modes.travel);
+  change(modes.turn);
+  add_modes(linear_part, modes, shape.cross_coupling);
 }
 
 }  // namespace
@@ -67,14 +66,19 @@ TrialModel TrialModel::with_cross_coupling(CrossCoupling cross_coupling) const {
     const auto weights = begin + static_cast<std::ptrdiff_t>(shape.poles);
     const auto rest = weights + static_cast<std::ptrdiff_t>(shape.weights);
     if (crossed.shape.has_modes()) {
-      Mode mode = mode_of(shape, linear_part.data() + wheel);
-      std::vector<double> other = cross_coupling_weights(shape, mode.weights, &*rest);
-      other.resize(shape.weights);
-      const std::vector<double> own = mode.weights;
-      for (const double sign : {1.0, -1.0}) {
-        for (std::size_t i = 0; i < own.size(); ++i) mode.weights[i] = own[i] + sign * other[i];
-        add_mode(crossed.linear_part, mode);
+      if (shape.has_modes()) {
+        add_modes(crossed.linear_part, modes_of(shape, linear_part.data() + wheel), cross_coupling);
+        continue;
       }
+      const Mode own = mode_of(shape, linear_part.data() + wheel);
+      std::vector<double> other = cross_coupling_weights(shape, own.weights, &*rest);
+      other.resize(shape.weights);
+      Modes modes{own, own};
+      for (std::size_t i = 0; i < other.size(); ++i) {
+        modes.travel.weights[i] += other[i];
+        modes.turn.weights[i] -= other[i];
+      }
+      add_modes(crossed.linear_part, modes, cross_coupling);
       continue;
     }
     crossed.linear_part.insert(crossed.linear_part.end(), begin, rest);

@@ -33,9 +33,7 @@ std::vector<double> scaled(const std::vector<double>& weights, double factor) {
 // y = 1/2 B/A (own + other) + 1/2 B'/A' (own - other), over the common denominator A A'.
 WheelResponse response_of_modes(const LinearPartShape& shape, const double* values, bool left,
                                 const OfOneWheel& of) {
-  const Mode travel = mode_of(shape, values);
-  Mode turn = mode_of(shape, values + shape.poles + shape.weights);
-  if (shape.cross_coupling == CrossCoupling::balanced_modes) turn = with_gain_of(travel, turn);
+  const auto [travel, turn] = modes_of(shape, values);
   const auto weights_of = [&](const Mode& mode, const Mode& other_mode) {
     const auto weights = shape.unequal_lags ? delayed(mode.weights, of.lag_periods) : mode.weights;
     return scaled(product(weights, other_mode.past), 0.5 * of.gain);

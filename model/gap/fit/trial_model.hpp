@@ -44,7 +44,7 @@ enum class CrossCoupling {
   modes,     // travel and turns each have poles and weights of their own, as mass and yaw inertia make them:
              // a wheel answers half of what travel makes of both commands, and half of what turns make of
              // their difference
-  balanced_modes  // the same, with one gain: the weights of turns count in proportion to each other
+  balanced_modes  // the same, with one gain: the last weight of turns follows from the others
 };
 
 struct LinearPartShape {
@@ -67,8 +67,9 @@ struct LinearPartShape {
         return weights - 1;  // the last one makes up for the others
       case CrossCoupling::free:
         break;
-      case CrossCoupling::modes:
       case CrossCoupling::balanced_modes:
+        return poles + weights - 1;
+      case CrossCoupling::modes:
         return poles + weights;  // of turns; the first ones are those of travel
     }
     return weights;

@@ -14,7 +14,6 @@
 namespace wheelwright::gap {
 namespace {
 
-constexpr double confirming_nats = 5.99;  // ln(4 / 0.01): one of four claims at 1 %
 constexpr double smallest_gain_change = 0.01;
 constexpr double smallest_delay_s = 0.005;
 constexpr double smallest_delay_periods = 0.25;
@@ -163,7 +162,7 @@ Parameters fitted(const CorrectedRuns& runs, const Parameters& start) {
   return levenberg_marquardt(runs, runs.at(start), rule).parameters;
 }
 
-// Of the square of a column, what no sum of the others makes. The others may hang together.
+// Of the square of a column, what no sum of the others makes. The others may be collinear.
 double own_share(const Eigen::MatrixXd& columns, Eigen::Index which) {
   Eigen::MatrixXd others = columns;
   others.col(which).setZero();
@@ -216,7 +215,7 @@ LinearChanges linear_changes(const RobotModel& model, const TrialModel& measured
   return result;
 }
 
-std::string in_words(const std::vector<LinearChange>& changes) {
+std::string in_words(const std::vector<LinearChange>& changes, std::string_view model) {
   std::ostringstream words;
   for (const LinearChange& change : changes) {
     words << (words.view().empty() ? "" : "; ");
@@ -231,8 +230,9 @@ std::string in_words(const std::vector<LinearChange>& changes) {
     const double sign = is_gain || change.value > 0.0 ? 1.0 : -1.0;
     const double one = sign * scale * change.interval.lower;
     const double other = sign * scale * change.interval.upper;
-    words << sign * scale * change.value << (is_gain ? " times that of the model (" : " ms (")
-          << std::min(one, other) << " to " << std::max(one, other) << ")";
+    words << sign * scale * change.value
+          << (is_gain ? " times that of " + std::string(model) + " (" : " ms (") << std::min(one, other)
+          << " to " << std::max(one, other) << ")";
   }
   return words.str();
 }

@@ -17,6 +17,10 @@
 
 namespace wheelwright::gap {
 
+// By which held-out runs have to be likelier with a claim on the given model, deflated: ln(4 / 0.01), one of
+// four claims at 1 %.
+inline constexpr double confirming_nats = 5.99;
+
 struct LinearChange {
   std::string_view what;   // "gain", "delay" or "lag"
   std::string_view wheel;  // "left", "right" or "both"
@@ -33,13 +37,14 @@ struct LinearChanges {
 
 // A change is listed where its 95 % interval leaves out "none", and it is larger than: a gain of 1 %, a delay
 // of a quarter of a period or 5 ms, a lag of 15 ms; and where the held-out runs confirm the correction as a
-// whole, by ln(4 / 0.01) nats. `model` holds the given linear part and all effects, given and found;
-// `measured` its observation.
+// whole, by confirming_nats. Where another change of the linear part or of an effect makes the same, as both
+// gains and the taper of a dead zone do, it is not listed. `model` holds the given linear part and all
+// effects, given and found; `measured` its observation.
 LinearChanges linear_changes(const RobotModel& model, const TrialModel& measured, const FitProblem& train,
                              const FitProblem& heldout);
 
-// As in "it answers 54 ms late [50, 58]; the gain of the left wheel is 1.03 [1.02, 1.04]": the data beside
-// the model.
-std::string in_words(const std::vector<LinearChange>& changes);
+// As in "the delay is longer by 54 ms (50 to 58); the gain of the left wheel is 1.03 times that of the model
+// (1.02 to 1.04)".
+std::string in_words(const std::vector<LinearChange>& changes, std::string_view model = "the model");
 
 }  // namespace wheelwright::gap

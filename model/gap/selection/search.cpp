@@ -49,6 +49,7 @@ class Search {
 
  private:
   SelectionStep first_round(const TrialModel& start);
+  TrialModel with_balanced_modes(const TrialModel& present) const;
   std::vector<TrialModel> higher_order_parts(const TrialModel& present) const;
   std::optional<Fit> better_linear_part(const SelectionStep& selection_step) const;
   bool was_here_before(const Fit& present) const;
@@ -74,6 +75,15 @@ class Search {
   std::vector<TrialModel> been_at_;  // by all paths
 };
 
+// No slope leads to two modes of one gain from one mode: what the travel gains, the last weight of turns
+// loses. By way of gains of their own it does.
+TrialModel Search::with_balanced_modes(const TrialModel& present) const {
+  const Outputs outputs = train_.outputs_of(EffectStage::command);
+  const TrialModel modes = present.with_cross_coupling(CrossCoupling::modes);
+  return train_.fit(modes, steps_of_a_refit, outputs)
+      .model.with_cross_coupling(CrossCoupling::balanced_modes);
+}
+
 // No slope leads from a quick pole to a slow one, nor always from a slow one to one less slow.
 std::vector<TrialModel> Search::higher_order_parts(const TrialModel& present) const {
   std::vector<TrialModel> richer;
@@ -97,7 +107,8 @@ std::vector<TrialModel> Search::higher_order_parts(const TrialModel& present) co
       train_.has_counts() ? std::vector{share, lag, free, modes} : std::vector{lag, balanced, balanced_modes};
   for (const CrossCoupling cross_coupling : cross_couplings) {
     if (cross_coupling > present.shape.cross_coupling)
-      richer.push_back(present.with_cross_coupling(cross_coupling));
+      richer.push_back(cross_coupling == balanced_modes ? with_balanced_modes(present)
+                                                        : present.with_cross_coupling(cross_coupling));
   }
   return richer;
 }

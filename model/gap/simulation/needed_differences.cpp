@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
-#include "model/effects/library/effect_library.hpp"
 #include "model/gap/adequacy/variance_ratio.hpp"
-#include "model/statistics/levenberg_marquardt.hpp"
+#include "model/gap/linear_changes/linear_changes.hpp"
 
 namespace wheelwright::gap {
 namespace {
 
-constexpr double confirming_nats = 5.99;  // ln(4 / 0.01), as of changes of the linear part
 constexpr int max_steps = 10;
 
 // An effect of either; it is the simulation's until it has to differ.
@@ -24,7 +23,7 @@ struct Alternative {
 };
 
 bool is_of_robot_alone(const EffectInfo& info) {
-  return info.name == "transport_delay" || info.name == "encoder_dropout";
+  return info.linear || info.variants.front().stage == EffectStage::counts;
 }
 
 std::vector<Alternative> alternatives(std::span<const TrialEffect> of_simulation,
@@ -44,49 +43,16 @@ std::vector<Alternative> alternatives(std::span<const TrialEffect> of_simulation
   return all;
 }
 
-// The fit of all parameters but those of effects that stay as the simulation has them.
-class FitBeside {
- public:
-  using Point = Fit;
-
-  FitBeside(const FitProblem& problem, std::vector<bool> is_kept)
-      : problem_(problem), is_kept_(std::move(is_kept)) {}
-
-  Fit at(const TrialModel& model) const {
-    Fit fit{model, 0.0, problem_.residuals(model)};
-    fit.sum_squares = sum_squares_of(fit.residuals);
-    return fit;
-  }
-  static double objective(const Fit& fit) { return fit.sum_squares; }
-  NormalEquations linearise(const Fit& fit) const {
-    Eigen::MatrixXd columns = problem_.jacobian(fit.model, fit.residuals);
-    for (Eigen::Index i = 0; i < columns.cols(); ++i) {
-      if (is_kept_[static_cast<std::size_t>(i)]) columns.col(i).setZero();
-    }
-    const Eigen::Map<const Eigen::VectorXd> residual(fit.residuals.data(), columns.rows());
-    return {columns.transpose() * columns, columns.transpose() * residual};
-  }
-  std::optional<Fit> moved(const Fit& fit, const Eigen::VectorXd& step) const {
-    const TrialModel model = fit.model.moved(step);
-    if (!model.stable()) return std::nullopt;
-    return at(model);
-  }
-
- private:
-  const FitProblem& problem_;
-  std::vector<bool> is_kept_;
-};
-
+// Effects that stay as the simulation has them are held.
 Fit fitted(const FitProblem& train, TrialModel start, const std::vector<Alternative>& all) {
   start.effects.clear();
-  std::vector<bool> is_kept(start.linear_part.size(), false);
+  std::vector<char> is_held(start.linear_part.size(), 0);
   for (const Alternative& one : all) {
     if (!one.taken()) continue;
     start.effects.push_back(*one.taken());
-    is_kept.insert(is_kept.end(), one.taken()->parameters.size(), !one.differs);
+    is_held.insert(is_held.end(), one.taken()->parameters.size(), one.differs ? 0 : 1);
   }
-  const FitBeside problem(train, std::move(is_kept));
-  return levenberg_marquardt(problem, problem.at(start), {.max_steps = max_steps, .min_fall = 0.2});
+  return train.fit_with_held(start, max_steps, is_held);
 }
 
 // The difference that gains the most on the training runs; none is left where all were made.

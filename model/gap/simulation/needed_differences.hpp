@@ -22,8 +22,8 @@ struct NeededDifferences {
 };
 
 // `of_robot` is the model that was fitted to `train`. Held-out runs ask for a difference where their log
-// likelihood is lower by 6 nats without it, deflated by the residuals' autocorrelation. A delay, which is
-// compared with the linear parts, and counts that were lost are of the robot alone.
+// likelihood is lower by confirming_nats without it, deflated by the residuals' autocorrelation. A delay,
+// which is compared with the linear parts, and counts that were lost are of the robot alone.
 NeededDifferences needed_differences(std::span<const TrialEffect> of_simulation, const TrialModel& of_robot,
                                      const FitProblem& train, const FitProblem& heldout);
 

@@ -16,16 +16,11 @@
 
 using namespace wheelwright;
 using test::only;
+using test::speed_after;
 
 namespace {
 
 constexpr double period_s = test::one_effect_period_s;
-
-double speed_after(ModelSimulation& simulation, double command_m_s, int periods) {
-  double speed_m_s = 0.0;
-  for (int k = 0; k < periods; ++k) speed_m_s = simulation.step({command_m_s, command_m_s}).wheel_m_s.left;
-  return speed_m_s;
-}
 
 // Share of the way that a first-order lag (backward Euler) has left after some periods.
 double left_of_way(double lag_s, int periods) {
@@ -181,72 +176,6 @@ TEST_CASE("Speed is lost in a curve sharper than the onset, and the turn rate st
   const Twist share = motion({"turn_speed_loss", "relative", {0.5, 0.0}}, curve_m_s);
   CHECK_THAT(share.v_m_s, WithinAbs(0.1 * (1.0 - 0.5 * turn_rate_rad_s), 1e-12));
   CHECK_THAT(motion({"turn_speed_loss", "absolute", {0.5, 2.1}}, curve_m_s).v_m_s, WithinAbs(0.1, 1e-12));
-}
-
-TEST_CASE("A limit of acceleration gets less with speed by what drags, and braking more") {
-  ModelSimulation even = only({"rate_limit", "speed", {0.5, 0.0}});
-  CHECK_THAT(speed_after(even, 0.4, 10), WithinAbs(10 * period_s * 0.5, 1e-12));
-  ModelSimulation dragged = only({"rate_limit", "speed", {0.5, 2.0}});
-  const auto approach = [](double to_m_s, int periods) {
-    return to_m_s * (1.0 - std::pow(1.0 - 2.0 * period_s, periods));
-  };
-  CHECK_THAT(speed_after(dragged, 0.2, 10), WithinAbs(approach(0.25, 10), 1e-12));  // 0.5 / 2 m/s at last
-  const double before_m_s = speed_after(dragged, 0.2, 200);
-  CHECK_THAT(before_m_s, WithinAbs(0.2, 1e-12));
-  CHECK_THAT(speed_after(dragged, 0.0, 1), WithinAbs(0.2 - period_s * (0.5 + 2.0 * 0.2), 1e-12));
-}
-
-TEST_CASE("A ramp within periods brings the mean speed that its way in small steps has") {
-  constexpr double limit_m_s2 = 0.7;
-  ModelSimulation ramp = only({"rate_limit", "ramp", {limit_m_s2, 0.0}});
-  double wanted_m_s = 0.0;
-  double speed_m_s = 0.0;
-  for (int k = 0; k < 60; ++k) {
-    if (k % 4 == 0) wanted_m_s = 0.2 * std::sin(1.7 * k);
-    constexpr int steps = 2000;
-    constexpr double step_s = period_s / steps;
-    double way_m = 0.0;
-    for (int i = 0; i < steps; ++i) {
-      const double before_m_s = speed_m_s;
-      speed_m_s += std::clamp(wanted_m_s - speed_m_s, -limit_m_s2 * step_s, limit_m_s2 * step_s);
-      way_m += step_s * 0.5 * (before_m_s + speed_m_s);
-    }
-    INFO("period " << k);
-    CHECK_THAT(ramp.step({wanted_m_s, wanted_m_s}).wheel_m_s.left, WithinAbs(way_m / period_s, 1e-5));
-  }
-}
-
-TEST_CASE("A limit is met sharply or by a knee") {
-  ModelSimulation sharp = only({"saturation", "command", {0.2, 0.0, 0.0}});
-  CHECK(speed_after(sharp, 0.2, 1) == 0.2);
-  CHECK(speed_after(sharp, 0.3, 1) == 0.2);
-  ModelSimulation round = only({"saturation", "command", {0.2, 0.0, 0.1}});
-  CHECK_THAT(speed_after(round, 0.2, 1), WithinAbs(0.2 * std::pow(2.0, -0.1), 1e-12));
-  CHECK_THAT(speed_after(round, 0.05, 1), WithinAbs(0.05, 1e-7));
-}
-
-TEST_CASE("What never comes near to level is a bend of the gain and no saturation") {
-  const EffectInfo* info = find_effect("saturation");
-  const auto is_a_limit = [&](double limit_m_s, double knee, double largest_command_m_s) {
-    const std::vector<double> parameters{limit_m_s, 0.0, knee};
-    return info->in_character({parameters, 0}, largest_command_m_s);
-  };
-  CHECK(is_a_limit(0.3, 0.05, 0.4));
-  CHECK(is_a_limit(0.4, 0.05, 0.3));  // what it takes to be there in time may be more
-  CHECK_FALSE(is_a_limit(0.7, 0.05, 0.3));
-  CHECK_FALSE(is_a_limit(0.5, 0.5, 0.45));
-  CHECK(is_a_limit(0.25, 0.5, 0.45));
-}
-
-TEST_CASE("A limit of acceleration whose drag ends at the speeds asked for is a limit of speed") {
-  const EffectInfo* info = find_effect("rate_limit");
-  const auto is_a_limit_of_acceleration = [&](double limit_m_s2, double drag_per_s) {
-    return info->in_character({std::vector{limit_m_s2, drag_per_s}, 0}, 0.5);
-  };
-  CHECK(is_a_limit_of_acceleration(0.3, 0.0));
-  CHECK(is_a_limit_of_acceleration(0.3, 0.3));  // up to 1 m/s
-  CHECK(is_a_limit_of_acceleration(0.3, 0.5));  // a current limit and a motor's drag: slowly up to 0.6 m/s
-  CHECK_FALSE(is_a_limit_of_acceleration(0.33, 0.65));
 }
 
 TEST_CASE("A turn that is dragged is shared with the wheels, one that is scrubbed loses a part") {

@@ -181,3 +181,10 @@ TEST_CASE("Runs of a simulation that differ under the same commands are said to 
   REQUIRE_FALSE(gap.remarks.empty());
   CHECK_THAT(gap.remarks.front(), ContainsSubstring("The simulation is random: again and"));
 }
+
+TEST_CASE("Of an effect of several components the one is said that it has") {
+  EffectDifference slope{"floor_slope", DifferenceKind::missing, "", "", {}};
+  slope.parameters.push_back({"along_x", "m/s", std::nullopt, Known{1e-5, {-1e-4, 1e-4}}, true});
+  slope.parameters.push_back({"along_y", "m/s", std::nullopt, Known{0.008, {0.0079, 0.0081}}, true});
+  CHECK_THAT(in_words(std::vector{slope}), ContainsSubstring("It lacks floor_slope (along_y 0.008 m/s"));
+}

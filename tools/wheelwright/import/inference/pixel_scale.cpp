@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/run_repair.hpp"
@@ -20,40 +21,25 @@ namespace {
 
 using config::plain_number;
 
-constexpr double min_agreement = 0.8;  // correlation of the ways of the reference with those of the robot
-constexpr std::size_t min_way_windows = 10;
-
-// Over windows of a second.
 struct WaySums {
-  double products = 0.0;
-  double robot_squares = 0.0;
-  double place_squares = 0.0;
+  Agreement agreement;
   double robot_way = 0.0;
   double place_way = 0.0;
-  std::size_t windows = 0;
 
   void add_run(const DriveColumns& columns, std::span<const std::size_t> rows, const Ways& ways) {
-    constexpr double window_s = 1.0;
-    std::size_t from = rows.size();
+    std::vector<char> is_known;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      const std::size_t row = rows[i];
-      if (!std::isfinite(columns.x[row]) || !std::isfinite(columns.y[row]) || !std::isfinite(ways.way[i]))
-        continue;
-      if (from < rows.size()) {
-        const std::size_t start = rows[from];
-        if (columns.t_s[row] - columns.t_s[start] < window_s) continue;
-        add(ways.chord(from, i),
-            std::hypot(columns.x[row] - columns.x[start], columns.y[row] - columns.y[start]));
-      }
-      from = i;
+      const bool stands = std::isfinite(columns.x[rows[i]]) && std::isfinite(columns.y[rows[i]]);
+      is_known.push_back(stands && std::isfinite(ways.way[i]) ? 1 : 0);
+    }
+    for (const auto& [from, to] : windows_of(columns, rows, is_known)) {
+      add(ways.chord(from, to), std::hypot(columns.x[rows[to]] - columns.x[rows[from]],
+                                           columns.y[rows[to]] - columns.y[rows[from]]));
     }
   }
 
   void add(double robot, double place) {
-    products += robot * place;
-    robot_squares += robot * robot;
-    place_squares += place * place;
-    ++windows;
+    agreement.add(robot, place);
     constexpr double min_way_m = 0.05;  // beside which noise is small
     if (robot < min_way_m) return;
     robot_way += robot;
@@ -63,10 +49,9 @@ struct WaySums {
   // Of places for each metre of the robot; nothing where the two do not go together. All of the way of
   // commands is compared, since the robot comes behind them.
   std::optional<double> slope(WayBy source) const {
-    const double way = source == WayBy::commands ? robot_way : robot_squares;
-    if (windows < min_way_windows || !(way > 0.0) || !(place_squares > 0.0)) return std::nullopt;
-    if (products / std::sqrt(robot_squares * place_squares) < min_agreement) return std::nullopt;
-    return source == WayBy::commands ? place_way / robot_way : products / robot_squares;
+    const bool by_commands = source == WayBy::commands;
+    if (!agreement.holds() || (by_commands && !(robot_way > 0.0))) return std::nullopt;
+    return by_commands ? place_way / robot_way : agreement.slope();
   }
 };
 

@@ -23,6 +23,36 @@ double Ways::chord(std::size_t from, std::size_t to) const {
   return std::abs(share * (way[to] - way[from]));
 }
 
+std::vector<Window> windows_of(const DriveColumns& columns, std::span<const std::size_t> rows,
+                               const std::vector<char>& is_known) {
+  constexpr double window_s = 1.0;
+  std::vector<Window> windows;
+  std::size_t from = rows.size();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (is_known[i] == 0) continue;
+    if (from < rows.size()) {
+      if (columns.t_s[rows[i]] - columns.t_s[rows[from]] < window_s) continue;
+      windows.push_back({from, i});
+    }
+    from = i;
+  }
+  return windows;
+}
+
+void Agreement::add(double robot, double reference) {
+  products += robot * reference;
+  robot_squares += robot * robot;
+  reference_squares += reference * reference;
+  ++windows;
+}
+
+bool Agreement::holds() const {
+  constexpr std::size_t min_windows = 10;
+  constexpr double min_correlation = 0.8;
+  return windows >= min_windows && robot_squares > 0.0 && reference_squares > 0.0 &&
+         products >= min_correlation * std::sqrt(robot_squares * reference_squares);
+}
+
 Ways ways_of_robot(const DriveColumns& columns, std::span<const std::size_t> rows, const Mapping& mapping,
                    WayBy source) {
   Ways ways(rows.size());

@@ -140,15 +140,18 @@ TEST_CASE("A core whose crossing is balanced turns otherwise than it travels, by
 TEST_CASE(
     "A linear part of two modes turns by poles of its own, travels as before, and keeps both in any shape") {
   const auto shared = GENERATE(false, true);
+  const auto cross_coupling = GENERATE(CrossCoupling::modes, CrossCoupling::balanced_modes);
   const TrialModel linear_part = some_linear_part(shared);
   const LinearPartShape& shape = linear_part.shape;
-  TrialModel modes = linear_part.with_cross_coupling(CrossCoupling::modes);
+  TrialModel modes = linear_part.with_cross_coupling(cross_coupling);
   check_same(answer(modes), answer(linear_part));
   for (std::size_t wheel = 0; wheel < modes.shape.of_responses(); wheel += modes.shape.per_wheel())
     modes.linear_part[wheel + shape.poles + shape.weights] -= 0.1;  // a pole of turns
   CHECK_THAT(travel(modes, {0.2, 0.2}).left, WithinAbs(travel(linear_part, {0.2, 0.2}).left, 1e-9));
   const double turned_m = travel(modes, {0.2, -0.2}).left;
   CHECK(std::abs(turned_m - travel(linear_part, {0.2, -0.2}).left) > 1e-3);
+  if (cross_coupling == CrossCoupling::balanced_modes)
+    CHECK_THAT(dc_gain(modes.linear().left).from_right, WithinAbs(0.0, 1e-12));
   check_same(answer(modes.with_higher_order(0.9)), answer(modes));
   const EffectInfo* delay = find_effect("transport_delay");
   TrialModel behind_delay = modes;

@@ -184,6 +184,23 @@ TEST_CASE("By counts a body that turns a little later than it travels is held by
   CHECK(analysis.search.final.model.shape.cross_coupling == CrossCoupling::lag);
 }
 
+TEST_CASE("By poses alone such a vehicle, too, has two modes, of one gain") {
+  std::vector<DriveLog> logs;
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    logs.push_back(driven_vehicle(1.6, seed));
+    for (DriveSample& sample : logs.back().samples) sample.ticks.reset();
+  }
+  const auto analysis = analyse_gap(std::span(logs).first(2), std::span(logs).last(1), {}, serial_for,
+                                    [](const std::string&, double) {});
+  REQUIRE(analysis);
+  INFO(analysis->summary);
+  CHECK(analysis->verdict == Verdict::nothing_missing);
+  const TrialModel& model = analysis->search.final.model;
+  CHECK(model.shape.cross_coupling == CrossCoupling::balanced_modes);
+  const DcGain gain = dc_gain(model.linear().left);
+  CHECK_THAT(gain.from_right, WithinAbs(0.0, 1e-9));
+}
+
 TEST_CASE("By counts a vehicle under a speed controller that turns sooner than it travels has two modes") {
   std::vector<DriveLog> logs;
   for (unsigned seed = 1; seed <= 3; ++seed) logs.push_back(driven_vehicle(1.6, seed));

@@ -132,6 +132,29 @@ TEST_CASE("A gain that a given model has wrong is told for its wheel, and is nev
   CHECK_THAT(analysis.summary, ContainsSubstring("the gain of the left wheel is 1.03"));
 }
 
+// What acts of each command is what is left of it beyond a threshold.
+std::vector<DriveLog> beyond(std::vector<DriveLog> runs, double threshold_m_s) {
+  const auto lift = [&](double& command) {
+    if (command != 0.0) command += std::copysign(threshold_m_s, command);
+  };
+  for (DriveLog& run : runs) {
+    for (DriveSample& sample : run.samples) {
+      lift(sample.command_m_s.left);
+      lift(sample.command_m_s.right);
+    }
+  }
+  return runs;
+}
+
+TEST_CASE("Gains that the taper of a dead zone stands for as well are no change of the linear part") {
+  RobotModel given = robot().model;
+  given.effects.push_back({{"dead_zone", "", {0.03, 0.93}}, {}, {}, {}, {}, {}});
+  const auto analysis = analysed(beyond(robot().runs, 0.03), {.model = given});
+  INFO(analysis.summary);
+  CHECK(change_of(analysis, "gain", "left") == nullptr);
+  CHECK(change_of(analysis, "gain", "right") == nullptr);
+}
+
 TEST_CASE("A given model of another period is not compared with the logs, and the summary says so") {
   RobotModel other = robot().model;
   other.linear_part.period_s = 0.02;

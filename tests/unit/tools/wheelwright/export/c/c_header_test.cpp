@@ -328,3 +328,20 @@ TEST_CASE("In C a model moves as it is simulated, and its inverse says what make
     REQUIRE(apart(simulated[k + 1].speed_m_s, row.floor) < 1e-9);
   }
 }
+
+TEST_CASE("The inverse of a sharp dead zone aims no command into its edge, and says what it leaves out") {
+  if (!has_c_compiler()) {
+    WARN("skipped: there is no C compiler 'cc'");
+    return;
+  }
+  constexpr double threshold_m_s = 0.1;
+  const auto answers = answers_in_c({model_of({{"dead_zone", "", {threshold_m_s, 0.002}}})});
+  const auto& settled = answers.front().settled;  // in the order of wanted()
+  const Settled& above = settled[0];
+  const Settled& half = settled[1];
+  const Settled& rest = settled[5];
+  CHECK(above.reached == 1.0);
+  CHECK(rest.reached == 1.0);
+  CHECK(half.reached == 0.0);
+  CHECK((half.twist.v_m_s == 0.0 || half.twist.v_m_s > 0.8 * threshold_m_s));
+}
