@@ -1,6 +1,5 @@
 #include "model/identification/speed_curve.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "model/identification/settled_response.hpp"
+#include "model/statistics/dense_solve.hpp"
 
 namespace wheelwright {
 namespace {
@@ -71,7 +71,7 @@ double fit_curve(const std::vector<Level>& levels, const std::function<double(do
     normal += weight(level) * row * row.transpose();
     right += weight(level) * level.speed * row;
   }
-  const Vector solution = normal.ldlt().solve(right);
+  const Vector solution = solve_symmetric(normal, right);
   double square_sum = 0.0;
   for (const auto& level : levels) {
     square_sum += weight(level) * std::pow(level.speed - regressors(level).dot(solution), 2);

@@ -1,11 +1,12 @@
 #include "model/log/anisotropic_scale.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "model/log/counted_windows.hpp"
+#include "model/statistics/dense_solve.hpp"
 #include "model/statistics/significant_digits.hpp"
 
 namespace wheelwright {
@@ -26,9 +27,7 @@ struct Estimate {
 
 std::optional<Eigen::VectorXd> solution(const Eigen::MatrixXd& products) {
   const Eigen::Index count = products.cols() - 1;
-  const Eigen::LDLT<Eigen::MatrixXd> factor(products.topLeftCorner(count, count));
-  if (factor.info() != Eigen::Success || !factor.isPositive()) return std::nullopt;
-  return factor.solve(products.col(count).head(count));
+  return solve_positive(products.topLeftCorner(count, count), products.col(count).head(count));
 }
 
 std::optional<Estimate> estimate(const std::vector<Eigen::MatrixXd>& windows) {
@@ -51,9 +50,8 @@ std::optional<Estimate> estimate(const std::vector<Eigen::MatrixXd>& windows) {
 
 // Of the first two values, in standard errors.
 double sureness(const Estimate& estimate) {
-  const Eigen::Vector2d value = estimate.value.head<2>();
-  const Eigen::Matrix2d covariance = estimate.covariance.topLeftCorner<2, 2>();
-  return std::sqrt(value.dot(covariance.ldlt().solve(value)));
+  const Eigen::VectorXd value = estimate.value.head(2);
+  return std::sqrt(value.dot(solve_symmetric(estimate.covariance.topLeftCorner(2, 2), value)));
 }
 
 // Whether each half of the windows has about the same first two values: what a few windows alone show is what

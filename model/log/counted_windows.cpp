@@ -1,10 +1,12 @@
 #include "model/log/counted_windows.hpp"
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <optional>
+
+#include "model/statistics/dense_solve.hpp"
 
 namespace wheelwright {
 namespace {
@@ -167,10 +169,8 @@ Eigen::MatrixXd drift_of_heading(const CountedWindow& window) {
   return drift;
 }
 
-Eigen::MatrixXd products_beside(const Eigen::MatrixXd& left_out, Eigen::MatrixXd columns) {
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(left_out);
-  columns.applyOnTheLeft(qr.householderQ().setLength(qr.nonzeroPivots()).transpose());
-  const Eigen::MatrixXd rest = columns.bottomRows(columns.rows() - qr.rank());
+Eigen::MatrixXd products_beside(const Eigen::MatrixXd& left_out, const Eigen::MatrixXd& columns) {
+  const Eigen::MatrixXd rest = rest_beside(left_out, columns);
   return rest.transpose() * rest;
 }
 

@@ -81,6 +81,6 @@ Eigen::MatrixXd drift_of_position(const CountedWindow& window, const PathInFrame
 Eigen::MatrixXd drift_of_heading(const CountedWindow& window);
 
 // Products of all pairs of columns of `columns`, without what those of `left_out` explain.
-Eigen::MatrixXd products_beside(const Eigen::MatrixXd& left_out, Eigen::MatrixXd columns);
+Eigen::MatrixXd products_beside(const Eigen::MatrixXd& left_out, const Eigen::MatrixXd& columns);
 
 }  // namespace wheelwright

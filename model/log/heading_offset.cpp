@@ -1,6 +1,6 @@
 #include "model/log/heading_offset.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "model/statistics/dense_solve.hpp"
 #include "model/statistics/significant_digits.hpp"
 
 namespace wheelwright {
@@ -192,7 +193,8 @@ std::optional<Fit> fit_aside(const std::vector<Window>& windows, const Means& me
   const Row scales = (normal.diagonal().array() + 1e-12 * normal(0, 0)).sqrt().inverse();
   Square scaled = scales.asDiagonal() * normal * scales.asDiagonal();
   scaled.diagonal().array() += ridge;
-  const Square inverse = scales.asDiagonal() * scaled.inverse() * scales.asDiagonal();
+  const Square inverse =
+      scales.asDiagonal() * solve_symmetric_columns(scaled, scales.asDiagonal().toDenseMatrix());
   Fit fit;
   fit.factors = inverse * right;
   Square scores = Square::Zero();

@@ -8,6 +8,7 @@
 
 #include <Eigen/Dense>
 
+#include "model/statistics/dense_solve.hpp"
 #include "model/statistics/order_statistics.hpp"
 
 namespace wheelwright {
@@ -183,7 +184,7 @@ std::vector<Heading> smoothed(const std::vector<Known>& known) {
   for (std::size_t i = known.size() - 1; i-- > 0;) {
     const Known& next = known[i + 1];
     const Covariance gain =
-        next.predicted_covariance.ldlt().solve(next.transition * known[i].covariance).transpose();
+        solve_symmetric_columns(next.predicted_covariance, next.transition * known[i].covariance).transpose();
     state = known[i].state + gain * (state - next.predicted);
     covariance =
         (known[i].covariance + gain * (covariance - next.predicted_covariance) * gain.transpose()).eval();

@@ -1,6 +1,6 @@
 #include "model/log/reference_response.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +10,7 @@
 
 #include "model/log/counted_windows.hpp"
 #include "model/log/response_windows.hpp"
+#include "model/statistics/dense_solve.hpp"
 #include "model/statistics/significant_digits.hpp"
 
 namespace wheelwright {
@@ -176,7 +177,7 @@ Eigen::VectorXd smooth_response(const WindowProducts& products, double penalty) 
   const Eigen::MatrixXd powers = products.topLeftCorner(taps, taps);
   const double scale = penalty * powers.trace() / static_cast<double>(taps);
   const Eigen::MatrixXd penalised = powers + scale * second_difference.transpose() * second_difference;
-  return penalised.ldlt().solve(products.col(taps).head(taps));
+  return solve_symmetric(penalised, products.col(taps).head(taps));
 }
 
 DelayKernel kernel_of(const Eigen::VectorXd& response) {

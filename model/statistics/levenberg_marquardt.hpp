@@ -13,8 +13,9 @@
 #include <optional>
 #include <utility>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
+
+#include "model/statistics/dense_solve.hpp"
 
 namespace wheelwright {
 
@@ -45,7 +46,7 @@ class NormalEquations {
     Eigen::MatrixXd damped = information_;
     for (Eigen::Index i = 0; i < damped.rows(); ++i)
       damped(i, i) += damping * (information_(i, i) > 0.0 ? information_(i, i) : 1.0);
-    return -damped.ldlt().solve(gradient_);
+    return -solve_symmetric(damped, gradient_);
   }
 
  private:

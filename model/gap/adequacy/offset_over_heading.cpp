@@ -1,6 +1,6 @@
 #include "model/gap/adequacy/offset_over_heading.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +8,7 @@
 
 #include "model/gap/adequacy/tail_probability.hpp"
 #include "model/gap/noise/correlation_time.hpp"
+#include "model/statistics/dense_solve.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -94,9 +95,9 @@ std::optional<OffsetOverHeading> offset_over_heading(const FitProblem& problem,
       slope += tracks[t]->innovation[i] * rows[t][i];
     }
   }
-  const Eigen::LDLT<Eigen::Matrix4d> solver(information);
-  if (!(information.trace() > 0.0) || !solver.isPositive()) return std::nullopt;
-  const Row offset = solver.solve(slope);
+  const auto solution = solve_positive(information, slope);
+  if (!(information.trace() > 0.0) || !solution) return std::nullopt;
+  const Row offset = *solution;
   OffsetOverHeading found;
   found.p_value =
       chi_squared_tail(slope.dot(offset) / variance_ratio(tracks, rows, offset), static_cast<int>(columns));

@@ -1,6 +1,6 @@
 #include "model/gap/candidates/screening.hpp"
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -8,6 +8,7 @@
 #include "model/gap/candidates/decoys.hpp"
 #include "model/gap/candidates/screening_pairs.hpp"
 #include "model/gap/candidates/screening_probes.hpp"
+#include "model/statistics/dense_solve.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -19,8 +20,7 @@ Eigen::MatrixXd basis_of(const Eigen::MatrixXd& columns) {
     const double norm = scaled.col(c).norm();
     if (norm > 0.0) scaled.col(c) /= norm;
   }
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(scaled);
-  return qr.householderQ() * Eigen::MatrixXd::Identity(scaled.rows(), qr.rank());
+  return orthonormal_basis(scaled);
 }
 
 // For effects with one size: the response need not be linear in it, so only some stretching is believed, and
@@ -65,7 +65,7 @@ Screened judged(const Probe& probe, const Common& common) {
   Screened result{{probe.info, probe.variant, probe.points[0]}, 0.0};
   if (!(common.products.diagonal().minCoeff() > 1e-12)) return result;  // invisible in these channels
   if (probe.points.size() > 1) {
-    const Eigen::VectorXd amounts = common.products.colPivHouseholderQr().solve(-common.with_left);
+    const Eigen::VectorXd amounts = solve_by_qr(common.products, -common.with_left);
     result.gain_nats = -0.5 * amounts.dot(common.with_left);
     std::size_t k = 0;
     for (std::size_t i = 0; i < result.start.parameters.size(); ++i) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/statistics/dense_solve.hpp"
+
 namespace wheelwright::gap {
 namespace {
 
@@ -98,7 +100,7 @@ RippleEquations& RippleEquations::operator+=(const RippleEquations& other) {
 
 RippleAmounts RippleEquations::solution() const {
   const double little = 1e-9 * products.diagonal().maxCoeff() + 1e-30;
-  return (products + little * Eigen::Matrix4d::Identity()).ldlt().solve(right_side);
+  return solve_symmetric(products + little * Eigen::Matrix4d::Identity(), right_side);
 }
 
 RippleSearch::RippleSearch(const FitProblem& problem, const std::vector<WheelPair>& initial_travel_m,

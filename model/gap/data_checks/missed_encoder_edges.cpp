@@ -1,6 +1,5 @@
 #include "model/gap/data_checks/missed_encoder_edges.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
@@ -8,6 +7,7 @@
 #include <optional>
 
 #include "model/log/command_timeline.hpp"
+#include "model/statistics/dense_solve.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -126,7 +126,7 @@ Eigen::VectorXd Finder::fitted_response() const {
     travels += row * counted_m(k);
   }
   products.diagonal().array() += 1e-6 * products.trace() + 1e-12;
-  return products.ldlt().solve(travels);
+  return solve_symmetric(products, travels);
 }
 
 void Finder::sum_up(const Eigen::VectorXd& response) {

@@ -6,6 +6,8 @@
 #include <random>
 #include <vector>
 
+#include "model/statistics/dense_solve.hpp"
+
 namespace wheelwright::gap {
 namespace {
 
@@ -74,7 +76,7 @@ Bootstrap block_bootstrap(std::span<const BlockSums> blocks, std::size_t draws, 
       sum.information += weight * block.information;
       sum.gradient += weight * block.gradient;
     }
-    result.deviations.col(draw) = -few_blocks * directions * sum.information.ldlt().solve(sum.gradient);
+    result.deviations.col(draw) = -few_blocks * directions * solve_symmetric(sum.information, sum.gradient);
   }
   return result;
 }

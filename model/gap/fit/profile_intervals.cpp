@@ -1,6 +1,6 @@
 #include "model/gap/fit/profile_intervals.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "model/statistics/confidence.hpp"
+#include "model/statistics/dense_solve.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -58,7 +59,8 @@ class Profile {
       const auto at = static_cast<Eigen::Index>(i);
       of_others(at, at) += 1.0 / (size * size);
     }
-    inverse_ = of_others.ldlt().solve(Eigen::MatrixXd::Identity(of_others.rows(), of_others.cols()));
+    inverse_ =
+        solve_symmetric_columns(of_others, Eigen::MatrixXd::Identity(of_others.rows(), of_others.cols()));
     tradable_ = others_of_the_same_effect(fit.model, held);
     going_with_it_ = -inverse_ * information(free_, static_cast<Eigen::Index>(held));
   }

@@ -9,6 +9,7 @@
 #include "model/effects/library/effect_library.hpp"
 #include "model/gap/adequacy/variance_ratio.hpp"
 #include "model/gap/fit/parameter_intervals.hpp"
+#include "model/statistics/dense_solve.hpp"
 #include "model/statistics/levenberg_marquardt.hpp"
 
 namespace wheelwright::gap {
@@ -171,7 +172,7 @@ double own_share(const Eigen::MatrixXd& columns, Eigen::Index which) {
   for (Eigen::Index i = 0; i < damped.rows(); ++i)
     damped(i, i) += products(i, i) > 0.0 ? 1e-9 * products(i, i) : 1.0;
   const Eigen::VectorXd column = columns.col(which);
-  const Eigen::VectorXd made = others * damped.ldlt().solve(others.transpose() * column);
+  const Eigen::VectorXd made = others * solve_symmetric(damped, others.transpose() * column);
   return (column - made).squaredNorm() / column.squaredNorm();
 }
 

@@ -1,8 +1,10 @@
 #include "model/gap/next_experiment/divergence.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+
+#include "model/statistics/dense_solve.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -84,7 +86,7 @@ double divergence(const Hypothesis& truth, const Hypothesis& other, const DriveL
   Eigen::MatrixXd curvature = columns.transpose() * columns + other.information;
   curvature.diagonal().array() += 1e-9 * (1.0 + curvature.diagonal().maxCoeff());
   const Eigen::VectorXd gradient = columns.transpose() * residual;
-  return std::max(0.0, 0.5 * (residual.squaredNorm() - gradient.dot(curvature.ldlt().solve(gradient))));
+  return std::max(0.0, 0.5 * (residual.squaredNorm() - gradient.dot(solve_symmetric(curvature, gradient))));
 }
 
 }  // namespace wheelwright::gap

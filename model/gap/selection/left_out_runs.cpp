@@ -1,7 +1,9 @@
 #include "model/gap/selection/left_out_runs.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <cmath>
+
+#include "model/statistics/dense_solve.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -66,7 +68,7 @@ double left_out_runs_gain_nats(const FitProblem& problem, const Fit& without, co
     Eigen::MatrixXd others = information - of_run.transpose() * of_run;
     others.diagonal() += (ridge * information.diagonal().array() + 1e-30).matrix();
     const Eigen::VectorXd step =
-        others.ldlt().solve(of_run.transpose() * residual.segment(run.first, run.count) - slope);
+        solve_symmetric(others, of_run.transpose() * residual.segment(run.first, run.count) - slope);
     if (!step.allFinite()) return 0.0;
     gain += 0.5 * (sum_squares_of_rows(without.residuals, run) -
                    sum_squares_of_rows(problem.residuals(stepped(with.model, of, step)), run));

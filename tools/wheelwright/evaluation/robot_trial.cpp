@@ -1,10 +1,11 @@
 #include "tools/wheelwright/evaluation/robot_trial.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <chrono>
 #include <numbers>
 
 #include "model/log/sign_corrected_travel.hpp"
+#include "model/statistics/dense_solve.hpp"
 #include "model/uncertainty/pose_uncertainty.hpp"
 
 namespace wheelwright::tools {
@@ -42,7 +43,7 @@ std::optional<bool> inside_ellipse95(const DriveOutcome& outcome) {
   const EndEstimate& estimate = *outcome.estimate;
   const Eigen::Vector2d off(outcome.end->x_m - estimate.pose.x_m, outcome.end->y_m - estimate.pose.y_m);
   const Eigen::Matrix2d covariance = estimate.covariance.topLeftCorner<2, 2>();
-  return off.dot(covariance.ldlt().solve(off)) <= chi_square95_of_two;
+  return off.dot(solve_symmetric(covariance, off)) <= chi_square95_of_two;
 }
 
 RobotTrial::RobotTrial(const SimulationConfig& robot, const RobotLimits& limits,

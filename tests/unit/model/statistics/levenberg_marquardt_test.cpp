@@ -1,5 +1,6 @@
 #include "model/statistics/levenberg_marquardt.hpp"
 
+#include <Eigen/Cholesky>
 #include <cmath>
 #include <functional>
 
