@@ -9,16 +9,13 @@
 #include <string>
 #include <vector>
 
+#include "model/gap/data_checks/gain_over_windows.hpp"
 #include "model/gap/runs/gyro_turns.hpp"
 #include "model/log/command_timeline.hpp"
 #include "model/statistics/significant_digits.hpp"
 
 namespace wheelwright::gap {
 namespace {
-
-constexpr double window_s = 0.5;
-constexpr double wrong_unit = 20.0;  // degrees give 57, centimetres 100
-constexpr double against = -0.3;     // a gain of the other sign
 
 // Commands against travel over windows of half a second: gains of each counter from each command, with the
 // commands taken `delay_s` earlier.
@@ -103,141 +100,6 @@ void check_sides_and_signs(GateState& gate) {
   };
   check(best->left_own, best->left_follows, "ticks_left");
   check(best->right_own, best->right_follows, "ticks_right");
-}
-
-namespace {
-
-// How far one thing goes for another, over windows: the gain, and what it is sure to within.
-class GainOf {
- public:
-  void add(double given, double seen) {
-    ++windows_;
-    given_squares_ += given * given;
-    products_ += given * seen;
-    seen_squares_ += seen * seen;
-  }
-  double gain() const { return products_ / given_squares_; }
-  // Below by four standard errors, as the scatter of the windows has it.
-  bool surely_below(double limit) const { return known() && gain() + 4.0 * standard_error() < limit; }
-  bool surely_above(double limit) const { return known() && gain() - 4.0 * standard_error() > limit; }
-
- private:
-  static constexpr double min_windows = 3.0;
-
-  bool known() const { return windows_ >= min_windows && given_squares_ > 0.0; }
-  double standard_error() const {
-    const double left = std::max(0.0, seen_squares_ - products_ * products_ / given_squares_);
-    return std::sqrt(left / (windows_ - 1.0) / given_squares_);
-  }
-
-  double windows_ = 0.0;
-  double given_squares_ = 0.0;
-  double products_ = 0.0;
-  double seen_squares_ = 0.0;
-};
-
-// Of the reference for the wheels.
-struct ReferenceGains {
-  GainOf turned;
-  GainOf along;     // in the direction of the heading
-  GainOf mirrored;  // in that of the heading's mirror image
-};
-
-// Windows of half a second or more, from reference to reference. More than a quarter of a turn in one could
-// as well be a turn the other way.
-ReferenceGains reference_gains(const GateState& gate) {
-  constexpr double longest_turn_rad = 1.5;
-  const DriveLog& log = gate.result.log;
-  const auto& samples = log.samples;
-  const bool heading_alone = !log.has_reference_positions();
-  ReferenceGains gains;
-  std::optional<std::size_t> from;
-  double forward = 0.0;
-  double turn = 0.0;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const auto& sample = samples[i];
-    if (from && i > 0) {
-      const double duration = samples[i].t_s - samples[i - 1].t_s;
-      double left = samples[i - 1].command_m_s.left * duration;
-      double right = samples[i - 1].command_m_s.right * duration;
-      if (log.has_ticks() && sample.ticks && samples[i - 1].ticks) {
-        left = gate.travel(i, true) - gate.travel(i - 1, true);
-        right = gate.travel(i, false) - gate.travel(i - 1, false);
-      }
-      forward += 0.5 * (left + right);
-      turn += (right - left) / log.wheel_base_m;
-    }
-    if (heading_alone ? !sample.reference_theta_rad : !sample.reference_pose()) continue;
-    if (from && sample.t_s - samples[*from].t_s < window_s) continue;
-    if (from && std::abs(turn) < longest_turn_rad) {
-      const auto& before = samples[*from];
-      const double turned = wrap_angle(*sample.reference_theta_rad - *before.reference_theta_rad);
-      gains.turned.add(turn, turned);
-      if (!heading_alone) {
-        const double middle = *before.reference_theta_rad + 0.5 * turned;
-        const double dx = *sample.reference_x_m - *before.reference_x_m;
-        const double dy = *sample.reference_y_m - *before.reference_y_m;
-        gains.along.add(forward, dx * std::cos(middle) + dy * std::sin(middle));
-        gains.mirrored.add(forward, dx * std::cos(middle) - dy * std::sin(middle));
-      }
-    }
-    from = i;
-    forward = turn = 0.0;
-  }
-  return gains;
-}
-
-}  // namespace
-
-namespace {
-
-// The unit in which a reference goes about `gain` times as far as its wheels in metres; empty where none
-// does.
-std::string unit_of(double gain) {
-  struct Unit {
-    const char* name;
-    double per_metre;
-    double tolerance;
-  };
-  constexpr std::array units{Unit{"mm", 1000.0, 1.35}, Unit{"cm", 100.0, 1.35}, Unit{"inches", 39.37, 1.06},
-                             Unit{"feet", 3.281, 1.06}};
-  for (const Unit& unit : units)
-    if (std::abs(std::log(std::abs(gain) / unit.per_metre)) < std::log(unit.tolerance)) return unit.name;
-  return "";
-}
-
-bool is_in_another_unit(const GainOf& along) {
-  if (along.surely_above(wrong_unit) || along.surely_below(-wrong_unit)) return true;
-  return along.surely_above(1.5) && !unit_of(along.gain()).empty();
-}
-
-}  // namespace
-
-void check_reference(GateState& gate) {
-  const ReferenceGains gains = reference_gains(gate);
-  if (is_in_another_unit(gains.along)) {
-    const std::string unit = unit_of(gains.along.gain());
-    gate.fault(0,
-               "the reference moves " + in_digits(gains.along.gain(), 3) + " times as far as the wheels: " +
-                   (unit.empty() ? "what is its unit?" : "is it in " + unit + "?") + " the format wants m",
-               true);
-  } else if (gains.along.surely_below(against)) {
-    gate.fault(0,
-               "the reference moves backward where the wheels roll forward: its heading is turned by half a "
-               "turn, or the commands' sign is wrong",
-               true);
-  } else if (gains.mirrored.surely_above(0.5) && gains.along.surely_below(0.5 * gains.mirrored.gain())) {
-    gate.fault(0,
-               "the reference moves along its mirrored heading: x, y and heading do not belong to one "
-               "right-handed frame",
-               true);
-  }
-  if (gains.turned.surely_below(against)) {
-    gate.fault(
-        0,
-        "the reference turns against the wheels: left and right, or the sign of the heading, are exchanged",
-        true);
-  }
 }
 
 void check_gyro(GateState& gate) {

@@ -8,8 +8,6 @@ namespace wheelwright::gap {
 
 // Counters against commands.
 void check_sides_and_signs(GateState& gate);
-// The reference's turns and travel against what odometry (or, without counts, the commands) say.
-void check_reference(GateState& gate);
 // A gyro against the counts. It explains nothing of the rest: one that contradicts them is left out.
 void check_gyro(GateState& gate);
 

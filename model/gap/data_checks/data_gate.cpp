@@ -15,6 +15,7 @@
 #include "model/gap/data_checks/held_reference.hpp"
 #include "model/gap/data_checks/reference_steps.hpp"
 #include "model/gap/data_checks/wrong_poses.hpp"
+#include "model/gap/data_checks/wrong_reference.hpp"
 #include "model/identification/run_scales.hpp"
 #include "model/log/anisotropic_scale.hpp"
 #include "model/log/heading_offset.hpp"

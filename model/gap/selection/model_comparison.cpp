@@ -53,9 +53,10 @@ ModelComparison::ModelComparison(const FitProblem& train, const FitProblem& held
 }
 
 // A sound robot acts 50 to 100 ms late (source paper), and its motor's lag adds to that: a linear part
-// holds it. What a fit leaves to its weights and what to the effect is chance.
+// holds it, and so it does two periods, in which one is measured and the next command computed. What a fit
+// leaves to its weights and what to the effect is chance.
 bool beyond_a_linear_part(const TrialModel& model, const TrialEffect& effect) {
-  constexpr double reach_of_a_linear_part_s = 0.12;
+  const double reach_of_a_linear_part_s = std::max(0.12, 2.0 * model.period_s);
   return effect.info->linear &&
          effect.parameters.front() + delay_of_weights_s(model) > reach_of_a_linear_part_s;
 }

@@ -4,6 +4,7 @@
 
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/clock_shift.hpp"
+#include "tools/wheelwright/import/inference/metadata_roles.hpp"
 #include "tools/wheelwright/import/mapping/mapping_file.hpp"
 #include "tools/wheelwright/import/open_recording.hpp"
 
@@ -72,6 +73,7 @@ tl::expected<Understood, std::string> understand(const ImportRequest& request) {
   if (request.reference) {
     auto recording = open_recording(*request.reference);
     if (!recording) return tl::unexpected(recording.error());
+    stamp_frames(*recording);
     result.recordings.push_back(std::move(*recording));
   }
   name_tables(result.recordings);

@@ -1,6 +1,7 @@
 #include "tools/wheelwright/import/conversion/clock_shift.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -13,36 +14,43 @@
 namespace wheelwright::import {
 namespace {
 
-constexpr double grid_s = 0.1;
+// Speeds are taken over these windows, the next one where the one before says nothing: poses that scatter by
+// a centimetre show a speed over a second, and none over a tenth of it.
+constexpr std::array windows_s{0.1, 0.3, 1.0, 3.0};
 constexpr double fine_s = 0.01;
 constexpr double min_overlap_s = 5.0;
 constexpr double min_correlation = 0.5;
 constexpr std::size_t max_points = 40'000;  // more than an hour
 
-// A speed on an even grid.
+struct Grid {
+  double step_s = 0.0;
+  double window_s = 0.0;  // a whole number of steps
+};
+
+// A mean speed over windows, on an even grid.
 struct Speeds {
   double start_s = 0.0;
-  double step_s = grid_s;
   std::vector<double> values;
 };
 
-// Of a way along a path that was sampled at any times: differences over the steps of the grid.
-Speeds on_grid(const std::vector<double>& t_s, const std::vector<double>& way, double step_s) {
+// Of a way along a path that was sampled at any times.
+Speeds on_grid(const std::vector<double>& t_s, const std::vector<double>& way, const Grid& grid) {
   Speeds speeds;
-  speeds.step_s = step_s;
   if (t_s.size() < 2) return speeds;
   speeds.start_s = t_s.front();
-  const auto points = std::min(max_points, static_cast<std::size_t>((t_s.back() - t_s.front()) / step_s));
+  const auto points =
+      std::min(max_points, static_cast<std::size_t>((t_s.back() - t_s.front()) / grid.step_s));
+  std::vector<double> on_points{way.front()};
   std::size_t at = 0;
-  double last = way.front();
   for (std::size_t i = 1; i <= points; ++i) {
-    const double t = speeds.start_s + step_s * static_cast<double>(i);
+    const double t = speeds.start_s + grid.step_s * static_cast<double>(i);
     while (at + 2 < t_s.size() && t_s[at + 1] < t) ++at;
     const double part = std::clamp((t - t_s[at]) / (t_s[at + 1] - t_s[at]), 0.0, 1.0);
-    const double now = way[at] + part * (way[at + 1] - way[at]);
-    speeds.values.push_back((now - last) / step_s);
-    last = now;
+    on_points.push_back(way[at] + part * (way[at + 1] - way[at]));
   }
+  const auto window = static_cast<std::size_t>(std::lround(grid.window_s / grid.step_s));
+  for (std::size_t i = window; i < on_points.size(); ++i)
+    speeds.values.push_back((on_points[i] - on_points[i - window]) / grid.window_s);
   return speeds;
 }
 
@@ -52,7 +60,7 @@ void add_point(std::vector<double>& t_s, std::vector<double>& way, double t, dou
   way.push_back((way.empty() ? 0.0 : way.back()) + std::abs(distance));
 }
 
-Speeds reference_speeds(std::span<const Recording> recordings, const Mapping& mapping, double step_s) {
+Speeds reference_speeds(std::span<const Recording> recordings, const Mapping& mapping, const Grid& grid) {
   const auto poses = reference_poses(recordings, *mapping.reference);
   if (!poses || poses->x.stream == nullptr || poses->x.stream != poses->y.stream) return {};
   const auto t_s = stream_times(*poses->x.stream, mapping.time);
@@ -64,15 +72,15 @@ Speeds reference_speeds(std::span<const Recording> recordings, const Mapping& ma
   for (std::size_t i = 0; i < t_s.size(); ++i) {
     if (!std::isfinite(t_s[i]) || !std::isfinite(xs[i]) || !std::isfinite(ys[i])) continue;
     // Noise adds to a way that is summed over short steps.
-    if (!times.empty() && t_s[i] < times.back() + 0.5 * step_s) continue;
+    if (!times.empty() && t_s[i] < times.back() + 0.5 * grid.window_s) continue;
     add_point(times, way, t_s[i], times.empty() ? 0.0 : std::hypot(xs[i] - xs[last], ys[i] - ys[last]));
     last = i;
   }
-  return on_grid(times, way, step_s);
+  return on_grid(times, way, grid);
 }
 
 // Of the middle of the wheels, in any unit.
-Speeds robot_speeds(std::span<const Recording> recordings, const Mapping& mapping, double step_s) {
+Speeds robot_speeds(std::span<const Recording> recordings, const Mapping& mapping, const Grid& grid) {
   Mapping robot = mapping;
   robot.reference.reset();
   const auto columns = gather(recordings, robot);
@@ -99,7 +107,7 @@ Speeds robot_speeds(std::span<const Recording> recordings, const Mapping& mappin
                               : middle(i) - last);
       last = middle(i);
     }
-    return on_grid(times, way, step_s);
+    return on_grid(times, way, grid);
   }
   double held = 0.0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -107,7 +115,7 @@ Speeds robot_speeds(std::span<const Recording> recordings, const Mapping& mappin
     const double first = columns->command[0].empty() ? held : columns->command[0][i];
     if (std::isfinite(first)) held = first;
   }
-  return on_grid(times, way, step_s);
+  return on_grid(times, way, grid);
 }
 
 // Correlation of a[i] and b[i - shift] where both are, 0 where less than half of the shorter is.
@@ -146,6 +154,17 @@ Best best_shift(const Speeds& robot, const Speeds& reference, long from, long to
   return best;
 }
 
+// Over all shifts of whole windows.
+Best coarse_shift(const Speeds& robot, const Speeds& reference) {
+  return best_shift(robot, reference, -static_cast<long>(reference.values.size()),
+                    static_cast<long>(robot.values.size()));
+}
+
+std::string said_to_begin_together(const Speeds& robot, const Speeds& reference) {
+  return "if both began together: --set reference.shift_s=" +
+         config::fixed_number(robot.start_s - reference.start_s, 3);
+}
+
 }  // namespace
 
 tl::expected<ClockShift, std::string> find_clock_shift(std::span<const Recording> recordings,
@@ -157,32 +176,38 @@ tl::expected<ClockShift, std::string> find_clock_shift(std::span<const Recording
   if (x.stream != nullptr && stream_times(*x.stream, mapping.time).empty())
     return tl::unexpected(std::string(
         "the reference has no time; say how far its rows or frames are apart: --set time.rate_hz=100"));
-  const Speeds robot = robot_speeds(recordings, mapping, grid_s);
-  const Speeds reference = reference_speeds(recordings, mapping, grid_s);
-  if (static_cast<double>(std::min(robot.values.size(), reference.values.size())) * grid_s < min_overlap_s) {
-    return tl::unexpected(
-        std::string("too little of the robot or its reference moves to compare their clocks; give the shift: "
-                    "--set reference.shift_s=0"));
+  double most = 0.0;
+  std::string together;
+  for (const double window_s : windows_s) {
+    const Grid coarse_grid{window_s, window_s};
+    const Speeds robot = robot_speeds(recordings, mapping, coarse_grid);
+    const Speeds reference = reference_speeds(recordings, mapping, coarse_grid);
+    const auto overlap = static_cast<double>(std::min(robot.values.size(), reference.values.size()));
+    if (overlap * window_s < min_overlap_s) {
+      return tl::unexpected(
+          "too little of the robot or its reference moves to compare their clocks; give the shift; " +
+          said_to_begin_together(robot, reference));
+    }
+    const Best coarse = coarse_shift(robot, reference);
+    most = std::max(most, coarse.correlation);
+    together = said_to_begin_together(robot, reference);
+    if (coarse.correlation < min_correlation) continue;
+    const Grid grid{fine_s, window_s};
+    const long per_window = std::lround(window_s / fine_s);
+    const Best fine =
+        best_shift(robot_speeds(recordings, mapping, grid), reference_speeds(recordings, mapping, grid),
+                   (coarse.shift - 2) * per_window, (coarse.shift + 2) * per_window);
+    const long shift = fine.correlation > 0.0 ? fine.shift : coarse.shift * per_window;
+    ClockShift result;
+    result.seconds = robot.start_s - reference.start_s + fine_s * static_cast<double>(shift);
+    result.evidence = "the clock of the reference is shifted by " + config::fixed_number(result.seconds, 3) +
+                      " s: there its speed and that of the robot agree best (correlation " +
+                      config::fixed_number(coarse.correlation, 2) + ")";
+    return result;
   }
-  const Best coarse = best_shift(robot, reference, -static_cast<long>(reference.values.size()),
-                                 static_cast<long>(robot.values.size()));
-  if (coarse.correlation < min_correlation) {
-    return tl::unexpected(
-        "the speed of the reference fits that of the robot at no shift of its clock (correlation " +
-        config::fixed_number(coarse.correlation, 2) + " at best); give it: --set reference.shift_s=0");
-  }
-  const Speeds fine_robot = robot_speeds(recordings, mapping, fine_s);
-  const Speeds fine_reference = reference_speeds(recordings, mapping, fine_s);
-  const long per_grid = std::lround(grid_s / fine_s);
-  const Best fine =
-      best_shift(fine_robot, fine_reference, (coarse.shift - 2) * per_grid, (coarse.shift + 2) * per_grid);
-  const long shift = fine.correlation > 0.0 ? fine.shift : coarse.shift * per_grid;
-  ClockShift result;
-  result.seconds = robot.start_s - reference.start_s + fine_s * static_cast<double>(shift);
-  result.evidence = "the clock of the reference is shifted by " + config::fixed_number(result.seconds, 3) +
-                    " s: there its speed and that of the robot agree best (correlation " +
-                    config::fixed_number(coarse.correlation, 2) + ")";
-  return result;
+  return tl::unexpected(
+      "the speed of the reference fits that of the robot at no shift of its clock (correlation " +
+      config::fixed_number(most, 2) + " at best); give the shift; " + together);
 }
 
 }  // namespace wheelwright::import

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -14,12 +13,13 @@
 #include "tools/wheelwright/import/conversion/join_streams.hpp"
 #include "tools/wheelwright/import/conversion/misread_counts.hpp"
 #include "tools/wheelwright/import/conversion/missing_keys.hpp"
+#include "tools/wheelwright/import/conversion/own_rows.hpp"
 #include "tools/wheelwright/import/conversion/reference_poses.hpp"
 #include "tools/wheelwright/import/conversion/stamps.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/conversion/time_units.hpp"
-#include "tools/wheelwright/import/conversion/value_range.hpp"
 #include "tools/wheelwright/import/conversion/wheel_command.hpp"
+#include "tools/wheelwright/import/conversion/wrapped_angles.hpp"
 #include "tools/wheelwright/import/recording.hpp"
 
 namespace wheelwright::import {
@@ -32,30 +32,6 @@ struct Source {
   Column* target;
   Joining joining;
 };
-
-// The turn after which the angles start again: of radians, or of degrees that nobody has said to be such yet.
-// Nothing of angles that go on.
-std::optional<double> turn_of(const Column& angles) {
-  constexpr double turn_rad = 2.0 * std::numbers::pi;
-  constexpr double turn_deg = 360.0;
-  const double size = range_of(angles).size();
-  if (size <= 1.01 * turn_rad) return turn_rad;
-  const bool jumps = std::ranges::adjacent_find(angles, [](double a, double b) {
-                       return std::abs(b - a) > 0.5 * turn_deg;
-                     }) != angles.end();
-  return jumps && size <= 1.01 * turn_deg ? std::optional(turn_deg) : std::nullopt;
-}
-
-void unwrap_angles(Column& angles) {
-  const auto turn = turn_of(angles);
-  if (!turn) return;
-  double last = nothing;
-  for (double& angle : angles) {
-    if (!std::isfinite(angle)) continue;
-    if (std::isfinite(last)) angle -= *turn * std::round((angle - last) / *turn);
-    last = angle;
-  }
-}
 
 class Gathering {
  public:
@@ -140,6 +116,7 @@ class Gathering {
     for (const Stream* stream : streams) say_clock_wraps(*stream);
     shift_reference(streams, times);
     if (streams.size() == 1) {
+      if (take_own_rows(*streams.front(), times.front())) return true;
       if (streams.front()->rows > max_rows_) {
         take_part(*streams.front(), times.front());
         return true;
@@ -152,6 +129,29 @@ class Gathering {
     }
     make_wheels_even(streams, times);
     merge_streams(streams, times);
+    return true;
+  }
+
+  // Where rows of other columns lie between those of the wheels.
+  bool take_own_rows(const Stream& stream, const Column& t_s) {
+    if (!mapping_.wheels) return false;
+    const Channel* wheel = find_channel(recordings_, mapping_.wheels->left).channel;
+    const Channel* time = time_channel(stream, mapping_.time);
+    std::vector<const Column*> others;
+    for (const auto& channel : stream.channels)
+      if (&channel != wheel && &channel != time) others.push_back(&channel.values);
+    const auto rows = rows_of_its_own(wheel->values, others);
+    if (!rows) return false;
+    columns_.t_s = at_rows(t_s, *rows);
+    for (const std::size_t row : *rows)
+      if (row < stream.places.size()) columns_.places.push_back(stream.places[row]);
+    for (const std::size_t start : stream.run_starts) {
+      const auto first = std::ranges::lower_bound(*rows, start);
+      columns_.run_starts.push_back(static_cast<std::size_t>(first - rows->begin()));
+    }
+    unwrap_angles(reference_.heading_rad.values);
+    for (const auto& source : sources_)
+      *source.target = join_own_rows(t_s, *source.values, *rows, source.joining);
     return true;
   }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "config/load/text_format.hpp"
+#include "tools/wheelwright/import/conversion/command_holes.hpp"
 #include "tools/wheelwright/import/conversion/missing_keys.hpp"
 #include "tools/wheelwright/import/conversion/reference_poses.hpp"
 #include "tools/wheelwright/import/conversion/stamps.hpp"
@@ -49,6 +50,7 @@ class RunMaker {
     for (const std::size_t row : rows) t_s.push_back(times_s_[row] - times_s_[rows.front()]);
     std::array<Column, 2> counts = wheel_counts(rows, t_s, log, remarks);
     name_holes(rows, t_s, remarks);
+    name_command_holes(rows, t_s, remarks);
     make_samples(rows, t_s, counts, log, remarks);
     log.period_s = mapping_.time.period_s ? *mapping_.time.period_s : period_of(log);
     return log;
@@ -88,6 +90,14 @@ class RunMaker {
                         " s");
     }
     if (count > max_named) remarks.push_back("and " + std::to_string(count - max_named) + " more holes");
+  }
+
+  void name_command_holes(const RunRows& rows, const std::vector<double>& t_s,
+                          std::vector<std::string>& remarks) const {
+    for (const CommandHole& hole : command_holes(columns_, rows, t_s))
+      remarks.push_back(
+          columns_.place(rows[hole.row]) + ": no command for " + fixed_number(hole.duration_s, 1) +
+          " s behind it; it is taken to hold. If the robot stopped by itself, end the log there");
   }
 
   void make_even(const RunRows& rows, const WheelTravel& travel, std::vector<double>& t_s,

@@ -60,6 +60,14 @@ std::vector<double> frames_in_seconds(std::vector<double> frames, std::optional<
   return frames;
 }
 
+// That of the mapping; of a column of the same name in another file, which may be in another unit, its own.
+TimeUnit unit_here(const Stream& stream, const Channel& channel, const TimeMapping& time) {
+  const bool is_text = time.unit == TimeUnit::hms || time.unit == TimeUnit::iso;
+  return is_text || is_plausible_unit(channel.values, time.unit)
+             ? time.unit
+             : time_unit_of(stream, channel, time.period_s);
+}
+
 const Channel* own_time(const Stream& stream) {
   if (is_tum(stream)) return &stream.channels.front();
   for (const auto& channel : stream.channels) {
@@ -138,7 +146,7 @@ const Channel* time_channel(const Stream& stream, const TimeMapping& time) {
 std::vector<double> stream_times(const Stream& stream, const TimeMapping& time) {
   if (time.column) {
     if (const Channel* channel = channel_of(stream, *time.column)) {
-      if (time.unit != TimeUnit::frame) return in_seconds(channel->values, time.unit);
+      if (time.unit != TimeUnit::frame) return in_seconds(channel->values, unit_here(stream, *channel, time));
       return frames_in_seconds(channel->values, time.period_s);
     }
   }

@@ -41,6 +41,8 @@ NamedSide side_of(const NameWords& words, const Stream& stream) {
   if (words.has("dir") && is_portuguese(stream)) return NamedSide::right;
   if (words.has_any({"g", "d"}) && is_french(stream))
     return words.has("g") ? NamedSide::left : NamedSide::right;
+  // Of a quaternion.
+  if (words.last() == "rw" && any_has(stream, {"rx"}) && any_has(stream, {"rz"})) return NamedSide::none;
   // In "p_RS_R_x" (EuRoC) the letters name frames.
   if (words.has("rs") || words.has_any({"front", "rear"})) return NamedSide::none;
   if (words.has_any({"left",     "l",         "lft",       "port",   "gauche", "links", "linke", "linkes",
@@ -100,9 +102,9 @@ Quantity of_wheel(const Name& name) {
   if (is_speed) return Quantity::speed;
   if (find_unit(angle_units(), name.unit)) return Quantity::angle;
   if (find_unit(distance_units(), name.unit)) return Quantity::distance;
-  if (words.has_any({"tick", "ticks", "count", "counts", "cnt", "enc", "encoder", "encoders", "pulse",
-                     "pulses", "qei", "pos", "impulse", "impulsos", "pulsos", "codeur", "encodeur",
-                     "teller"})) {
+  if (words.has_any({"tick",   "ticks",   "dticks",   "dcount",  "dcounts",  "dcnt",     "denc",   "count",
+                     "counts", "cnt",     "enc",      "encoder", "encoders", "pulse",    "pulses", "qei",
+                     "pos",    "impulse", "impulsos", "pulsos",  "codeur",   "encodeur", "teller"})) {
     return Quantity::count;
   }
   if (words.has_any({"dist", "distance", "travel", "odo", "odometer"})) return Quantity::distance;

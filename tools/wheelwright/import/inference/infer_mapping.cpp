@@ -8,9 +8,11 @@
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
 #include "tools/wheelwright/import/inference/command_forms.hpp"
+#include "tools/wheelwright/import/inference/command_rivals.hpp"
 #include "tools/wheelwright/import/inference/counter_kind.hpp"
 #include "tools/wheelwright/import/inference/gyro_scale.hpp"
 #include "tools/wheelwright/import/inference/metadata_roles.hpp"
+#include "tools/wheelwright/import/inference/mirrored_side.hpp"
 #include "tools/wheelwright/import/inference/named_roles.hpp"
 #include "tools/wheelwright/import/inference/neutral_command.hpp"
 #include "tools/wheelwright/import/inference/numbered_roles.hpp"
@@ -108,6 +110,7 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
   Mapping mapping = to_mapping(given.entries(), name);
   set_kind_of_stated_wheels(recordings, given, mapping);
   map_by_names(recordings, mapping, inference.findings);
+  choose_among_commands(recordings, given, mapping, inference.findings);
   map_metadata(recordings, mapping, inference.doubts);
   set_time_unit(recordings, given, mapping, inference.findings);
   find_stick_commands(recordings, mapping, inference.findings, inference.doubts);
@@ -127,6 +130,8 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
       infer_counters(*columns, given, mapping, inference.findings, inference.doubts);
       infer_steering(*columns, given, mapping, inference.findings, inference.doubts);
       set_duty(*columns, given, mapping);
+      if (infer_mirrored_side(*columns, given, mapping, inference.findings))
+        columns = gather_sample(recordings, mapping);
       if (infer_heading_unit(*columns, given, mapping, inference.findings))
         columns = gather_sample(recordings, mapping);
       if (!states_its_frame(recordings) &&

@@ -133,6 +133,20 @@ bool takes_rate(std::span<const Recording> recordings, const Recording& recordin
 
 }  // namespace
 
+void stamp_frames(Recording& recording) {
+  const auto rate_hz = stated_rate_hz(recording);
+  if (!rate_hz) return;
+  for (Stream& stream : recording.streams) {
+    if (!stream.received_s.empty() || time_channel(stream, {}) != nullptr) continue;
+    const auto frames = std::ranges::find_if(stream.channels, counts_frames);
+    Channel time{"time (by the rate of the file)", "s", {}};
+    for (std::size_t row = 0; row < stream.rows; ++row)
+      time.values.push_back(
+          (frames == stream.channels.end() ? static_cast<double>(row) : frames->values[row]) / *rate_hz);
+    stream.channels.push_back(std::move(time));
+  }
+}
+
 void map_metadata(std::span<const Recording> recordings, Mapping& mapping, std::vector<std::string>& doubts) {
   for (const auto& recording : recordings) {
     const Metadata metadata(recording, doubts);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "config/load/ascii_text.hpp"
 #include "tools/wheelwright/import/inference/name_words.hpp"
 #include "tools/wheelwright/import/inference/unused_columns.hpp"
 
@@ -26,7 +27,9 @@ NamedChannels::NamedChannels(std::span<const Recording> recordings, const Mappin
   for (const auto& recording : recordings) {
     for (const auto& stream : recording.streams) {
       for (const auto& channel : stream.channels) {
-        if (is_used(mapping, stream, channel)) continue;
+        // A number alone is the place of a column, and the first may be the time.
+        if (is_used(mapping, stream, channel) || std::ranges::all_of(channel.name, config::is_digit))
+          continue;
         const NameMeaning meaning = meaning_of(stream, channel);
         if (meaning.quantity != Quantity::unknown) named_.push_back({&stream, &channel, meaning});
       }

@@ -59,7 +59,8 @@ class ByNames {
 
   static bool is_per_row(const Named& named) {
     return NameWords(named.channel->name)
-        .has_any({"delta", "diff", "inc", "increment", "increments", "dticks"});
+        .has_any({"delta", "diff", "inc", "increment", "increments", "dticks", "dcount", "dcounts", "dcnt",
+                  "denc"});
   }
 
   // Of a wheel: an omega that is faster than any robot in m/s.

@@ -8,6 +8,7 @@
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/inference/assignment.hpp"
 #include "tools/wheelwright/import/inference/column_shapes.hpp"
+#include "tools/wheelwright/import/inference/joined_tables.hpp"
 #include "tools/wheelwright/import/inference/motion_assignments.hpp"
 #include "tools/wheelwright/import/inference/pose_columns.hpp"
 #include "tools/wheelwright/import/inference/step_response.hpp"
@@ -168,7 +169,8 @@ class ByNumbers {
 void map_by_numbers(std::span<const Recording> recordings, const GivenMapping& given, Mapping& mapping,
                     std::vector<std::string>& findings) {
   if (mapping.command && mapping.wheels && mapping.time.column) return;
-  const Stream* stream = longest_table(recordings);
+  const auto joined = joined_tables(recordings);
+  const Stream* stream = joined ? &*joined : longest_table(recordings);
   if (stream == nullptr || stream->rows < min_stream_rows) return;
   ByNumbers by_numbers(*stream, mapping, findings);
   if (!mapping.time.column && !given.says("time.period_s")) by_numbers.find_time();

@@ -1,12 +1,13 @@
 #include "tools/wheelwright/import/inference/pose_columns.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "model/statistics/dense_solve.hpp"
 #include "tools/wheelwright/import/conversion/counts.hpp"
 #include "tools/wheelwright/import/conversion/value_range.hpp"
 #include "tools/wheelwright/import/inference/placed_columns.hpp"
@@ -112,7 +113,7 @@ Line regress(const std::vector<double>& values, const std::vector<const std::vec
   Line line;
   const double variance = squares - sum * sum / count;
   if (count < 10.0 || !(variance > 0.0)) return line;
-  line.factors = normal.ldlt().solve(right);
+  line.factors = solve_symmetric(normal, right);
   const double rest = squares - 2.0 * line.factors.dot(right) + line.factors.dot(normal * line.factors);
   line.explained = 1.0 - rest / variance;
   return line;

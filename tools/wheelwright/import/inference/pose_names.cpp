@@ -48,7 +48,7 @@ std::optional<Quantity> part_of_rotation(const NameWords& words) {
   if (last == "qx" || last == "rx" || (is_rotation && last == "x")) return Quantity::qx;
   if (last == "qy" || last == "ry" || (is_rotation && last == "y")) return Quantity::qy;
   if (last == "qz" || last == "rz" || (is_rotation && last == "z")) return Quantity::qz;
-  if (last == "qw" || (is_rotation && last == "w")) return Quantity::qw;
+  if (last == "qw" || last == "rw" || (is_rotation && last == "w")) return Quantity::qw;
   return std::nullopt;
 }
 

@@ -1,8 +1,10 @@
 #include "tools/wheelwright/import/inference/response_fit.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+
+#include "model/statistics/dense_solve.hpp"
 
 namespace wheelwright::import {
 namespace {
@@ -70,7 +72,7 @@ ResponseFit fit_response(const ResponseRows& rows, Baseline baseline) {
   if (!(ridge > 0.0)) return fit;
   Eigen::MatrixXd damped = full;
   damped.diagonal().array() += ridge;
-  const Eigen::VectorXd response = damped.ldlt().solve(right);
+  const Eigen::VectorXd response = solve_symmetric(damped, right);
   const double rest = squares - 2.0 * response.dot(right) + response.dot(full * response);
   fit.gain = response.head(lags).sum();
   if (has_constant) fit.at_zero = response[lags] * spread.deviation - fit.gain * spread.mean;

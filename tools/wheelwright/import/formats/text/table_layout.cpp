@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "config/load/printable_text.hpp"
 #include "tools/wheelwright/import/formats/text/header_text.hpp"
@@ -183,7 +184,7 @@ class Head {
     const auto stamp = table_.dialect.rows_are_stamped ? stamp_prefix(line.text) : std::nullopt;
     const std::string_view bare = line.text.substr(stamp ? stamp->length : 0);
     const std::string_view text = is_note ? comment_text(bare) : trim(bare);
-    if (text.empty()) return;
+    if (text.empty() || take_frame_rate(text)) return;
     if (auto pair = key_and_value(text)) {
       layout_.metadata.push_back(*std::move(pair));
     } else if (is_note) {
@@ -192,6 +193,19 @@ class Head {
       layout_.remarks.push_back("line " + std::to_string(line.number) + ": '" + config::excerpt(text) +
                                 "' above the table: left out");
     }
+  }
+
+  // Vicon's files begin with what they hold in a line of its own, and how many frames of it a second has in
+  // the next.
+  bool take_frame_rate(std::string_view text) {
+    constexpr std::array contents{"Objects", "Segments", "Trajectories", "Joints", "Model Outputs"};
+    text = trim(text.substr(0, text.find_last_not_of(",;\t ") + 1));
+    const bool follows_contents =
+        std::exchange(is_below_contents_, std::ranges::find(contents, text) != contents.end());
+    if (is_below_contents_) return true;
+    if (!follows_contents || !read_number(text, table_.dialect.decimal)) return false;
+    layout_.metadata.emplace_back("frame rate", std::string(text));
+    return true;
   }
 
   // "robot,Rover" above a wider table; several of these pairs in a line, with a number among the values.
@@ -232,6 +246,7 @@ class Head {
   std::vector<std::string> units_;
   std::size_t first_row_ = 0;
   std::size_t left_out_ = 0;
+  bool is_below_contents_ = false;
 };
 
 }  // namespace

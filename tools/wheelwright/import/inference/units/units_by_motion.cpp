@@ -14,6 +14,7 @@
 #include "tools/wheelwright/import/inference/units/gain_units.hpp"
 #include "tools/wheelwright/import/inference/units/reference_units.hpp"
 #include "tools/wheelwright/import/inference/units/register_units.hpp"
+#include "tools/wheelwright/import/inference/units/row_counts.hpp"
 #include "tools/wheelwright/import/inference/wheel_directions.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
@@ -175,7 +176,10 @@ class UnitFinder {
     const double scale = rounded_gain(unit->in_si / std::abs(gain_));
     if (!(scale > 1e-9) || scale > 1.0) return;  // no wheel has such a count or radius
     found_scale_ = true;
-    if (mapping_.wheels->kind == WheelKind::counts) {
+    const bool are_counts = mapping_.wheels->kind == WheelKind::counts;
+    const auto angle = find_unit(mapping_.wheels->kind == WheelKind::angle ? angle_units() : speed_units(),
+                                 mapping_.wheels->unit);
+    if (are_counts || (angle && angle->of_count)) {
       mapping_.wheels->metres_per_count = scale;
       mapping_.wheels->scale_from = from_commands;
       findings_.push_back("a count is " + plain_number(scale) +
@@ -183,17 +187,6 @@ class UnitFinder {
                           "wheels.metres_per_count if you know it" +
                           evidence());
     } else {
-      const auto angle = find_unit(mapping_.wheels->kind == WheelKind::angle ? angle_units() : speed_units(),
-                                   mapping_.wheels->unit);
-      if (angle && angle->of_count) {
-        mapping_.wheels->metres_per_count = scale;
-        mapping_.wheels->scale_from = from_commands;
-        findings_.push_back("a count is " + plain_number(scale) +
-                            " m, so that a wheel reaches the speed that it is asked for; --set "
-                            "wheels.metres_per_count if you know it" +
-                            evidence());
-        return;
-      }
       const double radius_m = rounded_gain(scale / (angle ? angle->in_si : 1.0));
       if (radius_m < 0.003 || mapping_.wheels->unit.empty()) return;
       mapping_.wheels->wheel_radius_m = radius_m;
@@ -210,6 +203,11 @@ class UnitFinder {
     WheelMapping& wheels = *mapping_.wheels;
     if (!wheels.unit_assumed || mapping_.command->is_duty()) return;
     const double gain = std::abs(gain_) / command_in_si();
+    if (are_counts_of_a_row(columns_, gain, wheels)) {
+      take_counts_of_a_row(wheels);
+      findings_.push_back("the wheels hold the counts since the row before" + evidence());
+      return;
+    }
     if (gain > 1.0 / 3.0 && gain < 3.0) return;
     for (const Unit& unit : speed_units()) {
       const auto m_s = speed_in_m_s(unit, mapping_.wheels);
