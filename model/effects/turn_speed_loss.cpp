@@ -46,7 +46,7 @@ EffectInfo turn_speed_loss() {
       {{"loss",
         "s/rad",
         "share of the speed lost per rad/s",
-        -0.5,
+        0.0,
         1.0,
         {0.02, 0.05, 0.1, 0.2, 0.4, 0.8},
         0.003},

@@ -50,6 +50,11 @@ void SplitAnalysis::withdraw_names() {
 }
 
 void SplitAnalysis::withdraw(const std::vector<std::string>& names) {
+  fit_without(names);
+  judge();
+}
+
+void SplitAnalysis::fit_without(const std::vector<std::string>& names) {
   GapSearch& search = result_.search;
   TrialModel rest = search.final.model;
   for (std::size_t i = rest.effects.size(); i-- > 0;) {
@@ -62,7 +67,6 @@ void SplitAnalysis::withdraw(const std::vector<std::string>& names) {
   search.final = std::move(known.fit);
   search.intervals = std::move(known.intervals);
   take_findings();
-  judge();
 }
 
 void SplitAnalysis::search() {
@@ -215,8 +219,11 @@ void SplitAnalysis::take_findings() {
 
 void SplitAnalysis::conclude() {
   take_findings();
+  const std::vector<std::string> sizeless = names_without_size(result_.found);
+  if (!sizeless.empty() && sizeless.size() < result_.search.final.model.effects.size()) fit_without(sizeless);
   const bool any = !result_.search.final.model.effects.empty();
-  const bool nothing_closes = any && !closes_the_gap();
+  const bool all_sizeless = any && sizeless.size() == result_.search.final.model.effects.size();
+  const bool nothing_closes = all_sizeless || (any && !closes_the_gap());
   if ((nothing_closes || is_of_a_linear_part()) && leave_out_linear_effects()) return conclude();
   if (nothing_closes) remove_names();
   judge();

@@ -58,6 +58,7 @@ class SplitAnalysis {
   bool closes_the_gap() const;
   bool is_of_a_linear_part() const;
   void take_findings();
+  void fit_without(const std::vector<std::string>& names);
   void conclude();
   bool leave_out_linear_effects();
   void remove_names();

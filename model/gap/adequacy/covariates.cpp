@@ -143,4 +143,25 @@ std::vector<Covariate> covariates_for(const FitProblem& problem, std::span<const
   return all;
 }
 
+RecentCommands recent_commands(const FitProblem& problem, std::span<const ResidualTrack* const> tracks) {
+  constexpr double recent_s = 1.0;
+  RecentCommands recent;
+  for (const ResidualTrack* track : tracks) {
+    const GapRun& run = problem.runs()[track->run];
+    const auto periods = static_cast<std::size_t>(std::ceil(recent_s / run.period_s));
+    auto& forward = recent.forward_m_s.emplace_back();
+    auto& turning = recent.turning_rad_s.emplace_back();
+    for (const std::size_t period : track->period) {
+      forward.push_back(0.0);
+      turning.push_back(0.0);
+      for (std::size_t k = period > periods ? period - periods : 0; k <= period; ++k) {
+        const WheelPair command = command_at(run, k);
+        forward.back() = std::max(forward.back(), std::abs(0.5 * (command.left + command.right)));
+        turning.back() = std::max(turning.back(), std::abs(command.right - command.left) / run.wheel_base_m);
+      }
+    }
+  }
+  return recent;
+}
+
 }  // namespace wheelwright::gap

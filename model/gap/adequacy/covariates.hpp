@@ -22,4 +22,12 @@ std::vector<std::vector<Pose>> predicted_poses(const FitProblem& problem, const 
 std::vector<Covariate> covariates_for(const FitProblem& problem, std::span<const std::vector<Pose>> poses,
                                       std::span<const ResidualTrack* const> tracks);
 
+// How fast the robot is driven and turned at each reading of each track: the largest forward and the largest
+// turning command of the last second, as sizes, so that what follows a command belongs to it.
+struct RecentCommands {
+  std::vector<std::vector<double>> forward_m_s;
+  std::vector<std::vector<double>> turning_rad_s;
+};
+RecentCommands recent_commands(const FitProblem& problem, std::span<const ResidualTrack* const> tracks);
+
 }  // namespace wheelwright::gap

@@ -1,6 +1,7 @@
 #include "model/gap/adequacy/intermittent_events.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -15,6 +16,8 @@ constexpr double window_s = 0.3;
 constexpr std::size_t min_windows = 50;
 constexpr double deviations = 5.0;
 constexpr double same_event_s = 1.0;
+constexpr std::size_t groups = 6;      // of windows that are alike in speed
+constexpr std::size_t min_alike = 10;  // of which a median says something
 
 struct Window {
   std::size_t run = 0;
@@ -22,11 +25,15 @@ struct Window {
   double sum = 0.0;  // of innovations
   double count = 0.0;
   double change = 0.0;  // of the free-run error
+  double forward_m_s = 0.0;
+  double turning_rad_s = 0.0;
+  double deviation = 0.0;  // of windows like this one
 
   double standardised() const { return sum / std::sqrt(count); }
 };
 
-std::vector<Window> windows_of(const ResidualTrack& track) {
+std::vector<Window> windows_of(const ResidualTrack& track, const std::vector<double>& forward_m_s,
+                               const std::vector<double>& turning_rad_s) {
   std::vector<Window> windows;
   for (std::size_t i = 1; i < track.innovation.size(); ++i) {
     if (track.discontinuity[i] != 0) continue;
@@ -36,27 +43,55 @@ std::vector<Window> windows_of(const ResidualTrack& track) {
     window.sum += track.innovation[i];
     window.count += 1.0;
     window.change += track.error[i] - track.error[i - 1];
+    window.forward_m_s = std::max(window.forward_m_s, forward_m_s[i]);
+    window.turning_rad_s = std::max(window.turning_rad_s, turning_rad_s[i]);
   }
   return windows;
 }
 
 // Of a normal distribution, by the median size.
-double deviation_of(const std::vector<Window>& windows) {
+double deviation_of(std::span<const Window> windows) {
   std::vector<double> sizes;
   sizes.reserve(windows.size());
   for (const Window& window : windows) sizes.push_back(std::abs(window.standardised()));
   return deviations_of_median_size * median(sizes);
 }
 
+// At least that of the windows of about the same `speed`; where there are few of those, the largest of any
+// speed.
+void raise_deviations(std::vector<Window>& windows, double Window::*speed) {
+  const double fastest = (*std::ranges::max_element(windows, {}, speed)).*speed;
+  if (!(fastest > 0.0)) return;
+  const auto group_of = [&](const Window& window) {
+    return std::min(groups - 1,
+                    static_cast<std::size_t>(static_cast<double>(groups) * window.*speed / fastest));
+  };
+  std::array<std::vector<Window>, groups> alike;
+  for (const Window& window : windows) alike.at(group_of(window)).push_back(window);
+  std::array<double, groups> deviation{};
+  for (std::size_t i = 0; i < groups; ++i)
+    if (alike.at(i).size() >= min_alike) deviation.at(i) = deviation_of(alike.at(i));
+  const double largest = *std::ranges::max_element(deviation);
+  for (Window& window : windows) {
+    const std::size_t group = group_of(window);
+    window.deviation =
+        std::max(window.deviation, alike.at(group).size() >= min_alike ? deviation.at(group) : largest);
+  }
+}
+
 }  // namespace
 
 std::optional<IntermittentEvents> intermittent_events(std::span<const ResidualTrack* const> tracks,
-                                                      double visible) {
+                                                      const RecentCommands& commands, double visible) {
   std::vector<Window> windows;
-  for (const ResidualTrack* track : tracks)
-    std::ranges::copy(windows_of(*track), std::back_inserter(windows));
+  for (std::size_t i = 0; i < tracks.size(); ++i)
+    std::ranges::copy(windows_of(*tracks[i], commands.forward_m_s[i], commands.turning_rad_s[i]),
+                      std::back_inserter(windows));
   if (windows.size() < min_windows) return std::nullopt;
-  const double limit = deviations * deviation_of(windows);
+  const double of_all = deviation_of(windows);
+  for (Window& window : windows) window.deviation = of_all;
+  raise_deviations(windows, &Window::forward_m_s);
+  raise_deviations(windows, &Window::turning_rad_s);
   std::ranges::sort(windows, std::greater<>{},
                     [](const Window& window) { return std::abs(window.standardised()); });
 
@@ -68,7 +103,8 @@ std::optional<IntermittentEvents> intermittent_events(std::span<const ResidualTr
   for (const Window& window : windows) {
     const double squared = window.standardised() * window.standardised();
     power += squared;
-    if (std::abs(window.standardised()) <= limit || std::abs(window.change) < visible) continue;
+    const bool is_event = std::abs(window.standardised()) > deviations * window.deviation;
+    if (!is_event || std::abs(window.change) < visible) continue;
     of_events += squared;
     squared_changes += window.change * window.change;
     with_event += 1.0;

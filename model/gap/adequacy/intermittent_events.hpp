@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/gap/adequacy/covariates.hpp"
 #include "model/gap/adequacy/residual_track.hpp"
 
 namespace wheelwright::gap {
@@ -26,11 +27,13 @@ struct IntermittentEvents {
 };
 
 // Sums of innovations over windows of 0.3 s, over the square root of their number, scatter with the same
-// deviation everywhere where the model is adequate; the deviation is taken from their median size, on which
-// few windows have no influence. An event is a window beyond five deviations in which the free-run error
-// changes by `visible` or more. The number of events is Poisson with mean windows * P(|z| > 5). None where
-// there are too few windows or no event.
+// deviation everywhere where the model is adequate and the noise is the same everywhere. Noise is often
+// larger where the robot drives or turns faster, as where the times of poses are not known exactly: windows
+// are compared with those in which it was driven as fast, and with those in which it was turned as fast.
+// Deviations are taken from median sizes, on which few windows have no influence. An event is a window beyond
+// five of the largest of its deviations in which the free-run error changes by `visible` or more. The number
+// of events is Poisson with mean windows * P(|z| > 5). None where there are too few windows or no event.
 std::optional<IntermittentEvents> intermittent_events(std::span<const ResidualTrack* const> tracks,
-                                                      double visible);
+                                                      const RecentCommands& commands, double visible);
 
 }  // namespace wheelwright::gap

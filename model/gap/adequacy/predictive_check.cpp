@@ -52,7 +52,8 @@ std::vector<CheckStatistic> statistics_of(const ChannelWords& of, const FitProbl
     if (const auto found = offset_over_heading(problem, tracks, covariate.value))
       all.push_back(statistic_of(of, *found));
   }
-  if (const auto found = intermittent_events(tracks, visible_size(of.channel)))
+  if (const auto found =
+          intermittent_events(tracks, recent_commands(problem, tracks), visible_size(of.channel)))
     all.push_back(statistic_of(of, problem, *found));
   if (const auto found = drift(tracks, of.angle ? drift_of_heading : drift_of_travel))
     all.push_back(statistic_of(of, *found));

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <map>
 
+#include "model/effects/library/effect_library.hpp"
 #include "model/gap/candidates/decoys.hpp"
+#include "model/gap/candidates/screening_pairs.hpp"
 #include "model/gap/data_checks/commanded_stillness.hpp"
 #include "model/statistics/confidence.hpp"
 
@@ -125,6 +127,26 @@ std::optional<Finding> dropout_finding(std::span<const Dropout> dropouts, double
   found.p_value = std::exp(-found.heldout_gain_nats);
   found.posterior = 1.0 - found.p_value;
   return found;
+}
+
+std::vector<std::string> names_without_size(std::span<const Finding> found) {
+  std::vector<std::string> names;
+  for (const Finding& one : found) {
+    const EffectInfo* info = find_effect(one.setting.name);
+    if (info == nullptr || one.intervals.empty()) continue;
+    const auto& parameters = info->parameters_of(variant_index(*info, one.setting.variant));
+    bool has_size = false;
+    bool may_be_none = true;
+    for (std::size_t i = 0; i < parameters.size() && i < one.intervals.size(); ++i) {
+      if (!parameters[i].scales_effect) continue;
+      has_size = true;
+      const bool holds_none =
+          vanishes_at_zero(parameters[i]) && one.intervals[i].lower <= 0.0 && one.intervals[i].upper >= 0.0;
+      may_be_none = may_be_none && holds_none;
+    }
+    if (has_size && may_be_none) names.push_back(one.setting.name);
+  }
+  return names;
 }
 
 }  // namespace wheelwright::gap

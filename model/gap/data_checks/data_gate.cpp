@@ -21,6 +21,7 @@
 #include "model/log/heading_offset.hpp"
 #include "model/log/reference_response.hpp"
 #include "model/prediction/segments.hpp"
+#include "model/statistics/order_statistics.hpp"
 #include "model/statistics/significant_digits.hpp"
 
 namespace wheelwright::gap {
@@ -88,10 +89,18 @@ bool counter_was_reset(const GateState& gate, const LogHole& hole) {
   });
 }
 
+void leave_out_second_behind(GateState& gate, std::size_t row) {
+  const auto& samples = gate.result.log.samples;
+  const double known_s = samples[row].t_s + forgetting_s;
+  for (std::size_t i = row; i < samples.size() && samples[i].t_s < known_s; ++i) {
+    gate.result.flags.counts[i] = 1;
+    gate.result.flags.restart[i] = 1;
+  }
+}
+
 // The robot went on, with commands that no row tells: what it does until they are forgotten is no model's
 // fault.
 void leave_out_holes(GateState& gate) {
-  const auto& samples = gate.result.log.samples;
   for (const auto& hole : find_holes(gate.result.log)) {
     const bool was_reset = counter_was_reset(gate, hole);
     gate.treated_fault(hole.row,
@@ -99,12 +108,39 @@ void leave_out_holes(GateState& gate) {
                            (was_reset ? ", and the counters were reset in it" : ""),
                        "the first second behind them was left out");
     gate.result.faults.back().distorts = was_reset;
-    const double known_s = samples[hole.row].t_s + forgetting_s;
-    for (std::size_t i = hole.row; i < samples.size() && samples[i].t_s < known_s; ++i) {
-      gate.result.flags.counts[i] = 1;
-      gate.result.flags.restart[i] = 1;
-    }
+    leave_out_second_behind(gate, hole.row);
   }
+}
+
+// Rows that are missing one by one, where the command is another one behind them: when it changed is not
+// known, and the way that depends on it is in no model.
+void leave_out_lost_changes(GateState& gate) {
+  constexpr double visible_m = 0.002;
+  constexpr double longest_share = 0.2;  // of a run: with more of it left out, little is left
+  const DriveLog& log = gate.result.log;
+  const auto holes = find_holes(log);
+  std::vector<double> steps_s;
+  for (std::size_t i = 1; i < log.samples.size(); ++i)
+    steps_s.push_back(log.samples[i].t_s - log.samples[i - 1].t_s);
+  if (steps_s.empty()) return;
+  const double usual_s = median(std::vector<double>(steps_s));
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 1; i < log.samples.size(); ++i) {
+    const double missing_s = steps_s[i - 1] - usual_s;
+    if (missing_s < 0.5 * usual_s || std::ranges::find(holes, i, &LogHole::row) != holes.end()) continue;
+    const WheelPair& before = log.samples[i - 1].command_m_s;
+    const WheelPair& behind = log.samples[i].command_m_s;
+    if (missing_s * size_of({behind.left - before.left, behind.right - before.right}) > visible_m)
+      rows.push_back(i);
+  }
+  const double duration_s = log.samples.back().t_s - log.samples.front().t_s;
+  if (rows.empty() || forgetting_s * static_cast<double>(rows.size()) > longest_share * duration_s) return;
+  for (const std::size_t row : rows) leave_out_second_behind(gate, row);
+  gate.treated_fault(
+      rows.front(),
+      "a command changed while rows are missing" +
+          (rows.size() > 1 ? ", here and " + std::to_string(rows.size() - 1) + " times more" : std::string()),
+      "the first second behind was left out");
 }
 
 // So that no figure is taken across lost counts.
@@ -129,6 +165,7 @@ GateState cleaned(const DriveLog& log, const CounterEvidence& elsewhere) {
     find_dropouts(state);
     check_sides_and_signs(state);
   }
+  leave_out_lost_changes(state);
   remove_frozen_reference(state);
   leave_out_repeated_poses(state);
   leave_out_wrong_poses(state);

@@ -94,7 +94,7 @@ constexpr double most_of_counts = 1.6;
 // A number that everybody gives by hand: what it is, by the reference.
 std::optional<std::string> wrong_scale(const DriveLog& log, const ReferenceGains& gains) {
   const auto is_off = [](const GainOf& gain, double least) {
-    return gain.surely_below(least) || gain.surely_above(most_of_counts);
+    return (gain.surely_above(0.0) && gain.surely_below(least)) || gain.surely_above(most_of_counts);
   };
   const bool left = is_off(gains.left, least_moved);
   const bool right = is_off(gains.right, least_moved);

@@ -157,7 +157,7 @@ void collect_references(const DriveLog& log, const RowFlags& flags, GapRun& run)
     const bool first = run.references.empty();
     if (!first) heading += expected.until(at) - expected.until(run.references.back().at);
     heading = first ? pose->theta_rad : heading + wrap_angle(pose->theta_rad - heading);
-    run.references.push_back({at, {pose->x_m, pose->y_m, heading}, restart && !first && run.has_counts});
+    run.references.push_back({at, {pose->x_m, pose->y_m, heading}, restart && !first});
     restart = false;
   }
 }

@@ -38,6 +38,7 @@ std::vector<CommandHole> command_holes(const DriveColumns& columns, const std::v
   std::vector<CommandHole> holes;
   for (std::size_t k = 0; k < said.size(); ++k) {
     const std::size_t next = k + 1 < said.size() ? said[k + 1] : rows.size() - 1;
+    if (next < said[k] + 2) continue;  // the rows are missing, too
     const double duration_s = t_s[next] - t_s[said[k]];
     const bool drives = std::ranges::any_of(columns.command, [&](const Column& command) {
       return !command.empty() && std::isfinite(command[rows[said[k]]]) && command[rows[said[k]]] != 0.0;

@@ -30,6 +30,19 @@ std::string period_contradiction(const DriveLog& log) {
 }
 
 // Rows closer together than the period are no contradiction (a command may hold for many), but seldom meant.
+// A reference whose clock was shifted by hand, and none of whose poses falls into the drive.
+std::string missed_reference(const std::vector<DriveLog>& runs, const Mapping& mapping) {
+  if (!mapping.reference || !mapping.reference->shift_s) return {};
+  const bool has_any = std::ranges::any_of(runs, [](const DriveLog& run) {
+    return std::ranges::any_of(run.samples, [](const DriveSample& sample) {
+      return sample.reference_x_m.has_value() || sample.reference_theta_rad.has_value();
+    });
+  });
+  if (has_any) return {};
+  return "with reference.shift_s=" + config::plain_number(*mapping.reference->shift_s) +
+         " no pose of the reference falls into the drive; leave it out, and the shift is looked for";
+}
+
 void doubt_period(const DriveLog& log, std::vector<std::string>& remarks) {
   constexpr double much_closer = 1.5;
   std::vector<double> t_s;
@@ -120,6 +133,8 @@ tl::expected<Conversion, std::string> convert(const DriveColumns& columns, const
     conversion.runs.push_back(std::move(log));
   }
   if (conversion.runs.empty()) return tl::unexpected(name + ": no run of two rows with a time and a command");
+  if (const auto missed = missed_reference(conversion.runs, mapping); !missed.empty())
+    return tl::unexpected(name + ": " + missed);
   turn_headings_back(conversion, mapping);
   return conversion;
 }

@@ -184,13 +184,38 @@ Quantity quantity_of(const Name& name, const Stream& stream) {
   return is_height ? Quantity::z : quantity;
 }
 
+// "data", "value", "data[0]": the topic is the name.
+bool says_nothing(const NameWords& words) {
+  const auto is_number = [](const std::string& word) { return std::ranges::all_of(word, config::is_digit); };
+  return words.has_any({"data", "value", "val"}) &&
+         std::ranges::all_of(words.words(), [&](const std::string& word) {
+           return is_number(word) || word == "data" || word == "value" || word == "val";
+         });
+}
+
+std::string numbers_of(const std::string& name) {
+  std::string numbers;
+  for (const char c : name)
+    if (config::is_digit(c)) numbers += c;
+  return numbers;
+}
+
+// Whole numbers of a message of integers under the name of a wheel are its counts.
+bool are_counts_of_a_wheel(const Stream& stream, const NameMeaning& meaning) {
+  return meaning.side != NamedSide::none && meaning.unit.empty() &&
+         (meaning.quantity == Quantity::speed || meaning.quantity == Quantity::unknown) &&
+         stream.type.find("Int") != std::string::npos;
+}
+
 }  // namespace
 
 NameMeaning meaning_of(const Stream& stream, const Channel& channel) {
-  Name name{.words = NameWords(channel.name)};
-  if (name.words.empty()) return {};
   // Transforms and the covariances beside a pose say nothing by their topic.
   const std::string topic = stream.name.substr(0, stream.name.find(':'));
+  Name name{.words = NameWords(channel.name)};
+  if (name.words.empty()) return {};
+  if (says_nothing(name.words) && !topic.empty())
+    name.words = NameWords(topic + "_" + numbers_of(channel.name));
   name.unit = channel.unit.empty() ? name.words.take_unit() : channel.unit;
   if (name.unit == "in") name.unit = "inch";  // a word of many names, but a unit where the file states one
   if (const auto standard = unit_by_spelling(name.unit); !standard.empty()) name.unit = standard;
@@ -202,6 +227,7 @@ NameMeaning meaning_of(const Stream& stream, const Channel& channel) {
 
   NameMeaning meaning{Quantity::unknown, name.side, name.unit};
   meaning.quantity = quantity_of(name, stream);
+  if (are_counts_of_a_wheel(stream, meaning)) meaning.quantity = Quantity::count;
   // The positions of joints are angles.
   if (meaning.quantity == Quantity::count && stream.type.find("JointState") != std::string::npos) {
     meaning.quantity = Quantity::angle;

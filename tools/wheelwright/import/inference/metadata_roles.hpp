@@ -15,7 +15,8 @@ namespace wheelwright::import {
 // number.
 void map_metadata(std::span<const Recording> recordings, Mapping& mapping, std::vector<std::string>& doubts);
 
-// Gives the tables of a file that states a rate and has no clock one: by the number of the frame, else of the row.
+// Gives the tables of a file that states a rate and has no clock one: by the number of the frame, else of the
+// row.
 void stamp_frames(Recording& recording);
 
 }  // namespace wheelwright::import

@@ -29,6 +29,10 @@ constexpr std::array<string_view, 29> before_side{
     "vel",   "tick",  "ticks", "cmd",   "count", "rpm", "phi", "th",    "dist", "speed",
     "motor", "wheel", "duty",  "omega", "spd",   "sp",  "set", "pulse", "volt"};
 
+// Behind which one letter is a side: "lwheel", "rmotor".
+constexpr std::array<string_view, 8> behind_side{"wheel", "motor", "enc",    "encoder",
+                                                 "tick",  "ticks", "wheels", "count"};
+
 // A word begins at a capital behind a small letter, at a capital before a small letter, and where letters and
 // digits meet.
 bool begins_word(string_view name, std::size_t at) {
@@ -46,6 +50,13 @@ void add_word(std::vector<std::string>& words, std::string word) {
   if ((last == 'l' || last == 'r') && std::ranges::find(before_side, front) != before_side.end()) {
     words.emplace_back(front);
     words.emplace_back(1, last);
+    return;
+  }
+  const char first = word.front();
+  const string_view behind(word.data() + 1, word.size() - 1);
+  if ((first == 'l' || first == 'r') && std::ranges::find(behind_side, behind) != behind_side.end()) {
+    words.emplace_back(1, first);
+    words.emplace_back(behind);
     return;
   }
   for (const string_view side : {"left", "right"}) {  // "leftwheel", "wheelleft"

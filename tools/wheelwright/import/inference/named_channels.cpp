@@ -21,6 +21,31 @@ int words_apart(const std::string& one, const std::string& other) {
   return strange(first, second) + strange(second, first);
 }
 
+// "m2" of "m1", "data[1]" of "data[0]"; empty where there is no such number.
+std::string next_number(const std::string& name) {
+  std::string next = name;
+  for (const auto& [number, other] : {std::pair{'1', '2'}, {'0', '1'}}) {
+    const auto digit = next.find(number);
+    if (digit == std::string::npos) continue;
+    next[digit] = other;
+    return next;
+  }
+  return {};
+}
+
+// One of each list from two streams of one type, whose names differ by the side alone.
+std::optional<NamedPair> pair_of_topics(const std::vector<Named>& first, const std::vector<Named>& second) {
+  constexpr int by_the_side = 2;
+  for (const auto& a : first) {
+    const auto b = std::ranges::find_if(second, [&a](const Named& other) {
+      return other.stream != a.stream && other.stream->type == a.stream->type &&
+             words_apart(a.name().text(), other.name().text()) <= by_the_side;
+    });
+    if (b != second.end()) return NamedPair{a, *b};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 NamedChannels::NamedChannels(std::span<const Recording> recordings, const Mapping& mapping) {
@@ -59,6 +84,7 @@ std::optional<NamedPair> NamedChannels::pair(const std::vector<Named>& first,
       others += (others.empty() ? "" : ", ") + a.name().text();
     }
   }
+  if (!found) found = pair_of_topics(first, second);
   if (found && !others.empty()) {
     findings.push_back(found->first.name().text() + " was taken; there are also " + others);
   }
@@ -82,11 +108,8 @@ std::optional<NamedPair> NamedChannels::numbered_pair(Quantity quantity,
   const auto candidates = all(quantity, NamedSide::none);
   for (const auto& first : candidates) {
     for (const auto& second : candidates) {
-      std::string expected = first.channel->name;
-      const auto digit = expected.find('1');
-      if (digit == std::string::npos) continue;
-      expected[digit] = '2';
-      if (second.stream != first.stream || second.channel->name != expected) continue;
+      const std::string expected = next_number(first.channel->name);
+      if (expected.empty() || second.stream != first.stream || second.channel->name != expected) continue;
       findings.push_back(first.channel->name + " is taken for the left wheel and " + expected +
                          " for the right one; nothing says so");
       return NamedPair{first, second};

@@ -32,13 +32,14 @@ class NamedChannels {
 
   const std::vector<Named>& list() const { return named_; }
   std::vector<Named> all(Quantity quantity, NamedSide side) const;
-  // The first two of one stream; a line in `findings` where there are others.
+  // The first two of one stream, else of two streams whose names differ by the side; a line in `findings`
+  // where there are others.
   static std::optional<NamedPair> pair(const std::vector<Named>& first, const std::vector<Named>& second,
                                        std::vector<std::string>& findings);
   std::optional<NamedPair> sides(Quantity quantity, std::vector<std::string>& findings) const;
   // A wheel alone, by its side or without one.
   std::optional<Named> single(Quantity quantity) const;
-  // Two columns that differ by 1 and 2 alone: "m1_counts" and "m2_counts"; a line in `findings`.
+  // Two columns that differ by 1 and 2 alone, or 0 and 1: "m1_counts" and "m2_counts"; a line in `findings`.
   std::optional<NamedPair> numbered_pair(Quantity quantity, std::vector<std::string>& findings) const;
   // Of the stream of another, without a side; nullptr where there is none.
   const Named* beside(const Named& other, Quantity quantity) const;

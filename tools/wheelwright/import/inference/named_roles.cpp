@@ -258,7 +258,8 @@ void set_kind_of_stated_wheels(std::span<const Recording> recordings, const Give
   };
   if (meaning.quantity == Quantity::speed || meaning.quantity == Quantity::command) {
     take(WheelKind::speed, speed_units());
-  } else if (meaning.quantity == Quantity::angle) {
+  } else if (meaning.quantity == Quantity::angle ||
+             (given.says("wheels.wheel_radius_m") && !are_whole(found.channel->values))) {
     take(WheelKind::angle, angle_units());
   } else if (meaning.quantity == Quantity::distance) {
     take(WheelKind::distance, distance_units());

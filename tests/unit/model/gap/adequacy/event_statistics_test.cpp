@@ -87,6 +87,19 @@ Beyond random_walk(double per_sqrt_s, unsigned seed) {
   };
 }
 
+// Readings that were taken a little sooner or later than their times say: off by the more, the faster the
+// wheels turn.
+Beyond read_at_other_times(double by_s, unsigned seed) {
+  return
+      [by_s, engine = std::mt19937(seed), last_m = WheelPair{}](double, const WheelPair& travel_m) mutable {
+        std::normal_distribution<double> off(0.0, by_s / counted_period_s);
+        const WheelPair beyond_m{off(engine) * (travel_m.left - last_m.left),
+                                 off(engine) * (travel_m.right - last_m.right)};
+        last_m = travel_m;
+        return beyond_m;
+      };
+}
+
 // The statistic of this name; the first of those that begin so.
 const CheckStatistic* find(const PredictiveCheck& check, const std::string& name) {
   const auto found = std::ranges::find_if(
@@ -118,6 +131,20 @@ TEST_CASE("Noise that is there all the time has no events, however large it is")
     CAPTURE(rough_m);
     CHECK_FALSE(fails_by(check_of(Held{.rough_m = rough_m}), "intermittent events"));
   }
+}
+
+TEST_CASE(
+    "Noise that grows with the speed has no events where the robot is seldom fast, and held wheels there "
+    "stay found") {
+  const auto seldom_fast = [](int period) {
+    const double speed_m_s = period / 150 % 8 == 0 ? 0.4 : 0.04;
+    return WheelPair{speed_m_s, speed_m_s};
+  };
+  CHECK_FALSE(fails_by(check_of(seldom_fast, [](unsigned seed) { return read_at_other_times(0.015, seed); }),
+                       "intermittent events"));
+  const Held held{.loss_m = 0.05, .per_s = 0.05};
+  CHECK(fails_by(check_of(seldom_fast, [&](unsigned seed) { return held_now_and_then(held, seed); }),
+                 "intermittent events, left wheel"));
 }
 
 TEST_CASE("A wheel that is held all the time is rough ground, and has no events") {

@@ -116,6 +116,58 @@ TEST_CASE("Counters that were reset in a hole are distinguished from those that 
   CHECK(gated.faults.front().distorts);
 }
 
+TEST_CASE(
+    "A wheel base and a distance of a count that are wrong by half are bad data, with the value that would "
+    "agree") {
+  const DriveLog log = by_counts(clean_log());
+  REQUIRE(gate(log).faults.empty());
+  const auto only_fault = [](const DriveLog& of) {
+    const auto gated = gate(of);
+    REQUIRE(gated.faults.size() == 1);
+    CHECK(gated.faults.front().explains);
+    return gated.faults.front().what;
+  };
+  DriveLog wide = log;
+  wide.wheel_base_m *= 2.0;
+  CHECK_THAT(only_fault(wide), ContainsSubstring("turns 2 times as far as the counts say") &&
+                                   ContainsSubstring("one of 0.258 m would agree"));
+  DriveLog coarse = log;
+  coarse.metres_per_tick = WheelPair{2.0 * log.metres_per_tick->left, 2.0 * log.metres_per_tick->right};
+  CHECK_THAT(only_fault(coarse), ContainsSubstring("moves 0.5 times as far as the counts say"));
+  DriveLog one_wheel = log;
+  one_wheel.metres_per_tick->right *= 2.0;
+  CHECK_THAT(only_fault(one_wheel),
+             ContainsSubstring("the right wheel rolls 0.5 times as far as its counts say"));
+}
+
+TEST_CASE("What a robot slips is an effect, and no wrong wheel base or distance of a count") {
+  DriveLog log = by_counts(clean_log());
+  log.metres_per_tick->left *= 0.85;
+  log.metres_per_tick->right *= 1.15;
+  log.wheel_base_m *= 0.6;
+  CHECK(gate(log).faults.empty());
+}
+
+TEST_CASE(
+    "Where a command changed while a row is missing, the second behind is left out; a row missed elsewhere "
+    "is not") {
+  auto log = clean_log();
+  std::size_t change = 100;
+  while (log.samples[change].command_m_s.left == log.samples[change - 1].command_m_s.left) ++change;
+  auto steady = log;
+  steady.samples.erase(steady.samples.begin() + static_cast<std::ptrdiff_t>(change) - 3);
+  CHECK(gate(steady).faults.empty());
+  log.samples.erase(log.samples.begin() + static_cast<std::ptrdiff_t>(change));
+  const auto gated = gate(log);
+  REQUIRE(gated.faults.size() == 1);
+  CHECK(gated.faults.front().row == log.first_line + change);
+  CHECK_THAT(gated.faults.front().text(),
+             ContainsSubstring("a command changed while rows are missing; the first second"));
+  CHECK_FALSE(gated.faults.front().distorts);
+  CHECK(gated.flags.counts.at(change) == 1);
+  CHECK(gated.flags.counts.at(change - 1) == 0);
+}
+
 TEST_CASE("A command far beyond all others is named with its line, and its row left out") {
   auto log = clean_log();
   const std::size_t row = moving_row(log);

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -101,13 +103,41 @@ std::size_t count_changes(const std::vector<double>& labels) {
   return changes;
 }
 
+double variation(const std::vector<double>& values, const std::vector<double>* labels) {
+  std::map<double, double> last;
+  double sum = 0.0;
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    if (!std::isfinite(values[row])) continue;
+    const auto [before, is_first] = last.try_emplace(labels == nullptr ? 0.0 : (*labels)[row], values[row]);
+    if (!is_first) sum += std::abs(values[row] - before->second);
+    before->second = values[row];
+  }
+  return sum;
+}
+
+// Whether the rows of all labels are those of one thing: a column rises through all of them as a clock does,
+// and no column jumps from label to label.
+bool are_of_one_thing(const TextTable& table, std::size_t column) {
+  constexpr double jumps = 2.0;
+  bool has_clock = false;
+  for (std::size_t i = 0; i < table.width(); ++i) {
+    if (table.columns[i].kind == ColumnKind::text) continue;
+    const auto& values = table.values[i];
+    if (std::ranges::any_of(values, [](double value) { return !std::isfinite(value); })) return false;
+    if (std::ranges::adjacent_find(values, std::greater_equal<>()) == values.end()) has_clock = true;
+    if (variation(values, nullptr) > jumps * variation(values, &table.values[column])) return false;
+  }
+  return has_clock;
+}
+
 // Rows of several kinds take turns; a state such as "DRIVE" stands for many rows.
 bool parts_rows(const TextTable& table, std::size_t column) {
   const std::size_t labels = table.labels[column].names().size();
   if (table.columns[column].kind != ColumnKind::text || table.labels[column].are_too_many()) return false;
   if (names_a_run(table.columns[column].name) && are_stretches(table.values[column])) return false;
   if (labels < 2 || labels > max_table_streams || 2 * labels > table.rows()) return false;
-  return names_a_kind(table.columns[column].name) || 5 * count_changes(table.values[column]) > table.rows();
+  return names_a_kind(table.columns[column].name) ||
+         (5 * count_changes(table.values[column]) > table.rows() && !are_of_one_thing(table, column));
 }
 
 std::optional<std::size_t> find_kind_column(const TextTable& table) {

@@ -88,3 +88,33 @@ TEST_CASE("Of commands that say the same the first is taken, and the others are 
   CHECK(linear_of(inference) == "/cmd_vel:linear.x");
   CHECK(has_words(inference.findings, "there are also /cmd_vel_out:linear.x"));
 }
+
+TEST_CASE("Topics of one value each are the two sides by the names of the topics") {
+  const ForeignDrive drive = foreign_drive();
+  Recording recording;
+  recording.name = "drive.bag";
+  const auto value = [&](const std::string& name, const std::string& type,
+                         const std::function<double(const ForeignRow&)>& of) {
+    recording.streams.push_back(
+        topic_of(name, type, {"data"}, drive, [&of](const ForeignRow& row) { return std::vector{of(row)}; }));
+  };
+  value("/wheel_left_controller/command", "std_msgs/Float64",
+        [](const ForeignRow& row) { return row.command_left; });
+  value("/wheel_right_controller/command", "std_msgs/Float64",
+        [](const ForeignRow& row) { return row.command_right; });
+  value("/lwheel", "std_msgs/Int32",
+        [](const ForeignRow& row) { return static_cast<double>(row.counts_left); });
+  value("/rwheel", "std_msgs/Int32",
+        [](const ForeignRow& row) { return static_cast<double>(row.counts_right); });
+  const import::Inference inference =
+      infer(recording, {"robot.wheel_base_m=0.3", "wheels.metres_per_count=0.0005"});
+  const auto entry = [&](const std::string& key) {
+    const auto at = std::ranges::find(inference.entries, key, &import::MappingEntry::key);
+    return at == inference.entries.end() ? std::string() : at->value;
+  };
+  CHECK(entry("command.left") == "/wheel_left_controller/command:data");
+  CHECK(entry("command.right") == "/wheel_right_controller/command:data");
+  CHECK(entry("wheels.left") == "/lwheel:data");
+  CHECK(entry("wheels.right") == "/rwheel:data");
+  CHECK(entry("wheels.kind") == "counts");
+}

@@ -184,3 +184,58 @@ TEST_CASE("A file of Vicon says how many frames a second has, and its RX to RW a
   CHECK_THAT(std::remainder(sample.reference_pose()->theta_rad - drive.rows[700].theta, 6.283185307),
              WithinAbs(0.0, 0.03));
 }
+
+TEST_CASE("Rows of a name and a value are wheels and commands by the name") {
+  const ForeignDrive drive = foreign_drive();
+  std::string text = "time,signal,value\n";
+  for (const auto& row : drive.rows) {
+    const std::string t = time_of(row.t_s);
+    text += t + ",cmd_left," + number(row.command_left) + "\n" + t + ",cmd_right," +
+            number(row.command_right) + "\n";
+    text += t + ",enc_left," + std::to_string(row.counts_left) + "\n" + t + ",enc_right," +
+            std::to_string(row.counts_right) + "\n";
+  }
+  check_same(import_text(text, {given_base, given_scale}), drive);
+}
+
+TEST_CASE("A state that changes at every row parts no table, two robots that take turns do") {
+  const ForeignDrive drive = foreign_drive();
+  std::size_t k = 0;
+  const auto states =
+      foreign_text(drive, "state,t,cmd_left,cmd_right,enc_left,enc_right", [&k](const ForeignRow& row) {
+        return std::string(++k % 3 == 0 ? "IDLE," : "DRIVING,") + time_of(row.t_s) + "," +
+               number(row.command_left) + "," + number(row.command_right) + "," + counts(row);
+      });
+  check_same(import_text(states, {given_base, given_scale}), drive);
+
+  std::string robots = "robot,t,cmd_left,cmd_right,enc_left,enc_right\n";
+  for (const auto& row : drive.rows) {
+    const std::string rest =
+        std::string(",") + number(row.command_left) + "," + number(row.command_right) + ",";
+    robots += std::string("one,") + time_of(row.t_s) + rest + counts(row) + "\n";
+    robots += std::string("two,") + time_of(row.t_s + 0.02) + rest +
+              std::to_string(row.counts_left + 90'000) + "," + std::to_string(row.counts_right - 90'000) +
+              "\n";
+  }
+  CHECK(import_text(robots, {given_base, given_scale}).found("there are also"));
+}
+
+TEST_CASE("A shift of the clock by which no pose falls into the drive is refused") {
+  const ForeignDrive drive = foreign_drive();
+  const auto log =
+      foreign_text(drive, "t,cmd_left,cmd_right,ticks_left,ticks_right", [&](const ForeignRow& row) {
+        return number(row.t_s) + "," + number(row.command_left) + "," + number(row.command_right) + "," +
+               counts(row);
+      });
+  const auto reference = foreign_text(drive, "t,x,y,theta", [&](const ForeignRow& row) {
+    return number(row.t_s + 5000.0) + "," + number(row.x) + "," + number(row.y) + "," + number(row.theta);
+  });
+  const auto understood =
+      import::understand({{file_of("drive.csv", log)},
+                          file_of("poses.csv", reference),
+                          import::GivenMapping("", {given_base, given_scale, "reference.shift_s=0"})});
+  REQUIRE(understood);
+  const auto conversion = import::to_runs(*understood);
+  REQUIRE_FALSE(conversion);
+  CHECK_THAT(conversion.error(), ContainsSubstring("no pose of the reference falls into the drive"));
+}
