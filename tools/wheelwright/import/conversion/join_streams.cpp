@@ -62,6 +62,7 @@ std::vector<double> interpolate(const std::vector<Sample>& samples, std::span<co
   std::size_t at = 0;
   for (std::size_t row = 0; row < to_s.size(); ++row) {
     while (at + 1 < samples.size() && samples[at + 1].t_s <= to_s[row]) ++at;
+    if (at < samples.size() && samples[at].t_s == to_s[row]) result[row] = samples[at].value;
     if (at + 1 >= samples.size() || samples[at].t_s > to_s[row]) continue;
     const double step_s = samples[at + 1].t_s - samples[at].t_s;
     if (step_s > longest_s || step_s > 1.0) continue;
