@@ -135,16 +135,15 @@ std::vector<std::string> names_without_size(std::span<const Finding> found) {
     const EffectInfo* info = find_effect(one.setting.name);
     if (info == nullptr || one.intervals.empty()) continue;
     const auto& parameters = info->parameters_of(variant_index(*info, one.setting.variant));
-    bool has_size = false;
+    std::size_t sizes = 0;
     bool may_be_none = true;
     for (std::size_t i = 0; i < parameters.size() && i < one.intervals.size(); ++i) {
       if (!parameters[i].scales_effect) continue;
-      has_size = true;
-      const bool holds_none =
+      ++sizes;
+      may_be_none =
           vanishes_at_zero(parameters[i]) && one.intervals[i].lower <= 0.0 && one.intervals[i].upper >= 0.0;
-      may_be_none = may_be_none && holds_none;
     }
-    if (has_size && may_be_none) names.push_back(one.setting.name);
+    if (sizes == 1 && may_be_none) names.push_back(one.setting.name);
   }
   return names;
 }

@@ -4,6 +4,7 @@
 
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/clock_shift.hpp"
+#include "tools/wheelwright/import/conversion/simulated_time.hpp"
 #include "tools/wheelwright/import/inference/metadata_roles.hpp"
 #include "tools/wheelwright/import/mapping/mapping_file.hpp"
 #include "tools/wheelwright/import/open_recording.hpp"
@@ -67,6 +68,7 @@ tl::expected<Understood, std::string> understand(const ImportRequest& request) {
   for (const auto& file : files) {
     auto recording = open_recording(file);
     if (!recording) return tl::unexpected(recording.error());
+    take_simulated_time(*recording);
     result.recordings.push_back(std::move(*recording));
   }
   append_runs(result.recordings);

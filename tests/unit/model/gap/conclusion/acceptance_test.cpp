@@ -57,3 +57,19 @@ TEST_CASE("A delay alone has to show, however likely it is, where a linear part 
   CHECK(names(0.3, 500.0, 0.9));
   CHECK_FALSE(names(0.3, 50.0, 0.9));
 }
+
+TEST_CASE("A name whose size may be none is not given, one of a sure size, of several or of a limit is") {
+  const auto sizeless = [](const std::string& name, const std::string& variant,
+                           std::vector<ParameterInterval> intervals) {
+    Finding found = finding(name, 500.0);
+    found.setting.variant = variant;
+    found.intervals = std::move(intervals);
+    return names_without_size({&found, 1});
+  };
+  CHECK(sizeless("asymmetric_response", "speed", {{-0.0002, 0.0001}, {0.344, 0.351}}) ==
+        std::vector<std::string>{"asymmetric_response"});
+  CHECK(sizeless("asymmetric_response", "speed", {{0.02, 0.05}, {0.344, 0.351}}).empty());
+  CHECK(sizeless("turn_scrub", "", {{0.0, 0.6}, {-1.0, 0.2}}).empty());
+  CHECK(sizeless("saturation", "command", {{0.28, 0.32}, {0.0, 0.01}, {0.0, 0.02}}).empty());
+  CHECK(sizeless("turn_speed_loss", "relative", {}).empty());
+}

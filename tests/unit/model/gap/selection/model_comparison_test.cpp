@@ -339,3 +339,9 @@ TEST_CASE("A delay is beyond a linear part together with what the linear part's 
   CHECK_FALSE(beyond_a_linear_part(with_weights_late_by(0.02), delay));
   CHECK(beyond_a_linear_part(with_weights_late_by(0.08), delay));
 }
+
+TEST_CASE("Two periods of delay are a linear part's") {
+  const TrialEffect delay{find_effect("transport_delay"), 0, {0.15}};
+  CHECK(beyond_a_linear_part(first_guess({.weights = 3}, 0.02, 0.25, 0.06, 0.0), delay));
+  CHECK_FALSE(beyond_a_linear_part(first_guess({.weights = 3}, 0.1, 0.25, 0.06, 0.0), delay));
+}

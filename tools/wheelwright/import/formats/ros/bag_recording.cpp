@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "config/load/printable_text.hpp"
-#include "tools/wheelwright/import/formats/ros/simulated_time.hpp"
 
 namespace wheelwright::import::ros {
 namespace {
@@ -61,7 +60,6 @@ ReadResult BagRecording::finish(std::string_view format, std::size_t files) {
   if (files > 1) recording_.format += ", " + std::to_string(files) + " files";
   recording_.format += ")";
   for (const auto& [name, stream] : in_order_) stream->finish(name, recording_);
-  take_simulated_time(recording_);
   return std::move(recording_);
 }
 

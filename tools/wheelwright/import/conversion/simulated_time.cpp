@@ -1,4 +1,4 @@
-#include "tools/wheelwright/import/formats/ros/simulated_time.hpp"
+#include "tools/wheelwright/import/conversion/simulated_time.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +7,10 @@
 
 #include "config/load/text_format.hpp"
 
-namespace wheelwright::import::ros {
+namespace wheelwright::import {
 namespace {
 
-constexpr std::size_t min_rows = 20;
+constexpr std::size_t min_stamps = 20;
 // Latencies of messages are less than this; clocks of two computers go apart by less than a hundredth.
 constexpr double min_apart_s = 0.5;
 constexpr double min_rate_off = 0.01;
@@ -34,7 +34,7 @@ struct Stamped {
 
 std::optional<Stamped> stamped(const Stream& stream) {
   const Channel* channel = stamp_channel(stream);
-  if (channel == nullptr || stream.received_s.size() < min_rows ||
+  if (channel == nullptr || stream.received_s.size() < min_stamps ||
       channel->values.size() != stream.received_s.size())
     return std::nullopt;
   const Stamped found{&stream, &channel->values};
@@ -92,4 +92,4 @@ void take_simulated_time(Recording& recording) {
       "of the stamps");
 }
 
-}  // namespace wheelwright::import::ros
+}  // namespace wheelwright::import

@@ -1,4 +1,4 @@
-#include "tools/wheelwright/import/formats/ros/simulated_time.hpp"
+#include "tools/wheelwright/import/conversion/simulated_time.hpp"
 
 #include "tests/support/catch.hpp"
 
@@ -40,7 +40,7 @@ TEST_CASE("Where a simulation runs at half the speed of the recorder, all topics
   commands.channels.clear();  // a Twist has no stamp
   for (double& t : commands.received_s) t += 0.05;
   Recording recording = recording_of({topic("/joint_states", 0.5), commands});
-  import::ros::take_simulated_time(recording);
+  import::take_simulated_time(recording);
   REQUIRE(recording.remarks.size() == 1);
   CHECK_THAT(recording.remarks[0], ContainsSubstring("0.500 times"));
   CHECK_THAT(recording.streams[0].received_s[100], WithinAbs(10.0, 1e-6));
@@ -55,7 +55,7 @@ TEST_CASE("Stamps at the speed of the recorder, of two clocks or that jump leave
   Recording jumps = recording_of({topic("/joint_states", 0.5)});
   jumps.streams[0].channels[0].values[300] = 0.0;
   for (Recording* recording : {&other_start, &two_clocks, &one_real, &jumps}) {
-    import::ros::take_simulated_time(*recording);
+    import::take_simulated_time(*recording);
     CHECK(recording->remarks.empty());
     CHECK(recording->streams[0].received_s.front() == 1.7e9);
   }
