@@ -149,8 +149,7 @@ TEST_CASE("What a robot slips is an effect, and no wrong wheel base or distance 
 }
 
 TEST_CASE(
-    "Where a command changed while a row is missing, the second behind is left out; a row missed elsewhere "
-    "is not") {
+    "Where a command changed while a row is missing, the second behind is left out, and nothing elsewhere") {
   auto log = clean_log();
   std::size_t change = 100;
   while (log.samples[change].command_m_s.left == log.samples[change - 1].command_m_s.left) ++change;
