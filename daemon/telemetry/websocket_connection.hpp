@@ -57,7 +57,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void on_message();
   void write_next();
 
-  boost::beast::websocket::stream<boost::beast::tcp_stream, false> stream_;
+  boost::beast::websocket::stream<boost::beast::tcp_stream, false> stream_;  // without compression
   const ServerConfig& config_;
   const ServerHooks& hooks_;
   const HasRoom& has_room_;

@@ -145,16 +145,18 @@ std::vector<Covariate> covariates_for(const FitProblem& problem, std::span<const
 
 RecentCommands recent_commands(const FitProblem& problem, std::span<const ResidualTrack* const> tracks) {
   constexpr double recent_s = 1.0;
+  constexpr std::size_t most_looks = 50;  // commands last longer than a fiftieth of a second
   RecentCommands recent;
   for (const ResidualTrack* track : tracks) {
     const GapRun& run = problem.runs()[track->run];
     const auto periods = static_cast<std::size_t>(std::ceil(recent_s / run.period_s));
+    const std::size_t step = std::max<std::size_t>(1, periods / most_looks);
     auto& forward = recent.forward_m_s.emplace_back();
     auto& turning = recent.turning_rad_s.emplace_back();
     for (const std::size_t period : track->period) {
       forward.push_back(0.0);
       turning.push_back(0.0);
-      for (std::size_t k = period > periods ? period - periods : 0; k <= period; ++k) {
+      for (std::size_t k = period > periods ? period - periods : 0; k <= period; k += step) {
         const WheelPair command = command_at(run, k);
         forward.back() = std::max(forward.back(), std::abs(0.5 * (command.left + command.right)));
         turning.back() = std::max(turning.back(), std::abs(command.right - command.left) / run.wheel_base_m);

@@ -42,8 +42,9 @@ std::vector<Finding> findings_of(const GapSearch& search);
 void add_rivals_that_cannot_show(std::span<Finding> found, std::span<const Untestable> untestable,
                                  double longest_run_s);
 
-// The names of those whose sizes may all be none, by their own intervals: what they explain is the shape of
-// something else. A limit, and whatever else acts at any value, has a size always.
+// The names of those whose one size may be none, by its own interval: what they explain is the shape of
+// something else. A limit, and whatever else acts at any value, has a size always; of several sizes, which
+// may trade, each can be none while not all are.
 std::vector<std::string> names_without_size(std::span<const Finding> found);
 
 inline constexpr std::string_view dropout_name = "encoder_dropout";

@@ -200,10 +200,11 @@ std::string numbers_of(const std::string& name) {
   return numbers;
 }
 
-// Whole numbers of a message of integers under the name of a wheel are its counts.
-bool are_counts_of_a_wheel(const Stream& stream, const NameMeaning& meaning) {
-  return meaning.side != NamedSide::none && meaning.unit.empty() &&
-         (meaning.quantity == Quantity::speed || meaning.quantity == Quantity::unknown) &&
+// Integers under the name of a wheel that say no more are its counts.
+bool are_counts_of_a_wheel(const Stream& stream, const Name& name, const NameMeaning& meaning) {
+  return meaning.side != NamedSide::none && meaning.unit.empty() && meaning.quantity == Quantity::speed &&
+         name.words.has("wheel") &&
+         !name.words.has_any({"speed", "spd", "vel", "velocity", "rpm", "rps", "omega", "rate", "v", "w"}) &&
          stream.type.find("Int") != std::string::npos;
 }
 
@@ -227,7 +228,7 @@ NameMeaning meaning_of(const Stream& stream, const Channel& channel) {
 
   NameMeaning meaning{Quantity::unknown, name.side, name.unit};
   meaning.quantity = quantity_of(name, stream);
-  if (are_counts_of_a_wheel(stream, meaning)) meaning.quantity = Quantity::count;
+  if (are_counts_of_a_wheel(stream, name, meaning)) meaning.quantity = Quantity::count;
   // The positions of joints are angles.
   if (meaning.quantity == Quantity::count && stream.type.find("JointState") != std::string::npos) {
     meaning.quantity = Quantity::angle;

@@ -117,4 +117,11 @@ TEST_CASE("Topics of one value each are the two sides by the names of the topics
   CHECK(entry("wheels.left") == "/lwheel:data");
   CHECK(entry("wheels.right") == "/rwheel:data");
   CHECK(entry("wheels.kind") == "counts");
+
+  recording.streams[2].name = "/left_wheel_speed";
+  recording.streams[3].name = "/right_wheel_speed";
+  const import::Inference speeds =
+      infer(recording, {"robot.wheel_base_m=0.3", "wheels.metres_per_count=0.0005"});
+  const auto kind = std::ranges::find(speeds.entries, "wheels.kind", &import::MappingEntry::key);
+  CHECK(kind->value == "speed");
 }
