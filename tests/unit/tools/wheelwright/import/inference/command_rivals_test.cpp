@@ -9,7 +9,7 @@ using import::Stream;
 
 namespace {
 
-Stream topic_of(const std::string& name, const std::string& type, std::vector<std::string> channels,
+Stream topic_of(const std::string& name, const std::string& type, const std::vector<std::string>& channels,
                 const ForeignDrive& drive,
                 const std::function<std::vector<double>(const ForeignRow&)>& values) {
   Stream stream;

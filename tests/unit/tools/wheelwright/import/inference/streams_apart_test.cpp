@@ -99,10 +99,10 @@ TEST_CASE("Counts since the row before are found by the distance of a count, wha
     ForeignRow before = drive.rows.front();
     const auto text =
         foreign_text(drive, std::string("t,cmd_left,cmd_right,") + names, [&before](const ForeignRow& row) {
-          const std::string line = time_of(row.t_s) + "," + number(row.command_left) + "," +
-                                   number(row.command_right) + "," +
-                                   std::to_string(row.counts_left - before.counts_left) + "," +
-                                   std::to_string(row.counts_right - before.counts_right);
+          std::string line = time_of(row.t_s) + "," + number(row.command_left) + "," +
+                             number(row.command_right) + "," +
+                             std::to_string(row.counts_left - before.counts_left) + "," +
+                             std::to_string(row.counts_right - before.counts_right);
           before = row;
           return line;
         });
