@@ -220,10 +220,10 @@ void SplitAnalysis::take_findings() {
 void SplitAnalysis::conclude() {
   take_findings();
   const std::vector<std::string> sizeless = names_without_size(result_.found);
-  if (!sizeless.empty() && sizeless.size() < result_.search.final.model.effects.size()) fit_without(sizeless);
-  const bool any = !result_.search.final.model.effects.empty();
-  const bool all_sizeless = any && sizeless.size() == result_.search.final.model.effects.size();
-  const bool nothing_closes = all_sizeless || (any && !closes_the_gap());
+  const std::size_t effects = result_.search.final.model.effects.size();
+  const bool some_remain = sizeless.size() < effects;
+  if (!sizeless.empty() && some_remain) fit_without(sizeless);
+  const bool nothing_closes = effects > 0 && (!some_remain || !closes_the_gap());
   if ((nothing_closes || is_of_a_linear_part()) && leave_out_linear_effects()) return conclude();
   if (nothing_closes) remove_names();
   judge();

@@ -42,9 +42,9 @@ std::vector<Finding> findings_of(const GapSearch& search);
 void add_rivals_that_cannot_show(std::span<Finding> found, std::span<const Untestable> untestable,
                                  double longest_run_s);
 
-// The names of those whose one size may be none, by its own interval: what they explain is the shape of
-// something else. A limit, and whatever else acts at any value, has a size always; of several sizes, which
-// may trade, each can be none while not all are.
+// The names of effects with one size whose 95 % interval contains 0: what they explain is the shape of
+// something else. A limit is no such size. Effects with several are never among them: the estimates are
+// correlated, and each interval can contain 0 while the effect is there.
 std::vector<std::string> names_without_size(std::span<const Finding> found);
 
 inline constexpr std::string_view dropout_name = "encoder_dropout";

@@ -37,13 +37,13 @@ std::optional<Gains> gains(const GateState& gate, const CommandTimeline& command
   std::size_t from = 0;
   for (std::size_t i = 1; i < samples.size(); ++i) {
     const double duration = samples[i].t_s - samples[from].t_s;
-    if (duration < window_s) continue;
+    if (duration < gain_window_s) continue;
     if (samples[from].ticks && samples[i].ticks && samples[from].t_s >= delay_s + samples[0].t_s) {
       const Eigen::Vector2d moved(gate.travel(i, true) - gate.travel(from, true),
                                   gate.travel(i, false) - gate.travel(from, false));
       const WheelPair mean = commands.mean_m_s(samples[from].t_s - delay_s, samples[i].t_s - delay_s);
       const Eigen::Vector2d commanded = duration * Eigen::Vector2d(mean.left, mean.right);
-      if (moved.cwiseAbs().maxCoeff() < impossible_speed_m_s * window_s) {
+      if (moved.cwiseAbs().maxCoeff() < impossible_speed_m_s * gain_window_s) {
         products += commanded * commanded.transpose();
         travels += commanded * moved.transpose();
         squares += moved.cwiseAbs2();
@@ -112,7 +112,7 @@ void check_gyro(GateState& gate) {
   std::optional<GyroTurn> from;
   for (const GyroTurn& to : turns) {
     if (!log.samples[to.row].ticks) continue;
-    if (from && log.samples[to.row].t_s - log.samples[from->row].t_s < window_s) continue;
+    if (from && log.samples[to.row].t_s - log.samples[from->row].t_s < gain_window_s) continue;
     if (from) {
       const double left = gate.travel(to.row, true) - gate.travel(from->row, true);
       const double right = gate.travel(to.row, false) - gate.travel(from->row, false);
@@ -132,9 +132,9 @@ void check_gyro(GateState& gate) {
     turned.add(counted_rad[i] - mean_counted, gyro_rad[i] - mean_gyro);
   }
   std::string what;
-  if (turned.surely_below(against)) {
+  if (turned.surely_below(gain_of_a_wrong_sign)) {
     what = "the gyro turns against the wheels: gyro_z is counter-clockwise in the format";
-  } else if (turned.surely_above(wrong_unit)) {
+  } else if (turned.surely_above(gain_of_a_wrong_unit)) {
     what = "the gyro turns " + in_digits(turned.gain(), 3) +
            " times as far as the wheels: is gyro_z in degrees? the format wants rad/s";
   } else {

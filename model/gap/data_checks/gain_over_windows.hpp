@@ -6,9 +6,9 @@
 
 namespace wheelwright::gap {
 
-constexpr double window_s = 0.5;
-constexpr double wrong_unit = 20.0;  // degrees give 57, centimetres 100
-constexpr double against = -0.3;     // a gain of the other sign
+constexpr double gain_window_s = 0.5;
+constexpr double gain_of_a_wrong_unit = 20.0;  // degrees give 57, centimetres 100
+constexpr double gain_of_a_wrong_sign = -0.3;
 
 // The gain, and what it is sure to within.
 class GainOf {

@@ -46,7 +46,7 @@ ReferenceGains reference_gains(const GateState& gate) {
       rolled_m.right += right;
     }
     if (heading_alone ? !sample.reference_theta_rad : !sample.reference_pose()) continue;
-    if (from && sample.t_s - samples[*from].t_s < window_s) continue;
+    if (from && sample.t_s - samples[*from].t_s < gain_window_s) continue;
     const double turn = (rolled_m.right - rolled_m.left) / log.wheel_base_m;
     if (from && std::abs(turn) < longest_turn_rad) {
       const auto& before = samples[*from];
@@ -117,7 +117,7 @@ std::optional<std::string> wrong_scale(const DriveLog& log, const ReferenceGains
 }
 
 bool is_in_another_unit(const GainOf& along) {
-  if (along.surely_above(wrong_unit) || along.surely_below(-wrong_unit)) return true;
+  if (along.surely_above(gain_of_a_wrong_unit) || along.surely_below(-gain_of_a_wrong_unit)) return true;
   return along.surely_above(1.5) && !unit_of(along.gain()).empty();
 }
 
@@ -131,7 +131,7 @@ void check_reference(GateState& gate) {
                "the reference moves " + in_digits(gains.along.gain(), 3) + " times as far as the wheels: " +
                    (unit.empty() ? "what is its unit?" : "is it in " + unit + "?") + " the format wants m",
                true);
-  } else if (gains.along.surely_below(against)) {
+  } else if (gains.along.surely_below(gain_of_a_wrong_sign)) {
     gate.fault(0,
                "the reference moves backward where the wheels roll forward: its heading is turned by half a "
                "turn, or the commands' sign is wrong",
@@ -146,7 +146,7 @@ void check_reference(GateState& gate) {
   if (gate.result.log.has_ticks() && !is_explained) {
     if (const auto wrong = wrong_scale(gate.result.log, gains)) gate.fault(0, *wrong, true);
   }
-  if (gains.turned.surely_below(against)) {
+  if (gains.turned.surely_below(gain_of_a_wrong_sign)) {
     gate.fault(
         0,
         "the reference turns against the wheels: left and right, or the sign of the heading, are exchanged",

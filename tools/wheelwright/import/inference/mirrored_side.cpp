@@ -23,10 +23,6 @@ struct Motion {
   double forward = 0.0;  // ways along the heading times those of the left wheel, as the right one is mirrored
 };
 
-double correlation_of(const Agreement& agreement) {
-  return agreement.products / std::sqrt(agreement.robot_squares * agreement.reference_squares);
-}
-
 void add_run(const DriveColumns& columns, std::span<const std::size_t> rows, const Mapping& mapping,
              Motion& motion) {
   const WheelTravel travel = wheel_travel(columns, rows, mapping);
@@ -62,8 +58,8 @@ bool infer_mirrored_side(const DriveColumns& columns, const GivenMapping& given,
     return false;
   Motion motion;
   for (const auto& rows : repair_runs(columns, mapping).runs) add_run(columns, rows, mapping, motion);
-  if (!motion.mirrored.holds() || correlation_of(motion.mirrored) < min_agreement ||
-      correlation_of(motion.as_read) > max_agreement_as_read)
+  if (!motion.mirrored.holds() || motion.mirrored.correlation() < min_agreement ||
+      motion.as_read.correlation() > max_agreement_as_read)
     return false;
   const bool is_right = motion.forward >= 0.0;
   const auto rows = response_rows(columns, mapping);
@@ -75,9 +71,9 @@ bool infer_mirrored_side(const DriveColumns& columns, const GivenMapping& given,
   findings.push_back("the " + side +
                      " motor is mounted the other way round: with its signs turned the wheels go as far as "
                      "the reference (correlation " +
-                     config::fixed_number(correlation_of(motion.mirrored), 2) +
+                     config::fixed_number(motion.mirrored.correlation(), 2) +
                      "), as they stand they do not (" +
-                     config::fixed_number(correlation_of(motion.as_read), 2) + ")");
+                     config::fixed_number(motion.as_read.correlation(), 2) + ")");
   return true;
 }
 

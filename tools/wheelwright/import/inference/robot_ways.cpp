@@ -46,11 +46,15 @@ void Agreement::add(double robot, double reference) {
   ++windows;
 }
 
+double Agreement::correlation() const {
+  const double squares = robot_squares * reference_squares;
+  return squares > 0.0 ? products / std::sqrt(squares) : 0.0;
+}
+
 bool Agreement::holds() const {
   constexpr std::size_t min_windows = 10;
   constexpr double min_correlation = 0.8;
-  return windows >= min_windows && robot_squares > 0.0 && reference_squares > 0.0 &&
-         products >= min_correlation * std::sqrt(robot_squares * reference_squares);
+  return windows >= min_windows && correlation() >= min_correlation;
 }
 
 Ways ways_of_robot(const DriveColumns& columns, std::span<const std::size_t> rows, const Mapping& mapping,

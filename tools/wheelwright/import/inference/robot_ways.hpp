@@ -45,6 +45,7 @@ struct Agreement {
   std::size_t windows = 0;
 
   void add(double robot, double reference);
+  double correlation() const;
   // Whether the two go together.
   bool holds() const;
   double slope() const { return products / robot_squares; }

@@ -9,6 +9,7 @@
 #include "model/gap/data_checks/encoder_dropout.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gap_plant/gap_case.hpp"
+#include "tests/support/reference_by_counts.hpp"
 
 using namespace wheelwright;
 using namespace wheelwright::gap;
@@ -56,25 +57,6 @@ void lose_counts(DriveLog& log, std::size_t from, std::size_t rows) {
   }
 }
 
-// With a reference that saw what the counts say.
-DriveLog by_counts(DriveLog log) {
-  Pose pose;
-  for (std::size_t i = 0; i < log.samples.size(); ++i) {
-    DriveSample& sample = log.samples[i];
-    if (i > 0) {
-      const WheelTicks& before = *log.samples[i - 1].ticks;
-      const WheelPair moved{
-          static_cast<double>(sample.ticks->left - before.left) * log.metres_per_tick->left,
-          static_cast<double>(sample.ticks->right - before.right) * log.metres_per_tick->right};
-      pose = move_along_arc(pose, twist_of_wheels(moved, log.wheel_base_m), 1.0);
-    }
-    sample.reference_x_m = pose.x_m;
-    sample.reference_y_m = pose.y_m;
-    sample.reference_theta_rad = pose.theta_rad;
-  }
-  return log;
-}
-
 }  // namespace
 
 TEST_CASE("The data gate finds no fault in a log without one") {
@@ -114,38 +96,6 @@ TEST_CASE("Counters that were reset in a hole are distinguished from those that 
   REQUIRE(gated.faults.size() == 1);
   CHECK_THAT(gated.faults.front().what, ContainsSubstring("and the counters were reset in it"));
   CHECK(gated.faults.front().distorts);
-}
-
-TEST_CASE(
-    "A wheel base and a distance of a count that are wrong by half are bad data, with the value that would "
-    "agree") {
-  const DriveLog log = by_counts(clean_log());
-  REQUIRE(gate(log).faults.empty());
-  const auto only_fault = [](const DriveLog& of) {
-    const auto gated = gate(of);
-    REQUIRE(gated.faults.size() == 1);
-    CHECK(gated.faults.front().explains);
-    return gated.faults.front().what;
-  };
-  DriveLog wide = log;
-  wide.wheel_base_m *= 2.0;
-  CHECK_THAT(only_fault(wide), ContainsSubstring("turns 2 times as far as the counts say") &&
-                                   ContainsSubstring("one of 0.258 m would agree"));
-  DriveLog coarse = log;
-  coarse.metres_per_tick = WheelPair{2.0 * log.metres_per_tick->left, 2.0 * log.metres_per_tick->right};
-  CHECK_THAT(only_fault(coarse), ContainsSubstring("moves 0.5 times as far as the counts say"));
-  DriveLog one_wheel = log;
-  one_wheel.metres_per_tick->right *= 2.0;
-  CHECK_THAT(only_fault(one_wheel),
-             ContainsSubstring("the right wheel rolls 0.5 times as far as its counts say"));
-}
-
-TEST_CASE("What a robot slips is an effect, and no wrong wheel base or distance of a count") {
-  DriveLog log = by_counts(clean_log());
-  log.metres_per_tick->left *= 0.85;
-  log.metres_per_tick->right *= 1.15;
-  log.wheel_base_m *= 0.6;
-  CHECK(gate(log).faults.empty());
 }
 
 TEST_CASE(
@@ -239,9 +189,9 @@ TEST_CASE("Counts that stand still while their wheel turns are a dropout of the 
 TEST_CASE("A wheel that stood is no dropout where a reference saw the robot move as the counts say") {
   auto log = clean_log();
   const std::size_t from = moving_row(log) - 25;
-  const auto turned = by_counts(log);
+  const auto turned = test::by_counts(log);
   lose_counts(log, from, 20);
-  const auto stood = gate(by_counts(log));
+  const auto stood = gate(test::by_counts(log));
   CHECK(stood.dropouts.empty());
   REQUIRE(stood.faults.size() == 1);
   CHECK(stood.faults.front().happened);
@@ -261,9 +211,9 @@ TEST_CASE("A wheel that stood is no dropout where a reference saw the robot move
 TEST_CASE("Stops that are too short for one reference to tell are told by all of them together") {
   auto log = clean_log();
   const std::size_t last = moving_row(log);
-  const auto seen_turning = by_counts(log);
+  const auto seen_turning = test::by_counts(log);
   for (const std::size_t back : {45u, 32u, 19u}) lose_counts(log, last - back, 8);
-  const auto seen_standing = by_counts(log);
+  const auto seen_standing = test::by_counts(log);
   const auto by_a_poor_tracker = [&](const DriveLog& reference) {
     DriveLog seen = log;
     std::mt19937 random(1);
@@ -285,7 +235,7 @@ TEST_CASE("Stops that a late reference shows late are stops") {
   auto log = clean_log();
   const std::size_t last = moving_row(log);
   for (const std::size_t back : {44u, 24u}) lose_counts(log, last - back, 12);
-  log = by_counts(log);
+  log = test::by_counts(log);
   const auto with_late_reference = [](DriveLog seen, std::size_t rows) {
     for (std::size_t i = seen.samples.size(); i-- > 0;) {
       const DriveSample& before = seen.samples[i - std::min(i, rows)];
@@ -307,7 +257,7 @@ TEST_CASE("Whether a wheel was held, the references of all runs tell together") 
   auto held = clean_log();
   const std::size_t last = moving_row(held);
   for (const std::size_t back : {45u, 32u, 19u}) lose_counts(held, last - back, 8);
-  held = by_counts(held);
+  held = test::by_counts(held);
   DriveLog unseen = held;
   for (DriveSample& sample : unseen.samples)
     sample.reference_x_m = sample.reference_y_m = sample.reference_theta_rad = std::nullopt;
@@ -364,7 +314,7 @@ TEST_CASE("Counts that one run surely lost are looked for at stops of the others
 }
 
 TEST_CASE("What a reference saw while counts were lost is not held against them") {
-  auto log = by_counts(clean_log());
+  auto log = test::by_counts(clean_log());
   const std::size_t from = moving_row(log) - 25;
   lose_counts(log, from, 20);
   const auto gated = gate(log);

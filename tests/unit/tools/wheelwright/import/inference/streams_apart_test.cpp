@@ -15,6 +15,13 @@ std::string time_of(double t_s) {
   return std::to_string(t_s);
 }
 
+std::string plain_log(const ForeignDrive& drive) {
+  return foreign_text(drive, "t,cmd_left,cmd_right,ticks_left,ticks_right", [](const ForeignRow& row) {
+    return number(row.t_s) + "," + number(row.command_left) + "," + number(row.command_right) + "," +
+           counts(row);
+  });
+}
+
 }  // namespace
 
 TEST_CASE("Rows of one topic each are joined at the counts, and no count is missed between them") {
@@ -135,11 +142,6 @@ TEST_CASE("A motor that is mounted the other way round is found by the places of
 
 TEST_CASE("A reference that scatters by centimetres still shows how its clock is shifted") {
   const ForeignDrive drive = foreign_drive();
-  const auto log =
-      foreign_text(drive, "t,cmd_left,cmd_right,ticks_left,ticks_right", [&](const ForeignRow& row) {
-        return number(row.t_s) + "," + number(row.command_left) + "," + number(row.command_right) + "," +
-               counts(row);
-      });
   std::mt19937 random(7);
   std::normal_distribution<double> scatter_m(0.0, 0.02);
   std::string tum;
@@ -149,7 +151,7 @@ TEST_CASE("A reference that scatters by centimetres still shows how its clock is
            number(row.y + scatter_m(random)) + " 0 0 0 " + number(std::sin(0.5 * row.theta)) + " " +
            number(std::cos(0.5 * row.theta)) + "\n";
   }
-  const auto understood = import::understand({{file_of("drive.csv", log)},
+  const auto understood = import::understand({{file_of("drive.csv", plain_log(drive))},
                                               file_of("mocap.txt", tum),
                                               import::GivenMapping("", {given_base, given_scale})});
   REQUIRE(understood);
@@ -158,11 +160,6 @@ TEST_CASE("A reference that scatters by centimetres still shows how its clock is
 
 TEST_CASE("A file of Vicon says how many frames a second has, and its RX to RW are a quaternion") {
   const ForeignDrive drive = foreign_drive();
-  const auto log =
-      foreign_text(drive, "t,cmd_left,cmd_right,ticks_left,ticks_right", [&](const ForeignRow& row) {
-        return number(row.t_s) + "," + number(row.command_left) + "," + number(row.command_right) + "," +
-               counts(row);
-      });
   std::string vicon = "Objects\n20\n,,robot:robot,,,,,,\nFrame,Sub Frame,RX,RY,RZ,RW,TX,TY,TZ\n";
   int frame = 0;
   for (const auto& row : drive.rows) {
@@ -170,7 +167,7 @@ TEST_CASE("A file of Vicon says how many frames a second has, and its RX to RW a
              number(std::cos(0.5 * row.theta)) + "," + number(1e3 * row.x) + "," + number(1e3 * row.y) +
              ",112.3\n";
   }
-  const auto understood = import::understand({{file_of("drive.csv", log)},
+  const auto understood = import::understand({{file_of("drive.csv", plain_log(drive))},
                                               file_of("vicon.csv", vicon),
                                               import::GivenMapping("", {given_base, given_scale})});
   REQUIRE(understood);
@@ -222,20 +219,27 @@ TEST_CASE("A state that changes at every row parts no table, two robots that tak
 
 TEST_CASE("A shift of the clock by which no pose falls into the drive is refused") {
   const ForeignDrive drive = foreign_drive();
-  const auto log =
-      foreign_text(drive, "t,cmd_left,cmd_right,ticks_left,ticks_right", [&](const ForeignRow& row) {
-        return number(row.t_s) + "," + number(row.command_left) + "," + number(row.command_right) + "," +
-               counts(row);
-      });
   const auto reference = foreign_text(drive, "t,x,y,theta", [&](const ForeignRow& row) {
     return number(row.t_s + 5000.0) + "," + number(row.x) + "," + number(row.y) + "," + number(row.theta);
   });
   const auto understood =
-      import::understand({{file_of("drive.csv", log)},
+      import::understand({{file_of("drive.csv", plain_log(drive))},
                           file_of("poses.csv", reference),
                           import::GivenMapping("", {given_base, given_scale, "reference.shift_s=0"})});
   REQUIRE(understood);
   const auto conversion = import::to_runs(*understood);
   REQUIRE_FALSE(conversion);
   CHECK_THAT(conversion.error(), ContainsSubstring("no pose of the reference falls into the drive"));
+}
+
+TEST_CASE("Wheels that a person states are an angle where they hold parts of one and their radius is known") {
+  const ForeignDrive drive = foreign_drive();
+  const auto text = foreign_text(drive, "t,cmd_left,cmd_right,field0,field1", [](const ForeignRow& row) {
+    return time_of(row.t_s) + "," + number(row.command_left) + "," + number(row.command_right) + "," +
+           number(0.01 * static_cast<double>(row.counts_left)) + "," +
+           number(0.01 * static_cast<double>(row.counts_right));
+  });
+  check_same(import_text(text, {given_base, "wheels.wheel_radius_m=0.05", "wheels.left=field0",
+                                "wheels.right=field1"}),
+             drive, 1e-3, 1e-3);
 }
