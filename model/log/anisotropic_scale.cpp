@@ -85,7 +85,7 @@ Eigen::MatrixXd position_products(const CountedWindow& window, const DelayKernel
     columns.block<2, 1>(row, 3) = shown_at(shown.t_s + delay_step_s) - shown_at(shown.t_s - delay_step_s);
     row += 2;
   }
-  return products_beside(drift_of_position(window, path), std::move(columns));
+  return products_beside(drift_of_position(window, path), columns);
 }
 
 Eigen::MatrixXd heading_products(const CountedWindow& window, const DelayKernel& kernel) {
@@ -99,7 +99,7 @@ Eigen::MatrixXd heading_products(const CountedWindow& window, const DelayKernel&
     columns.row(row++) << -std::sin(twice_rad), std::cos(twice_rad), shown_at(shown.t_s),
         shown_at(shown.t_s + delay_step_s) - shown_at(shown.t_s - delay_step_s), shown.pose.theta_rad;
   }
-  return products_beside(drift_of_heading(window), std::move(columns));
+  return products_beside(drift_of_heading(window), columns);
 }
 
 }  // namespace

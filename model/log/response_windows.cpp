@@ -16,7 +16,7 @@ WindowProducts tapped_heading(const CountedWindow& window) {
     columns(row, response_taps::count) = shown.pose.theta_rad;
     ++row;
   }
-  return products_beside(drift_of_heading(window), std::move(columns));
+  return products_beside(drift_of_heading(window), columns);
 }
 
 WindowProducts tapped_position(const CountedWindow& window) {
@@ -29,7 +29,7 @@ WindowProducts tapped_position(const CountedWindow& window) {
     columns.block<2, 1>(row, response_taps::count) = Eigen::Vector2d(shown.pose.x_m, shown.pose.y_m);
     row += 2;
   }
-  return products_beside(drift_of_position(window, path), std::move(columns));
+  return products_beside(drift_of_position(window, path), columns);
 }
 
 }  // namespace
