@@ -41,7 +41,7 @@ void describe(CLI::App& app, Options& options) {
                  "drive the commands of this drive log unchanged, such as next_experiment.csv of "
                  "'wheelwright gap', instead of calibrating and driving a route");
   app.add_option("--status", options.status_file,
-                 "write how things are to this file every second, for 'wheelwright status' (service: "
+                 "write the status to this file every second, for 'wheelwright status' (service: "
                  "status.json in its runtime folder)");
   app.add_option("--lateness", options.lateness_file,
                  "write a histogram of the sensor loop's wake-up lateness at the end");
@@ -77,10 +77,10 @@ daemon::ProcessOptions process_options(const Options& options) {
 // turn.
 EndCause rest(const Options& options) {
   const char* folder = std::getenv("RUNTIME_DIRECTORY");
-  const auto targets =
-      daemon::rest_targets(folder == nullptr ? "" : folder, options.config_file, options.device);
+  const std::filesystem::path runtime_folder(folder == nullptr ? "" : folder);
+  const auto targets = daemon::rest_targets(runtime_folder, options.config_file, options.device);
   // An adapter that was unplugged has ended the service, and is nothing to report.
-  if (daemon::rest_wheels(targets) || options.as_service) return EndCause::done;
+  if (daemon::rest_after_end(runtime_folder, targets) || options.as_service) return EndCause::done;
   throw daemon::StartFailure(EndCause::no_device,
                              targets.front().device.string() +
                                  ": no such device, and so no robot to put to rest; name it with --device");

@@ -37,16 +37,29 @@ sigset_t block_signals() {
   return signals;
 }
 
+// Puts the wheels of a robot to rest that the process before could not reach any more. False where there is
+// no way to it yet.
+bool has_rested(const ProcessOptions& options, const std::filesystem::path& runtime_folder) {
+  try {
+    return rest_wheels(rest_targets(runtime_folder, options.config_file, options.device));
+  } catch (const StartFailure&) {
+    return false;  // the run that comes says why
+  }
+}
+
 // Waits out the back-off of a service that keeps failing. False where a signal asks for the end meanwhile.
-bool wait_out(Service& service, const sigset_t& signals) {
+bool wait_out(Service& service, const ProcessOptions& options, const std::optional<ServiceFolders>& folders,
+              const sigset_t& signals) {
   const auto back_off = service.restarts.back_off();
   if (back_off.count() == 0) return true;
+  bool must_rest = folders && lacks_farewell(folders->runtime);
   const std::string why =
       fmt::format("waiting {} s: the process ended out of order several times in a row", back_off.count());
   spdlog::warn("{}", why);
   service.notifier.status(why);
   const auto until = std::chrono::steady_clock::now() + back_off;
   while (std::chrono::steady_clock::now() < until) {
+    if (must_rest) must_rest = !has_rested(options, folders->runtime);
     const timespec second{1, 0};
     const int signal = ::sigtimedwait(&signals, nullptr, &second);
     if (signal == SIGTERM || signal == SIGINT) return false;
@@ -117,12 +130,13 @@ EndCause run_process(const ProcessOptions& options) {
   service.hold = service.restarts.hold();
   auto config = load_configuration(options);
   check_daemon_outputs(config, options);
-  if (!wait_out(service, signals)) return EndCause::asked;
+  if (!wait_out(service, options, folders, signals)) return EndCause::asked;
   while (true) {
     keep_rest_target(config, folders);
     RunOutcome outcome = Run(config, options, service).drive(signals);
     if (!outcome.reload) {
       remove_own_status(options.status_file);
+      if (folders && outcome.left_at_rest) note_farewell(folders->runtime);
       note_end(service.restarts, outcome);
       return outcome.cause;
     }

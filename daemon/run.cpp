@@ -17,6 +17,7 @@
 #include "config/load/atomic_file.hpp"
 #include "config/load/model_file.hpp"
 #include "config/load/output_file.hpp"
+#include "config/load/utc_now.hpp"
 #include "daemon/recording/lateness_file.hpp"
 #include "daemon/service/exit_status.hpp"
 #include "daemon/service/message_output.hpp"
@@ -28,7 +29,7 @@ namespace wheelwright::daemon {
 namespace {
 
 std::filesystem::path make_run_folder(const config::DaemonConfig& config) {
-  std::string name = utc_now();
+  std::string name = config::utc_now();
   for (char& c : name) {
     if (c == ':') c = '-';
   }
@@ -119,7 +120,9 @@ RunOutcome Run::drive(const sigset_t& signals) {
     outcome.stopped += "; " + explain(*silence, {config_.link.period_s, machine_load()});
   }
   end_threads(ending_of(outcome));
-  outcome.interrupted = outcome.interrupted || sensor_loop_.link().state() != roomba::LinkState::running;
+  const bool is_there = sensor_loop_.link().state() == roomba::LinkState::running;
+  outcome.interrupted = outcome.interrupted || !is_there;
+  outcome.left_at_rest = is_there && outcome.cause != EndCause::internal;
 
   LogReport logs = log_.report();
   logs.errors.insert(logs.errors.end(), inputs_lost_.begin(), inputs_lost_.end());
@@ -211,7 +214,7 @@ void Run::start_threads() {
     run_predictor(brain_, *wiring_, sensor_loop_);
   }));
   threads_.push_back(start_thread("ww-calibrate", *wiring_, [this] { calibrator_.run(); }));
-  threads_.push_back(start_thread("ww-log", *wiring_, [this] { log_.run(); }));
+  log_thread_ = start_thread("ww-log", *wiring_, [this] { log_.run(); });
   live_view_thread_ = start_thread("ww-live-view", *wiring_, [this] { live_view_.run(); });
 }
 
@@ -230,6 +233,7 @@ void Run::end_threads(const std::string& result) {
   wiring_->ending.store(true);
   wiring_->frame_arrived.release();
   for (std::thread& thread : threads_) thread.join();
+  if (log_thread_.joinable()) log_thread_.join();
   if (!live_view_thread_.joinable()) return;
   live_view_.end(result, result == finished ? route_in_words(config_, log_.report()) : "");
   live_view_thread_.join();
@@ -249,7 +253,7 @@ void Run::abandon_loop() {
   spdlog::critical("the sensor loop hangs and does not end; the guardian puts the wheels to rest");
   wiring_->ending.store(true);
   wiring_->frame_arrived.release();
-  if (!threads_.empty()) threads_.back().join();
+  if (log_thread_.joinable()) log_thread_.join();
   drain_messages();
   ::_exit(exit_status(EndCause::internal, options_.as_service));
 }

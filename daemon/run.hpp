@@ -78,7 +78,8 @@ class Run {
   std::atomic<bool> loop_ended_{false};
   std::atomic<bool> loop_failed_{false};
   std::thread loop_;
-  std::vector<std::thread> threads_;  // predictor, calibrator, log
+  std::vector<std::thread> threads_;  // predictor, calibrator
+  std::thread log_thread_;
   std::thread live_view_thread_;
 };
 

@@ -27,6 +27,7 @@ struct RunOutcome {
   std::string stopped;                         // why, where it did not finish
   std::optional<config::DaemonConfig> reload;  // go on with this one, in the same process
   bool interrupted = false;                    // the robot drove, or could not be reached at the end
+  bool left_at_rest = false;                   // the robot was told so at the end, in Off mode
   bool arms_next_run = false;                  // which begins with `reload`
 
   bool finished() const { return cause == EndCause::done; }

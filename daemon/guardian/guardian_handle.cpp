@@ -103,6 +103,10 @@ void GuardianHandle::port_closed() {
   send_order(socket_, GuardianOrder::let_go);
 }
 
+void GuardianHandle::port_dropped() {
+  send_order(socket_, GuardianOrder::drop);
+}
+
 void GuardianHandle::set_patience(std::chrono::milliseconds patience) {
   board_->patience_ms.store(patience.count(), std::memory_order_relaxed);
 }

@@ -62,6 +62,7 @@ class GuardianHandle final : public roomba::PortGuard {
 
   void port_opened(int descriptor) override;
   void port_closed() override;
+  void port_dropped() override;
   void beat() override { board_->beats.fetch_add(1, std::memory_order_relaxed); }
   bool has_acted() override;
 

@@ -14,10 +14,10 @@
 #include <climits>
 #include <csignal>
 #include <cstring>
-#include <span>
 #include <string_view>
 
 #include "drivers/roomba/rest_bytes.hpp"
+#include "drivers/roomba/rest_sequence.hpp"
 
 namespace wheelwright::daemon {
 namespace {
@@ -26,8 +26,6 @@ using namespace std::chrono_literals;
 
 constexpr auto look_every = 5ms;
 constexpr auto longest_look = 20ms;  // of silence that one look can tell: beyond it the machine stood still
-constexpr auto say_again_every = 40ms;  // an order that the line garbled is not the last one
-constexpr int acts_on_a_stall = 3;
 
 // What is inherited is what the daemon may go down with: its terminal, its signals, its descriptors. Only
 // what a signal handler may call is called here, since the process may have had threads.
@@ -116,6 +114,10 @@ class Process {
           std::memcpy(&port_, CMSG_DATA(header), sizeof(int));
         }
         break;
+      case GuardianOrder::drop:
+        if (port_ >= 0) roomba::write_whole(port_, rest_.bytes());
+        let_go();
+        break;
       case GuardianOrder::let_go:
         let_go();
         break;
@@ -143,37 +145,21 @@ class Process {
       return;
     }
     silent_for_ += since_last;
-    if (port_ < 0 || acts_ == acts_on_a_stall) return;
+    if (port_ < 0 || acts_ == roomba::rest_orders) return;
     const std::chrono::milliseconds patience(board_.patience_ms.load(std::memory_order_relaxed));
-    if (silent_for_ < patience + acts_ * say_again_every) return;
+    if (silent_for_ < patience + acts_ * roomba::rest_order_period) return;
     board_.acts.fetch_add(1, std::memory_order_relaxed);
-    write_whole(rest_.bytes());
+    roomba::write_whole(port_, rest_.bytes());
     if (acts_ == 0) voice_.say("<3>guardian: the sensor loop stands still; the wheels are told to stand\n");
     ++acts_;
   }
 
   [[noreturn]] void outlive_the_daemon() {
     if (port_ < 0) ::_exit(0);
-    write_whole(rest_.bytes());
+    roomba::write_whole(port_, rest_.bytes());
     voice_.say("<3>guardian: the daemon is gone; the wheels are told to stand\n");
-    for (auto waited = 0ms; waited < std::chrono::duration<double>(roomba::longest_braking_s);
-         waited += say_again_every) {
-      ::poll(nullptr, 0, static_cast<int>(say_again_every.count()));
-      if (waited < acts_on_a_stall * say_again_every) write_whole(rest_.bytes());
-    }
-    open_interface::CommandBytes passive;
-    passive.start();
-    write_whole(passive.bytes());
+    roomba::rest_and_leave(port_, rest_);
     ::_exit(0);
-  }
-
-  // The port does not block; what it does not take within a few milliseconds it will not take.
-  void write_whole(std::span<const std::uint8_t> bytes) const {
-    for (int i = 0; i < 10 && !bytes.empty(); ++i) {
-      const ssize_t written = ::write(port_, bytes.data(), bytes.size());
-      if (written > 0) bytes = bytes.subspan(static_cast<std::size_t>(written));
-      if (!bytes.empty()) ::poll(nullptr, 0, 2);
-    }
   }
 
   int socket_;

@@ -8,6 +8,7 @@ namespace wheelwright::daemon {
 // Messages on the socket, one byte each.
 enum class GuardianOrder : char {
   adopt = 'a',    // the port comes along as a descriptor
+  drop = 'd',     // the port was given up: stop the wheels on it, then let go of it
   let_go = 'l',   // of the port
   farewell = 'f'  // the daemon ends in order
 };

@@ -3,54 +3,48 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
-#include <span>
 #include <string>
 #include <string_view>
-#include <thread>
 
 #include "daemon/guardian/open_device.hpp"
 #include "daemon/service/exit_status.hpp"
 #include "drivers/roomba/rest_bytes.hpp"
+#include "drivers/roomba/rest_sequence.hpp"
 
 namespace wheelwright::daemon {
 namespace {
 
-constexpr int orders = 3;  // an order that the line garbles is not the last one
-constexpr auto order_period = std::chrono::milliseconds(40);
-
-void write_whole(int port, std::span<const std::uint8_t> bytes) {
-  for (int i = 0; i < 10 && !bytes.empty(); ++i) {
-    const ssize_t written = ::write(port, bytes.data(), bytes.size());
-    if (written > 0) bytes = bytes.subspan(static_cast<std::size_t>(written));
-    if (!bytes.empty()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-}
-
-// After a fault of its own the daemon relied on its guardian, which may be gone too.
-bool ended_in_order() {
+// After a fault of its own the daemon relied on its guardian, which may be gone too; and to a robot that it
+// lost it said no farewell. A device that it could not open it has not touched.
+bool ended_in_order(bool has_said_farewell) {
   const char* how = std::getenv("EXIT_CODE");
   if (how == nullptr || std::string_view(how) != "exited") return false;
   const char* status = std::getenv("EXIT_STATUS");
-  return status == nullptr || status != std::to_string(exit_status(EndCause::internal, true));
+  const auto is = [status](EndCause cause) {
+    return status != nullptr && status == std::to_string(exit_status(cause, true));
+  };
+  if (is(EndCause::device_in_use) || is(EndCause::no_permission)) return true;
+  return has_said_farewell && !is(EndCause::internal) && !is(EndCause::robot_silent);
 }
 
 void rest_robot(const config::RestTarget& target) {
   const serial::OpenPort port = open_device(target.device, target.baud);
-  for (int i = 0; i < orders; ++i) {
-    write_whole(port.descriptor, roomba::rest_bytes(target.drive_mode).bytes());
-    std::this_thread::sleep_for(order_period);
-  }
-  std::this_thread::sleep_for(std::chrono::duration<double>(roomba::longest_braking_s));
-  open_interface::CommandBytes passive;
-  passive.start();
-  write_whole(port.descriptor, passive.bytes());
-  std::this_thread::sleep_for(order_period);  // a pseudo-terminal forgets what is unread when it is closed
+  roomba::rest_and_leave(port.descriptor, roomba::rest_bytes(target.drive_mode));
   ::close(port.descriptor);
 }
 
 }  // namespace
+
+void note_farewell(const std::filesystem::path& runtime_folder) {
+  std::error_code ignored;
+  if (!runtime_folder.empty()) std::filesystem::remove(runtime_folder / rest_target_file_name, ignored);
+}
+
+bool lacks_farewell(const std::filesystem::path& runtime_folder) {
+  std::error_code ignored;
+  return !runtime_folder.empty() && std::filesystem::exists(runtime_folder / rest_target_file_name, ignored);
+}
 
 std::vector<config::RestTarget> rest_targets(const std::filesystem::path& runtime_folder,
                                              const std::filesystem::path& config_file,
@@ -72,8 +66,12 @@ std::vector<config::RestTarget> rest_targets(const std::filesystem::path& runtim
   return targets;
 }
 
+bool rest_after_end(const std::filesystem::path& runtime_folder,
+                    const std::vector<config::RestTarget>& targets) {
+  return ended_in_order(!lacks_farewell(runtime_folder)) || rest_wheels(targets);
+}
+
 bool rest_wheels(const std::vector<config::RestTarget>& targets) {
-  if (ended_in_order()) return true;
   std::optional<StartFailure> failure;
   for (const config::RestTarget& target : targets) {
     std::error_code ignored;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/load/utc_now.hpp"
 #include "daemon/telemetry/messages.hpp"
 #include "daemon/telemetry/page.hpp"
 #include "daemon/threads/calibrator_thread.hpp"
@@ -69,7 +70,7 @@ LiveView::LiveView(const config::DaemonConfig& config, roomba::SensorLoop& senso
     hooks.history = [this](ChannelId channel) { return history(channel); };
     hooks.stop = [this](const std::string& who) { take_stop(who); };
     hooks.warn = [](const std::string& what) { spdlog::warn("live view: {}", what); };
-    const std::string session_id = utc_now() + "/" + std::to_string(unix_minus_steady_ns_);
+    const std::string session_id = config::utc_now() + "/" + std::to_string(unix_minus_steady_ns_);
     server_ =
         std::make_unique<Server>(context_,
                                  ServerConfig{live_view.address, static_cast<std::uint16_t>(live_view.port),

@@ -9,6 +9,7 @@
 #include "config/load/output_file.hpp"
 #include "config/load/printable_text.hpp"
 #include "config/load/text_file.hpp"
+#include "config/load/utc_now.hpp"
 #include "daemon/threads/calibrator_thread.hpp"
 
 namespace wheelwright::daemon {
@@ -85,7 +86,7 @@ std::string status_line(const StatusView& view) {
 
 std::string status_json(const StatusView& view) {
   nlohmann::json status = {{"wheelwright_status", 1},
-                           {"time", utc_now()},
+                           {"time", config::utc_now()},
                            {"pid", ::getpid()},
                            {"robot", view.config.robot_name},
                            {"device", view.config.device.string()},

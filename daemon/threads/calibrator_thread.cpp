@@ -3,12 +3,12 @@
 #include <spdlog/spdlog.h>
 
 #include <chrono>
-#include <ctime>
 #include <memory>
 #include <thread>
 #include <utility>
 
 #include "config/load/model_file.hpp"
+#include "config/load/utc_now.hpp"
 
 namespace wheelwright::daemon {
 namespace {
@@ -16,14 +16,6 @@ namespace {
 constexpr auto look_every = std::chrono::milliseconds(20);
 
 }  // namespace
-
-std::string utc_now() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  ::gmtime_r(&now, &parts);
-  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}Z", parts.tm_year + 1900, parts.tm_mon + 1,
-                     parts.tm_mday, parts.tm_hour, parts.tm_min, parts.tm_sec);
-}
 
 CalibratorThread::CalibratorThread(const config::DaemonConfig& config, const Plan& plan,
                                    std::filesystem::path folder, roomba::SensorLoop& sensor_loop,
@@ -133,7 +125,7 @@ void CalibratorThread::deliver_adaptation(CalibrationOutcome& outcome) {
   const AdaptedModel& adapted = *outcome.adapted;
   RobotModel& model = *outcome.model;
   model.robot = config_.robot_name;
-  model.created = utc_now();
+  model.created = config::utc_now();
   model.source.push_back(fmt::format(
       "adapted while driving, run {}, version {}: recalibration was due; over 2 s its free run is {:.1f} mm "
       "off the encoders, that of the model before it {:.1f} mm",
@@ -150,7 +142,7 @@ void CalibratorThread::deliver_adaptation(CalibrationOutcome& outcome) {
 
 void CalibratorThread::keep_model(RobotModel model) {
   model.robot = config_.robot_name;
-  model.created = utc_now();
+  model.created = config::utc_now();
   // Whatever becomes of the file elsewhere, the run's folder keeps what it calibrated.
   write_model(model, folder_ / "calibrated_model.yaml");
   write_model(model, config_.model_file);

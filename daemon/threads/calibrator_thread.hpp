@@ -55,7 +55,4 @@ class CalibratorThread {
   CalibrationReport report_;
 };
 
-// Date and time now, ISO 8601 in UTC.
-std::string utc_now();
-
 }  // namespace wheelwright::daemon

@@ -12,6 +12,9 @@ class PortGuard {
   // The guard has to let go of its duplicate too: a device that is gone keeps its name for as long as it is
   // open somewhere, and a lock on it holds.
   virtual void port_closed() = 0;
+  // The same for a port that was given up while the robot may drive: what the guard can still write to it,
+  // it writes first, so that the wheels stand.
+  virtual void port_dropped() = 0;
   // Once a tick. Its absence is what the guard acts on.
   virtual void beat() = 0;
   // Whether the guard has stopped the wheels since the last call, for want of beats.

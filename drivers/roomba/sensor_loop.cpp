@@ -75,6 +75,7 @@ void SensorLoop::run() {
   write(link_.farewell_bytes());
   for (int i = 0; i < 10 && !flush_held_up(); ++i) ::usleep(5000);
   close_port();
+  if (guard_ != nullptr) guard_->port_closed();
 }
 
 // A running stream is the clock; the timer then only notices its silence.
@@ -296,12 +297,12 @@ void SensorLoop::adopt(const serial::OpenPort& port) {
 void SensorLoop::close_port() {
   boost::system::error_code ignored;
   io_->port.close(ignored);
-  if (guard_ != nullptr) guard_->port_closed();
 }
 
 void SensorLoop::drop_port() {
   if (!io_->port.is_open()) return;
   close_port();
+  if (guard_ != nullptr) guard_->port_dropped();
   link_.stop(StopReason::link_lost);
   link_.port_closed();
   reopening_.closed(tick_);

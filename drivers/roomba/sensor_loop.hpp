@@ -82,7 +82,8 @@ class SensorLoop {
   ~SensorLoop();
 
   // Loops until request_end(), then puts the wheels to rest and leaves the robot in Off mode. Where an
-  // exception leaves it, or the port is closed, it sends nothing: the guard has to stop the wheels.
+  // exception leaves it, the guard has to stop the wheels. Where the port is closed at the end there is no
+  // way to the robot: nothing is sent, and the state of the link is not `running`.
   void run();
 
   // From any thread or signal handler; take effect with the next tick. Only a robot that answers is armed.

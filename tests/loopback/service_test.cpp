@@ -249,14 +249,20 @@ TEST_CASE("The option --rest stops a robot whose daemon and guardian are both go
   struct Case {
     std::vector<std::string> how_it_ended;
     bool stops;
+    bool farewell_is_missing = false;
   };
-  const auto [how_it_ended, stops] =
+  const auto [how_it_ended, stops, farewell_is_missing] =
       GENERATE(values<Case>({{{}, true},
                              {{"EXIT_CODE=killed", "EXIT_STATUS=KILL"}, true},
                              {{"EXIT_CODE=exited", "EXIT_STATUS=70"}, true},  // a sensor loop that hangs
+                             {{"EXIT_CODE=exited", "EXIT_STATUS=76"}, true},  // the robot was lost
+                             {{"EXIT_CODE=exited", "EXIT_STATUS=0"}, true, true},
+                             {{"EXIT_CODE=exited", "EXIT_STATUS=75"}, false, true},  // it is another's
                              {{"EXIT_CODE=exited", "EXIT_STATUS=0"}, false}}));
-  CAPTURE(how_it_ended);
+  CAPTURE(how_it_ended, farewell_is_missing);
   ServiceBench bench;
+  std::filesystem::create_directory(bench.runtime());
+  if (farewell_is_missing) std::ofstream(bench.runtime() / "rest.yaml") << "\n";
   const auto robot = bench.start_robot("default");
   const auto config = bench.configure({});
   {
@@ -265,6 +271,7 @@ TEST_CASE("The option --rest stops a robot whose daemon and guardian are both go
     std::this_thread::sleep_for(700ms);
   }
   std::vector<std::string> command{"/usr/bin/env"};
+  command.push_back("RUNTIME_DIRECTORY=" + bench.runtime().string());
   command.insert(command.end(), how_it_ended.begin(), how_it_ended.end());
   for (const char* word : {WHEELWRIGHTD, "--service", "--rest", "--config"}) command.emplace_back(word);
   command.push_back(config.string());

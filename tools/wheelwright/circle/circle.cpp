@@ -16,13 +16,13 @@
 #include "config/load/shipped_folder.hpp"
 #include "config/load/simulation_config.hpp"
 #include "config/load/text_format.hpp"
+#include "config/load/utc_now.hpp"
 #include "tools/wheelwright/circle/circle_report.hpp"
 #include "tools/wheelwright/circle/hidden_robot.hpp"
 #include "tools/wheelwright/circle/own_imperfections.hpp"
 #include "tools/wheelwright/common/command_line.hpp"
 #include "tools/wheelwright/common/commands.hpp"
 #include "tools/wheelwright/common/json_text.hpp"
-#include "tools/wheelwright/common/now.hpp"
 #include "tools/wheelwright/common/output.hpp"
 #include "tools/wheelwright/evaluation/calibration_drives.hpp"
 #include "tools/wheelwright/evaluation/learning_drives.hpp"
@@ -115,7 +115,7 @@ class Circle {
     if (model) model = robot.calibrate_arma(*model, drives.random_drive);
     if (!model)
       throw DataRefusal("the hidden robot of seed " + std::to_string(options_.seed) + ": " + model.error());
-    model->created = now_as_text();
+    model->created = config::utc_now();
     model->robot = robot_.name;
     config::save_model(*model, folder_ / "calibrated.yaml");
     return *model;

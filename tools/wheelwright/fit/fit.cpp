@@ -5,12 +5,12 @@
 
 #include "config/load/model_file.hpp"
 #include "config/load/text_format.hpp"
+#include "config/load/utc_now.hpp"
 #include "model/gap/data_checks/data_gate.hpp"
 #include "model/identification/fir_fit.hpp"
 #include "model/identification/run_scales.hpp"
 #include "tools/wheelwright/common/commands.hpp"
 #include "tools/wheelwright/common/json_text.hpp"
-#include "tools/wheelwright/common/now.hpp"
 #include "tools/wheelwright/fit/fit_arma.hpp"
 #include "tools/wheelwright/fit/fit_json.hpp"
 #include "tools/wheelwright/fit/fit_poses.hpp"
@@ -118,7 +118,7 @@ std::vector<DriveLog> load_training_runs(const FitOptions& options, std::ostream
 RobotModel to_robot_model(const FitReport& report, const std::vector<std::string>& sources) {
   RobotModel model;
   model.robot = robot_name(report.runs.front());
-  model.created = now_as_text();
+  model.created = config::utc_now();
   model.source = sources;
   model.linear_part = report.model();
   model.left_fit = report.left();
@@ -191,7 +191,7 @@ void fit_and_save_by_poses(const FitOptions& options, const std::vector<DriveLog
   const gap::PoseFit fit = fit_poses(runs, streams.err);
   RobotModel model;
   model.robot = robot_name(runs.front());
-  model.created = now_as_text();
+  model.created = config::utc_now();
   model.source = options.logs;
   model.linear_part = fit.linear_part;
   model.left_fit = fit.wheel_fit(fit.left_gain, true);
@@ -248,7 +248,7 @@ Action add_fit(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--max-command", options->max_command_m_s,
                       "Largest wheel command that the robot takes, m/s; larger ones are refused as garbage");
-  command->add_flag("--json", options->json, "What the fit says of itself as JSON, in m/s and m");
+  command->add_flag("--json", options->json, "Print the result of the fit as JSON, in m/s and m");
   command->footer(
       "A run is cut where rows are missing. Steps and a bend of the speed curve that held commands show are "
       "reported.\n"

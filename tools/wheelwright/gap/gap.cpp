@@ -9,12 +9,12 @@
 #include "config/load/model_file.hpp"
 #include "config/load/output_file.hpp"
 #include "config/load/text_format.hpp"
+#include "config/load/utc_now.hpp"
 #include "model/gap/analysis.hpp"
 #include "model/gap/data_checks/informative_segments.hpp"
 #include "model/gap/next_experiment/next_experiment.hpp"
 #include "tools/option_checks.hpp"
 #include "tools/wheelwright/common/commands.hpp"
-#include "tools/wheelwright/common/now.hpp"
 #include "tools/wheelwright/common/output.hpp"
 #include "tools/wheelwright/common/parallel_for.hpp"
 #include "tools/wheelwright/common/progress_line.hpp"
@@ -113,7 +113,7 @@ std::string write_files(const GapCommand& command, const gap::GapAnalysis& analy
 }
 
 void stamp(RobotModel& model, const std::string& robot) {
-  model.created = now_as_text();
+  model.created = config::utc_now();
   model.robot = robot;
   for (auto& effect : model.effects) effect.created = model.created;
 }
@@ -173,8 +173,8 @@ ExitStatus run_gap(const GapCommand& command, Streams streams) {
 
 void add_simulation_options(CLI::App& command, CLI::Option& model, SimulationInput& input) {
   CLI::Option* logs = command.add_option("--simulation", input.logs,
-                                         "Runs of your simulator, by any commands: what it lacks, has in "
-                                         "another size, or has and the robot has not");
+                                         "Runs of your simulator, by any commands: what it lacks, what it "
+                                         "has in another size, and what it has that the robot has not");
   CLI::Option* run = command.add_option("--simulator", input.simulator.command,
                                         "Your simulator, run on the commands of all runs: a command for the "
                                         "shell in which {commands} and {out} stand for files");
@@ -198,7 +198,7 @@ Action add_gap(CLI::App& app) {
   const auto options = std::make_shared<GapCommand>();
   CLI::App* command =
       app.add_subcommand("gap", "What effect the simulation of a robot lacks, and how sure that is");
-  command->add_option("--train", options->train, "Drive logs to find it in")->required();
+  command->add_option("--train", options->train, "Training logs")->required();
   command->add_option("--test", options->test,
                       "Drive logs to confirm it on; else some of the others are held out");
   CLI::Option* model = command->add_option("--model", options->model,
@@ -209,7 +209,7 @@ Action add_gap(CLI::App& app) {
       ->required();
   command
       ->add_option("--largest-speed", options->largest_speed_m_s,
-                   "Of a wheel in the next experiment, m/s; else that of the logs, 0.3 at most")
+                   "Largest wheel speed in the next experiment, m/s (default: that of the logs, 0.3 at most)")
       ->check(number_between(0.02, 2.0, "m/s"));
   command
       ->add_option("--largest-change", options->largest_change_m_s,
