@@ -8,6 +8,7 @@
 #include <sstream>
 #include <utility>
 
+#include "model/gap/data_checks/carried_robot.hpp"
 #include "model/gap/data_checks/contradictions.hpp"
 #include "model/gap/data_checks/encoder_dropout.hpp"
 #include "model/gap/data_checks/frozen_reference.hpp"
@@ -169,6 +170,7 @@ GateState cleaned(const DriveLog& log, const CounterEvidence& elsewhere) {
   remove_frozen_reference(state);
   leave_out_repeated_poses(state);
   leave_out_wrong_poses(state);
+  restart_where_carried(state);
   remove_reference_jumps(state);
   return state;
 }
