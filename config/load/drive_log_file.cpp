@@ -26,7 +26,6 @@ using std::string_view;
 
 constexpr std::size_t absent = std::numeric_limits<std::size_t>::max();
 constexpr double largest_command_m_s = 100.0;
-constexpr double largest_tick_count = 9e15;
 constexpr double restart_below_s = 1.0;
 constexpr std::size_t max_rows = 10'000'000;  // two days of 18 ms
 constexpr std::size_t max_heads = 1'000'000;  // columns and lines of metadata, times runs

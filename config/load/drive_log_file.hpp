@@ -10,6 +10,9 @@
 
 namespace wheelwright::config {
 
+// Of either sign: beyond it not every whole number is a double.
+inline constexpr double largest_tick_count = 9e15;
+
 // What is wrong with a log, where, and what would be right, in one line.
 class LogError : public std::runtime_error {
  public:

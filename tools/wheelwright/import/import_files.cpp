@@ -5,6 +5,7 @@
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/clock_shift.hpp"
 #include "tools/wheelwright/import/conversion/simulated_time.hpp"
+#include "tools/wheelwright/import/inference/column_names.hpp"
 #include "tools/wheelwright/import/inference/metadata_roles.hpp"
 #include "tools/wheelwright/import/mapping/mapping_file.hpp"
 #include "tools/wheelwright/import/open_recording.hpp"
@@ -22,12 +23,28 @@ void name_tables(std::vector<Recording>& recordings) {
   }
 }
 
+// "left,right" of commands.csv and of encoders.csv are not the same.
+bool mean_the_same(const Recording& a, const Stream& first, const Recording& b, const Stream& second) {
+  const auto named_as_file = [](const Recording& recording, const Stream& stream) {
+    Stream named;
+    named.name = std::filesystem::path(recording.name).stem().string();
+    named.type = stream.type;
+    return named;
+  };
+  const Stream one = named_as_file(a, first);
+  const Stream other = named_as_file(b, second);
+  return std::ranges::all_of(first.channels, [&](const Channel& channel) {
+    return meaning_of(one, channel).quantity == meaning_of(other, channel).quantity;
+  });
+}
+
 bool have_the_same_columns(const Recording& a, const Recording& b) {
   if (a.streams.size() != 1 || b.streams.size() != 1) return false;
   const Stream& first = a.streams.front();
   const Stream& second = b.streams.front();
   return first.received_s.empty() && second.received_s.empty() &&
-         std::ranges::equal(first.channels, second.channels, {}, &Channel::name, &Channel::name);
+         std::ranges::equal(first.channels, second.channels, {}, &Channel::name, &Channel::name) &&
+         mean_the_same(a, first, b, second);
 }
 
 // Tables of the same columns are runs of one robot: the rows of all, one after the other. Each begins a run.
@@ -65,6 +82,16 @@ tl::expected<Understood, std::string> understand(const ImportRequest& request) {
   Understood result;
   const std::vector<std::filesystem::path>& files = request.files;
   result.name = names_of(files);
+  for (auto file = files.begin(); file != files.end(); ++file) {
+    std::error_code error;
+    const auto same = std::find_if(files.begin(), file, [&](const std::filesystem::path& other) {
+      return std::filesystem::equivalent(other, *file, error);
+    });
+    if (same != file)
+      return tl::unexpected(file->string() + ": is given twice" +
+                            (*same == *file ? std::string() : ", as " + same->string() + " too") +
+                            "; a run counts once");
+  }
   for (const auto& file : files) {
     auto recording = open_recording(file);
     if (!recording) return tl::unexpected(recording.error());
@@ -94,8 +121,9 @@ tl::expected<Understood, std::string> understand(const ImportRequest& request) {
     const auto shift = find_clock_shift(result.recordings, result.mapping);
     if (!shift) return tl::unexpected(result.name + ": " + shift.error());
     // What a reference shows is seen once its clock is that of the robot.
-    const GivenMapping shifted = request.given.with("reference.clock", "shifted")
-                                     .with("reference.shift_s", config::plain_number(shift->seconds));
+    GivenMapping shifted = request.given.with("reference.clock", "shifted")
+                               .with("reference.shift_s", config::plain_number(shift->seconds));
+    if (shift->rate != 1.0) shifted = shifted.with("reference.clock_rate", config::plain_number(shift->rate));
     result.inference = infer_mapping(result.recordings, shifted);
     result.mapping = to_mapping(result.inference.entries, result.name);
     result.inference.findings.push_back(shift->evidence);

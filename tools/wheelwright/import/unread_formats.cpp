@@ -24,7 +24,7 @@ constexpr std::array<Signature, 34> signatures{{
     {"Rar!\x1a\x07"sv, 0, "a RAR archive; unpack it"},
     {"ustar"sv, 257, "a tar archive; unpack it (tar -xf)"},
     {"\x89HDF\r\n\x1a\n"sv, 0, "an HDF5 file; export its arrays as CSV"},
-    {"PAR1\x15"sv, 0, "a Parquet file; export it as CSV"},
+    {"PAR1"sv, 0, "a Parquet file; export it as CSV"},
     {"ARROW1\0\0"sv, 0, "an Arrow (Feather) file; export it as CSV"},
     {"\x93NUMPY"sv, 0, "a NumPy array; export it as CSV (numpy.savetxt)"},
     {"\x80\x02"sv, 0, "a Python pickle; export it as CSV"},

@@ -106,10 +106,11 @@ class Gathering {
     for (const Stream* stream : streams) {
       times.push_back(stream_times(*stream, mapping_.time));
       if (times.back().empty()) {
-        problem_ = name() + (mapping_.time.unit == TimeUnit::frame
-                                 ? ": its time is a number of frames, and their rate is not known: --set "
-                                   "time.rate_hz=30"
-                                 : ": has no time; say how far its rows are apart: --set time.period_s=0.05");
+        problem_ = (streams.size() > 1 ? stream->name : name()) +
+                   (mapping_.time.unit == TimeUnit::frame
+                        ? ": its time is a number of frames, and their rate is not known: --set "
+                          "time.rate_hz=30"
+                        : ": has no time; say how far its rows are apart: --set time.period_s=0.05");
         return false;
       }
     }
@@ -216,11 +217,16 @@ class Gathering {
   }
 
   void shift_reference(const std::vector<const Stream*>& streams, std::vector<Column>& times) const {
-    if (!mapping_.reference || !mapping_.reference->shift_s || !mapping_.reference->x) return;
+    if (!mapping_.reference || !mapping_.reference->x) return;
+    const double shift_s = mapping_.reference->shift_s.value_or(0.0);
+    const double rate = mapping_.reference->clock_rate.value_or(1.0);
     const FoundChannel found = find_channel(recordings_, *mapping_.reference->x);
     for (std::size_t s = 0; s < streams.size(); ++s) {
       if (streams[s] != found.stream) continue;
-      for (double& t : times[s]) t += *mapping_.reference->shift_s;
+      const auto first = std::ranges::find_if(times[s], [](double t) { return std::isfinite(t); });
+      if (first == times[s].end()) continue;
+      const double first_s = *first;
+      for (double& t : times[s]) t = first_s + shift_s + rate * (t - first_s);
     }
   }
 

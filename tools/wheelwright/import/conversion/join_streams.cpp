@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "model/statistics/order_statistics.hpp"
+#include "tools/wheelwright/import/conversion/clock_sessions.hpp"
 #include "tools/wheelwright/import/recording.hpp"
 
 namespace wheelwright::import {
@@ -18,13 +19,20 @@ struct Sample {
   double value;
 };
 
-std::vector<Sample> samples_of(std::span<const double> t_s, std::span<const double> values) {
+std::vector<Sample> samples_of(std::span<const double> t_s, std::span<const double> values,
+                               const SessionRows& rows) {
   std::vector<Sample> samples;
-  for (std::size_t i = 0; i < t_s.size(); ++i) {
-    if (std::isfinite(t_s[i]) && std::isfinite(values[i])) samples.push_back({t_s[i], values[i]});
-  }
-  std::ranges::stable_sort(samples, {}, &Sample::t_s);
+  for (const std::size_t row : rows)
+    if (std::isfinite(values[row])) samples.push_back({t_s[row], values[row]});
   return samples;
+}
+
+// All rows in the order of time.
+SessionRows as_one(const std::vector<SessionRows>& sessions, std::span<const double> t_s) {
+  SessionRows all;
+  for (const SessionRows& rows : sessions) all.insert(all.end(), rows.begin(), rows.end());
+  std::ranges::stable_sort(all, {}, [&](std::size_t row) { return t_s[row]; });
+  return all;
 }
 
 double longest_step(const std::vector<Sample>& samples) {
@@ -85,9 +93,20 @@ std::vector<double> interpolate(const std::vector<Sample>& samples, std::span<co
 
 std::vector<double> join(std::span<const double> from_s, std::span<const double> values,
                          std::span<const double> to_s, Joining joining) {
-  const auto samples = samples_of(from_s, values);
-  if (to_s.empty() || samples.empty()) return std::vector<double>(to_s.size(), nothing);
-  return joining == Joining::held ? hold(samples, to_s) : interpolate(samples, to_s);
+  std::vector<double> result(to_s.size(), nothing);
+  const auto from = clock_sessions(from_s);
+  const auto to = clock_sessions(to_s);
+  const bool are_pairs = from.size() == to.size();
+  const SessionRows all = are_pairs ? SessionRows() : as_one(from, from_s);
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    const auto samples = samples_of(from_s, values, are_pairs ? from[i] : all);
+    if (samples.empty()) continue;
+    std::vector<double> times;
+    for (const std::size_t row : to[i]) times.push_back(to_s[row]);
+    const auto joined = joining == Joining::held ? hold(samples, times) : interpolate(samples, times);
+    for (std::size_t k = 0; k < joined.size(); ++k) result[to[i][k]] = joined[k];
+  }
+  return result;
 }
 
 UnitedRows unite_rows(std::span<const std::vector<double>> times) {
@@ -97,18 +116,28 @@ UnitedRows unite_rows(std::span<const std::vector<double>> times) {
     std::size_t stream;
     std::size_t row;
   };
-  std::vector<Row> all;
+  std::vector<std::vector<SessionRows>> sessions;
   UnitedRows united;
-  for (std::size_t s = 0; s < times.size(); ++s) {
-    united.rows.emplace_back(times[s].size(), 0);
-    for (std::size_t i = 0; i < times[s].size(); ++i) {
-      if (std::isfinite(times[s][i])) all.push_back({times[s][i], s, i});
-    }
+  for (const auto& t_s : times) {
+    united.rows.emplace_back(t_s.size(), 0);
+    sessions.push_back(clock_sessions(t_s));
   }
-  std::ranges::stable_sort(all, {}, &Row::t_s);
-  for (const Row& row : all) {
-    if (united.t_s.empty() || row.t_s > united.t_s.back() + resolution_s) united.t_s.push_back(row.t_s);
-    united.rows[row.stream][row.row] = united.t_s.size() - 1;
+  const bool go_together =
+      std::ranges::all_of(sessions, [&](const auto& each) { return each.size() == sessions.front().size(); });
+  if (!go_together) {
+    for (std::size_t s = 0; s < times.size(); ++s) sessions[s] = {as_one(sessions[s], times[s])};
+  }
+  for (std::size_t i = 0; !sessions.empty() && i < sessions.front().size(); ++i) {
+    std::vector<Row> all;
+    for (std::size_t s = 0; s < times.size(); ++s)
+      for (const std::size_t row : sessions[s][i]) all.push_back({times[s][row], s, row});
+    std::ranges::stable_sort(all, {}, &Row::t_s);
+    const std::size_t first = united.t_s.size();
+    for (const Row& row : all) {
+      if (united.t_s.size() == first || row.t_s > united.t_s.back() + resolution_s)
+        united.t_s.push_back(row.t_s);
+      united.rows[row.stream][row.row] = united.t_s.size() - 1;
+    }
   }
   return united;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "config/load/drive_log_file.hpp"
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/command_holes.hpp"
 #include "tools/wheelwright/import/conversion/missing_keys.hpp"
@@ -167,6 +168,10 @@ class RunMaker {
       log.samples.push_back(sample(row, t_s[i], command_m_s));
       add_counts(counts, i, log.samples.back());
     }
+    if (is_one_wheel(mapping_) && !one_command && !is_of_body)
+      remarks.push_back(
+          columns_.place(rows.front()) +
+          ": the right wheel has no counter, and is left out with its command: one wheel alone");
     if (before_commands > 0) {
       remarks.push_back(columns_.place(rows.front()) + ": " + std::to_string(before_commands) +
                         " rows before the first command, left out");
@@ -205,9 +210,10 @@ class RunMaker {
   }
 
   static void add_counts(const std::array<Column, 2>& counts, std::size_t at, DriveSample& sample) {
-    if (counts[0].empty() || !std::isfinite(counts[0][at])) return;
+    const auto is_count = [](double value) { return std::abs(value) <= config::largest_tick_count; };
+    if (counts[0].empty() || !is_count(counts[0][at])) return;
     const double right = counts[1].empty() ? 0.0 : counts[1][at];
-    if (std::isfinite(right)) sample.ticks = WheelTicks{std::llround(counts[0][at]), std::llround(right)};
+    if (is_count(right)) sample.ticks = WheelTicks{std::llround(counts[0][at]), std::llround(right)};
   }
 
   // Of the rows that measured something: rows that hold a command alone lie anywhere.

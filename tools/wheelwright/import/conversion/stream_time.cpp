@@ -68,6 +68,12 @@ TimeUnit unit_here(const Stream& stream, const Channel& channel, const TimeMappi
              : time_unit_of(stream, channel, time.period_s);
 }
 
+bool goes_by_one(const std::vector<double>& values) {
+  for (std::size_t i = 1; i < values.size(); ++i)
+    if (values[i] != values[i - 1] + 1.0) return false;
+  return values.size() > 1;
+}
+
 const Channel* own_time(const Stream& stream) {
   if (is_tum(stream)) return &stream.channels.front();
   for (const auto& channel : stream.channels) {
@@ -112,16 +118,25 @@ std::optional<TimeUnit> time_unit_stated_for(const Stream& stream, const Channel
   const NameWords words(channel.name);
   if (words.empty()) return std::nullopt;
   if (const auto unit = stated_time_unit(meaning_of(stream, channel).unit)) return unit;
-  // "t" and "s" alone are names; "time_sec", "millis" hold a unit.
-  return words.last().size() > 2 ? stated_time_unit(words.last()) : std::nullopt;
+  // "t", "s" and "h" are names; "time_sec", "ms" hold a unit.
+  return words.last().size() > 1 ? stated_time_unit(words.last()) : std::nullopt;
 }
 
 bool counts_frames(const Channel& channel) {
   const NameWords words(channel.name);
-  const bool names_frames = !words.empty() && std::ranges::all_of(words.words(), [](const std::string& word) {
-    return NameWords(word).has_any({"frame", "frames", "sample", "samples", "image", "video", "no", "number",
-                                    "nr", "num", "id", "idx", "index", "count", "counter"});
-  }) && words.has_any({"frame", "frames", "sample", "samples"});
+  const bool names_frames =
+      !words.empty() &&
+      std::ranges::all_of(
+          words.words(),
+          [](const std::string& word) {
+            return NameWords(word).has_any(
+                {"frame",     "frames",     "sample", "samples", "image", "video", "no",      "number",
+                 "nr",        "num",        "id",     "idx",     "index", "count", "counter", "iter",
+                 "iteration", "iterations", "loop",   "step",    "cycle", "i",     "n",       "k"});
+          }) &&
+      (words.has_any({"frame", "frames", "sample", "samples"}) ||
+       (words.has_any({"iter", "iteration", "iterations", "loop", "step", "cycle", "i", "n", "k"}) &&
+        goes_by_one(channel.values)));
   return names_frames && are_whole(channel.values) && std::ranges::is_sorted(channel.values) &&
          channel.values.size() > 1 && channel.values.front() < channel.values.back();
 }

@@ -86,6 +86,10 @@ double seconds_in(TimeUnit unit) {
       return 1e-9;
     case TimeUnit::day:
       return 86400.0;
+    case TimeUnit::min:
+      return 60.0;
+    case TimeUnit::h:
+      return 3600.0;
     case TimeUnit::s:
     case TimeUnit::frame:
     case TimeUnit::hms:
@@ -96,9 +100,10 @@ double seconds_in(TimeUnit unit) {
 }
 
 std::string_view in_words(TimeUnit unit) {
-  constexpr std::array<std::string_view, 9> names{
+  constexpr std::array<std::string_view, 11> names{
       "seconds", "milliseconds",           "microseconds", "nanoseconds", "hours, minutes and seconds",
-      "dates",   "hundredths of a second", "days",         "frames"};
+      "dates",   "hundredths of a second", "days",         "frames",      "minutes",
+      "hours"};
   return names.at(static_cast<std::size_t>(unit));
 }
 
@@ -126,7 +131,7 @@ TimeUnit time_unit(const std::vector<double>& times, std::optional<double> perio
 std::optional<TimeUnit> stated_time_unit(std::string_view text) {
   const std::string lower = config::lower_case(text);
   using Spelling = std::pair<std::string_view, TimeUnit>;
-  constexpr std::array<Spelling, 28> spellings{{{"s", TimeUnit::s},
+  constexpr std::array<Spelling, 34> spellings{{{"s", TimeUnit::s},
                                                 {"sec", TimeUnit::s},
                                                 {"secs", TimeUnit::s},
                                                 {"second", TimeUnit::s},
@@ -153,7 +158,13 @@ std::optional<TimeUnit> stated_time_unit(std::string_view text) {
                                                 {"nanosecond", TimeUnit::ns},
                                                 {"nanoseconds", TimeUnit::ns},
                                                 {"day", TimeUnit::day},
-                                                {"days", TimeUnit::day}}};
+                                                {"days", TimeUnit::day},
+                                                {"min", TimeUnit::min},
+                                                {"minute", TimeUnit::min},
+                                                {"minutes", TimeUnit::min},
+                                                {"h", TimeUnit::h},
+                                                {"hour", TimeUnit::h},
+                                                {"hours", TimeUnit::h}}};
   const auto* const at = std::ranges::find(spellings, std::string_view(lower), &Spelling::first);
   return at == spellings.end() ? std::nullopt : std::optional(at->second);
 }

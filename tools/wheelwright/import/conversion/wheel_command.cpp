@@ -85,7 +85,7 @@ double with_sign(double value) {
 // Of whole millimetres.
 std::optional<WheelPair> special_arc(double velocity, double radius) {
   constexpr double straight = 32767.0;
-  if (std::abs(radius) >= straight) return WheelPair{velocity, velocity};
+  if (std::abs(radius) >= straight || radius == 0.0) return WheelPair{velocity, velocity};
   if (radius == 1.0) return WheelPair{-velocity, velocity};
   if (radius == -1.0) return WheelPair{velocity, -velocity};
   return std::nullopt;
@@ -108,6 +108,12 @@ void turn_by_radius(DriveColumns& columns, const Mapping& mapping) {
     if (in_millimetres) {
       left = with_sign(left);
       right = with_sign(right);
+    }
+    if (mapping.command->by_curvature) {
+      const double apart = left * half_base * right * unit_m;
+      right = left + apart;
+      left -= apart;
+      continue;
     }
     const auto special = in_millimetres ? special_arc(left, right) : std::nullopt;
     const WheelPair wheels = special.value_or(on_arc(left, right, half_base));

@@ -37,6 +37,20 @@ bool is_french(const Stream& stream) {
   return any_has(stream, {"consigne", "vitesse", "mesuree", "codeur", "temps"});
 }
 
+// "fl" and "fr", or "lf" and "rf", of robots with four wheels.
+NamedSide side_of_four(const NameWords& words, const Stream& stream) {
+  for (const auto& [left, right] : {std::pair<std::string_view, std::string_view>{"fl", "fr"},
+                                    {"rl", "rr"},
+                                    {"bl", "br"},
+                                    {"lf", "rf"},
+                                    {"lr", "rr"},
+                                    {"lb", "rb"}}) {
+    if (words.has(left) && any_has(stream, {right})) return NamedSide::left;
+    if (words.has(right) && any_has(stream, {left})) return NamedSide::right;
+  }
+  return NamedSide::none;
+}
+
 NamedSide side_of(const NameWords& words, const Stream& stream) {
   if (words.has("dir") && is_portuguese(stream)) return NamedSide::right;
   if (words.has_any({"g", "d"}) && is_french(stream))
@@ -44,7 +58,10 @@ NamedSide side_of(const NameWords& words, const Stream& stream) {
   // Of a quaternion.
   if (words.last() == "rw" && any_has(stream, {"rx"}) && any_has(stream, {"rz"})) return NamedSide::none;
   // In "p_RS_R_x" (EuRoC) the letters name frames.
-  if (words.has("rs") || words.has_any({"front", "rear"})) return NamedSide::none;
+  if (words.has("rs")) return NamedSide::none;
+  if (words.has_any({"front", "rear", "back"}))
+    return words.has("left") ? NamedSide::left : words.has("right") ? NamedSide::right : NamedSide::none;
+  if (const auto side = side_of_four(words, stream); side != NamedSide::none) return side;
   if (words.has_any({"left",     "l",         "lft",       "port",   "gauche", "links", "linke", "linkes",
                      "sinistra", "izquierda", "izquierdo", "lhs",    "lw",     "wl",    "izq",   "esq",
                      "esquerda", "esquerdo",  "sinistro",  "linker", "lewy",   "lewe"}))
@@ -67,7 +84,8 @@ bool is_command_name(const NameWords& words) {
              {"consigne", "deseada", "deseado", "gewenst", "gewenste", "wanted", "tgt", "vorgabe"}) ||
          words.has_any({"cmd",       "cmdvel", "command", "commanded", "commands", "set",  "setpoint",
                         "setpoints", "sp",     "target",  "desired",   "des",      "goal", "request",
-                        "requested", "req",    "demand",  "input",     "u",        "pwm",  "duty"});
+                        "requested", "req",    "demand",  "input",     "u",        "pwm",  "duty",
+                        "ramped",    "slewed", "limited", "actuator",  "actuators"});
 }
 
 // The reference of a controller is what it wants of a wheel or a speed; that of a place is where it was.
@@ -87,8 +105,18 @@ bool is_time(const Name& name) {
           (words.words().size() == 1 && (last == "ms" || last == "us" || last == "ns" || last == "s")));
 }
 
+// "dL", "delta_left": the travel since the row before.
+bool are_increments(const NameWords& words) {
+  return words.has_any({"delta", "increment", "increments", "inc"}) ||
+         (words.words().size() == 2 && words.words().front() == "d");
+}
+
 Quantity of_wheel(const Name& name) {
   const NameWords& words = name.words;
+  if (words.has_any({"current", "currents", "amp", "amps", "ampere", "torque", "temp", "temperature"}))
+    return Quantity::unknown;
+  // Turns of the field of a motor, of which nobody knows how many make one of the wheel.
+  if (words.has("erpm")) return name.is_command ? Quantity::duty : Quantity::unknown;
   const bool is_speed = words.has_any({"vel", "velocity", "speed", "spd", "v", "rpm", "rps", "omega", "w",
                                        "rate", "geschwindigkeit", "drehzahl", "vitesse", "velocidad",
                                        "velocidade", "snelheid", "velocita"}) ||
@@ -102,14 +130,16 @@ Quantity of_wheel(const Name& name) {
   if (is_speed) return Quantity::speed;
   if (find_unit(angle_units(), name.unit)) return Quantity::angle;
   if (find_unit(distance_units(), name.unit)) return Quantity::distance;
-  if (words.has_any({"tick",   "ticks",   "dticks",   "dcount",  "dcounts",  "dcnt",     "denc",   "count",
-                     "counts", "cnt",     "enc",      "encoder", "encoders", "pulse",    "pulses", "qei",
-                     "pos",    "impulse", "impulsos", "pulsos",  "codeur",   "encodeur", "teller"})) {
+  if (words.has_any({"tick",     "ticks",  "dticks", "dcount",    "dcounts",  "dcnt",     "denc",
+                     "count",    "counts", "cnt",    "enc",       "encoder",  "encoders", "pulse",
+                     "pulses",   "qei",    "pos",    "impulse",   "impulsos", "pulsos",   "codeur",
+                     "encodeur", "teller", "tacho",  "tachometer"})) {
     return Quantity::count;
   }
   if (words.has_any({"dist", "distance", "travel", "odo", "odometer"})) return Quantity::distance;
   if (words.has_any({"angle", "ang", "phi", "rot", "rotation", "theta", "th", "position"}))
     return Quantity::angle;
+  if (are_increments(words)) return Quantity::count;
   if (words.has("motor") || words.has("wheel")) return Quantity::speed;
   return Quantity::unknown;
 }
@@ -154,6 +184,7 @@ Quantity of_body(const Name& name) {
                          find_unit(speed_units(), name.unit);
   if (is_linear) return name.is_command ? Quantity::linear_command : Quantity::linear_speed;
   if (words.has_any({"pwm", "duty", "throttle", "power"})) return Quantity::duty;
+  if (words.has_any({"curvature", "kappa"})) return Quantity::curvature;
   if (words.has("radius") && !words.has_any({"wheel", "wheels"})) return Quantity::radius;
   if (words.has_any({"encoder", "enc", "ticks", "counts", "tick", "count"})) return Quantity::count;
   return name.is_command ? Quantity::command : Quantity::unknown;
@@ -193,6 +224,10 @@ bool says_nothing(const NameWords& words) {
          });
 }
 
+bool says_a_side_alone(const NameWords& words) {
+  return words.words().size() == 1 && words.has_any({"left", "right", "l", "r"});
+}
+
 std::string numbers_of(const std::string& name) {
   std::string numbers;
   for (const char c : name)
@@ -215,8 +250,9 @@ NameMeaning meaning_of(const Stream& stream, const Channel& channel) {
   const std::string topic = stream.name.substr(0, stream.name.find(':'));
   Name name{.words = NameWords(channel.name)};
   if (name.words.empty()) return {};
-  if (says_nothing(name.words) && !topic.empty())
-    name.words = NameWords(topic + "_" + numbers_of(channel.name));
+  if ((says_nothing(name.words) || says_a_side_alone(name.words)) && !topic.empty())
+    name.words =
+        NameWords(topic + "_" + (says_a_side_alone(name.words) ? channel.name : numbers_of(channel.name)));
   name.unit = channel.unit.empty() ? name.words.take_unit() : channel.unit;
   if (name.unit == "in") name.unit = "inch";  // a word of many names, but a unit where the file states one
   if (const auto standard = unit_by_spelling(name.unit); !standard.empty()) name.unit = standard;

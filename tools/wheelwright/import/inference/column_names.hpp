@@ -23,8 +23,9 @@ enum class Quantity : std::uint8_t {
   direction,  // a bit beside a duty
   throttle,
   steering,
-  stick,   // an axis of a joystick
-  radius,  // of a turn
+  stick,      // an axis of a joystick
+  radius,     // of a turn
+  curvature,  // one over it
   linear_command,
   angular_command,
   linear_speed,

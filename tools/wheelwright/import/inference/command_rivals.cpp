@@ -7,6 +7,7 @@
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
 #include "tools/wheelwright/import/inference/column_names.hpp"
+#include "tools/wheelwright/import/inference/named_channels.hpp"
 #include "tools/wheelwright/import/inference/response_rows.hpp"
 
 namespace wheelwright::import {
@@ -18,13 +19,12 @@ bool means_the_same(const NameMeaning& one, const NameMeaning& other) {
   return one.quantity == other.quantity && one.side == other.side;
 }
 
-// The channel of a stream that means what `meaning` says.
-std::optional<ChannelName> like(const Stream& stream, const NameMeaning& meaning) {
-  const auto found = std::ranges::find_if(stream.channels, [&](const Channel& channel) {
-    return means_the_same(meaning_of(stream, channel), meaning);
-  });
-  if (found == stream.channels.end()) return std::nullopt;
-  return ChannelName{stream.name, found->name};
+// The channels of a stream that mean what `meaning` says.
+std::vector<const Channel*> like(const Stream& stream, const NameMeaning& meaning) {
+  std::vector<const Channel*> found;
+  for (const Channel& channel : stream.channels)
+    if (means_the_same(meaning_of(stream, channel), meaning)) found.push_back(&channel);
+  return found;
 }
 
 std::vector<CommandMapping> rivals_of(std::span<const Recording> recordings, const CommandMapping& command) {
@@ -34,13 +34,16 @@ std::vector<CommandMapping> rivals_of(std::span<const Recording> recordings, con
   std::vector<CommandMapping> rivals;
   for (const auto& recording : recordings) {
     for (const auto& stream : recording.streams) {
-      if (&stream == first.stream || stream.name.empty()) continue;
-      const auto one = like(stream, meaning_of(*first.stream, *first.channel));
-      const auto other = like(stream, meaning_of(*second.stream, *second.channel));
-      if (!one || !other) continue;
-      rivals.push_back(command);
-      rivals.back().first = *one;
-      rivals.back().second = other;
+      const auto others = like(stream, meaning_of(*second.stream, *second.channel));
+      if (others.empty() || (&stream != first.stream && stream.name.empty())) continue;
+      for (const Channel* one : like(stream, meaning_of(*first.stream, *first.channel))) {
+        const Channel* other = *std::ranges::min_element(
+            others, {}, [&](const Channel* each) { return words_apart(one->name, each->name); });
+        if (one == first.channel || other == second.channel) continue;
+        rivals.push_back(command);
+        rivals.back().first = {stream.name, one->name};
+        rivals.back().second = ChannelName{stream.name, other->name};
+      }
     }
   }
   return rivals;

@@ -1,4 +1,5 @@
-// Commands of one kind in several streams: what a planner asked for, and what the robot was told in the end.
+// Commands of one kind in several streams, or columns of one: what a planner asked for, and what the robot
+// was sent in the end.
 #pragma once
 
 #include <span>
@@ -11,7 +12,7 @@
 
 namespace wheelwright::import {
 
-// Takes those of all streams that explain the wheels best, in place of the first by name; a line in
+// Takes those of all that explain the wheels best, in place of the first by name; a line in
 // `findings`. Commands that are given stay.
 void choose_among_commands(std::span<const Recording> recordings, const GivenMapping& given, Mapping& mapping,
                            std::vector<std::string>& findings);

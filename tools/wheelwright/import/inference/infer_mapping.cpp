@@ -130,13 +130,14 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
       infer_counters(*columns, given, mapping, inference.findings, inference.doubts);
       infer_steering(*columns, given, mapping, inference.findings, inference.doubts);
       set_duty(*columns, given, mapping);
-      if (infer_mirrored_side(*columns, given, mapping, inference.findings))
-        columns = gather_sample(recordings, mapping);
-      if (infer_heading_unit(*columns, given, mapping, inference.findings))
-        columns = gather_sample(recordings, mapping);
+      const auto gather_again = [&] {
+        if (auto again = gather_sample(recordings, mapping)) columns = std::move(again);
+      };
+      if (infer_mirrored_side(*columns, given, mapping, inference.findings)) gather_again();
+      if (infer_heading_unit(*columns, given, mapping, inference.findings)) gather_again();
       if (!states_its_frame(recordings) &&
           infer_reference_frame(recordings, *columns, given, mapping, inference.findings, inference.doubts))
-        columns = gather_sample(recordings, mapping);
+        gather_again();
       set_units(*columns, given, mapping, inference.findings, inference.doubts);
       infer_pixel_scale(recordings, *columns, given, mapping, inference.findings, inference.doubts);
       set_step_scale(*columns, given, mapping, inference.findings);

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "config/load/ascii_text.hpp"
 #include "tools/wheelwright/import/conversion/join_streams.hpp"
+#include "tools/wheelwright/import/inference/column_names.hpp"
 #include "tools/wheelwright/import/inference/column_shapes.hpp"
 
 namespace wheelwright::import {
@@ -34,8 +36,12 @@ std::optional<Stream> joined_tables(std::span<const Recording> recordings) {
       if (has_clock_and_no_names(stream)) tables.push_back(&stream);
   }
   if (tables.size() < 2) return std::nullopt;
-  const Stream& longest =
-      **std::ranges::max_element(tables, {}, [](const Stream* table) { return table->rows; });
+  // At the rows of counts, whose speeds are not to be those of a staircase.
+  const auto is_counted = [](const Stream& table) {
+    return meaning_of(Stream{}, Channel{table.name + ":2", {}, {}}).quantity == Quantity::count;
+  };
+  const Stream& longest = **std::ranges::max_element(
+      tables, {}, [&](const Stream* table) { return std::pair(is_counted(*table), table->rows); });
   const std::vector<double>& clock = longest.channels.front().values;
   Stream joined;
   joined.rows = longest.rows;

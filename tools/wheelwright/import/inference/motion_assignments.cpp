@@ -10,6 +10,7 @@
 #include "tools/wheelwright/import/conversion/counts.hpp"
 #include "tools/wheelwright/import/conversion/value_range.hpp"
 #include "tools/wheelwright/import/inference/column_shapes.hpp"
+#include "tools/wheelwright/import/inference/name_words.hpp"
 #include "tools/wheelwright/import/inference/response_fit.hpp"
 
 namespace wheelwright::import {
@@ -150,18 +151,24 @@ class Assignments {
     if (assignment.explained >= motion_explained) possible_.push_back(assignment);
   }
 
-  // Two counters, or two speeds. A place is as good as a counter where a robot drives straight, but has
-  // parts.
+  // Two counters, or two speeds, in the same unit. A place is as good as a counter where a robot drives
+  // straight, but has parts.
   bool are_alike(std::size_t a, std::size_t b) const {
-    return wheels_[a].cumulative == wheels_[b].cumulative &&
+    const auto unit = [](const Channel& channel) {
+      return channel.unit.empty() ? NameWords(channel.name).take_unit() : channel.unit;
+    };
+    return unit(*wheels_[a].channel) == unit(*wheels_[b].channel) &&
+           wheels_[a].cumulative == wheels_[b].cumulative &&
            (!wheels_[a].cumulative || whole_[a] == whole_[b]);
   }
 
   void offer_pairs(std::size_t a, std::size_t b) {
     for (std::size_t c = 0; c < commands_.size(); ++c) {
       for (std::size_t d = 0; d < commands_.size(); ++d) {
-        if (commands_[c] == wheels_[a].channel || commands_[d] == wheels_[b].channel) continue;
-        if (c == d && (wheels_[a].channel == commands_[c] || commands_.size() > 1)) continue;
+        const auto is_wheel = [&](const Channel* command) {
+          return command == wheels_[a].channel || command == wheels_[b].channel;
+        };
+        if (is_wheel(commands_[c]) || is_wheel(commands_[d]) || (c == d && commands_.size() > 1)) continue;
         offer({CommandKind::wheels,
                {commands_[c], c == d ? nullptr : commands_[d]},
                {wheels_[a], wheels_[b]},

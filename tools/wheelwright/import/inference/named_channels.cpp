@@ -10,17 +10,6 @@ namespace wheelwright::import {
 
 namespace {
 
-// Words that one of two names has and the other has not: "mocap_x" is nearer to "mocap_y" than to "odom_y".
-int words_apart(const std::string& one, const std::string& other) {
-  const NameWords first(one);
-  const NameWords second(other);
-  const auto strange = [](const NameWords& name, const NameWords& in) {
-    return static_cast<int>(
-        std::ranges::count_if(name.words(), [&in](const std::string& word) { return !in.has(word); }));
-  };
-  return strange(first, second) + strange(second, first);
-}
-
 // "m2" of "m1", "data[1]" of "data[0]"; empty where there is no such number.
 std::string next_number(const std::string& name) {
   std::string next = name;
@@ -47,6 +36,16 @@ std::optional<NamedPair> pair_of_topics(const std::vector<Named>& first, const s
 }
 
 }  // namespace
+
+int words_apart(const std::string& one, const std::string& other) {
+  const NameWords first(one);
+  const NameWords second(other);
+  const auto strange = [](const NameWords& name, const NameWords& in) {
+    return static_cast<int>(
+        std::ranges::count_if(name.words(), [&in](const std::string& word) { return !in.has(word); }));
+  };
+  return strange(first, second) + strange(second, first);
+}
 
 NamedChannels::NamedChannels(std::span<const Recording> recordings, const Mapping& mapping) {
   for (const auto& recording : recordings) {

@@ -12,6 +12,9 @@
 
 namespace wheelwright::import {
 
+// Words that one of two names has and the other has not: "mocap_x" is nearer to "mocap_y" than to "odom_y".
+int words_apart(const std::string& one, const std::string& other);
+
 struct Named {
   const Stream* stream;
   const Channel* channel;

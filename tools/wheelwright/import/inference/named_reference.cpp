@@ -12,6 +12,7 @@
 #include "tools/wheelwright/import/inference/name_words.hpp"
 #include "tools/wheelwright/import/inference/named_heading.hpp"
 #include "tools/wheelwright/import/inference/pose_names.hpp"
+#include "tools/wheelwright/import/inference/quaternion_columns.hpp"
 #include "tools/wheelwright/import/inference/units/gain_units.hpp"
 #include "tools/wheelwright/import/inference/wanted_path.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
@@ -62,11 +63,17 @@ class ReferenceFinder {
     for (const auto& recording : recordings_) {
       for (const auto& stream : recording.streams) {
         if (!is_tum(stream)) continue;
-        findings_.push_back("the reference is a trajectory in the TUM format (t x y z qx qy qz qw)");
         const auto column = [&](std::size_t number) { return &stream.channels[number - 1]; };
+        const bool real_first = has_real_part_first(std::span(stream.channels).subspan<4, 4>());
+        findings_.push_back(real_first
+                                ? "the reference is t x y z qw qx qy qz, by which parts stay small"
+                                : "the reference is a trajectory in the TUM format (t x y z qx qy qz qw)");
         found_ = ReferenceMapping{};
         const bool y_is_up = take_places(stream, {column(2), column(3), column(4)}, *found_);
-        take_quaternion(stream, {column(5), column(6), column(7), column(8)}, y_is_up, *found_);
+        const std::array<const Channel*, 4> parts =
+            real_first ? std::array{column(6), column(7), column(8), column(5)}
+                       : std::array{column(5), column(6), column(7), column(8)};
+        take_quaternion(stream, parts, y_is_up, *found_);
         return true;
       }
     }
@@ -177,10 +184,27 @@ class ReferenceFinder {
     reference.y_points_right = !y_is_up && is_northward(NameWords(reference.x->channel)) &&
                                is_eastward(NameWords(reference.y->channel));
     take_heading(*best, y_is_up, has_trusted_heading(*best), named_, reference);
+    if (!reference.theta && !reference.qw) take_numbered_quaternion(*best->stream, y_is_up, reference);
     if (!others.empty())
       findings_.push_back("reference: " + best->name().text() + " was taken; there are also " +
                           others.substr(2));
     found_ = reference;
+  }
+
+  // "q0" to "q3", of which the real part may be the first or the last.
+  void take_numbered_quaternion(const Stream& stream, bool y_is_up, ReferenceMapping& reference) {
+    std::vector<const Channel*> numbered;
+    for (const Channel& channel : stream.channels) {
+      const NameWords words(channel.name);
+      if (words.words().size() == 2 && words.words().front() == "q" && config::is_digit(words.last().front()))
+        numbered.push_back(&channel);
+    }
+    const auto found = find_quaternion(stream, numbered);
+    if (!found) return;
+    take_quaternion(stream, {found->x, found->y, found->z, found->w}, y_is_up, reference);
+    findings_.push_back(found->x->name + ", " + found->y->name + ", " + found->z->name + " and " +
+                        found->w->name +
+                        " are x, y, z and the real part of a quaternion, by which stay small");
   }
 
   // Of a satellite receiver.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/inference/column_shapes.hpp"
@@ -29,7 +30,9 @@ class ByNames {
     if (!mapping_.reference)
       mapping_.reference = find_named_reference(recordings_, named_, mapping_.wheels.has_value(), findings_);
     find_scalar(mapping_.gyro, Quantity::gyro, angular_units());
+    const bool is_given = mapping_.battery.has_value();
     find_scalar(mapping_.battery, Quantity::battery, voltage_units());
+    if (!is_given) check_battery();
     if (!mapping_.time.column) find_time();
   }
 
@@ -58,9 +61,10 @@ class ByNames {
   }
 
   static bool is_per_row(const Named& named) {
-    return NameWords(named.channel->name)
-        .has_any({"delta", "diff", "inc", "increment", "increments", "dticks", "dcount", "dcounts", "dcnt",
-                  "denc"});
+    const NameWords words(named.channel->name);
+    if (words.words().size() == 2 && words.words().front() == "d") return true;
+    return words.has_any(
+        {"delta", "diff", "inc", "increment", "increments", "dticks", "dcount", "dcounts", "dcnt", "denc"});
   }
 
   // Of a wheel: an omega that is faster than any robot in m/s.
@@ -76,8 +80,9 @@ class ByNames {
     if (right) wheels.right = right->name();
     wheels.unit = left.meaning.unit;
     // Parts of a count are none.
-    if (kind == WheelKind::counts && !are_whole(left.channel->values)) wheels.kind = WheelKind::angle;
     wheels.per_row = is_per_row(left);
+    if (kind == WheelKind::counts && !are_whole(left.channel->values))
+      wheels.kind = wheels.per_row ? WheelKind::distance : WheelKind::angle;
     if (wheels.kind == WheelKind::counts) wheels.unit.clear();
     const std::span<const Unit> units = wheels.kind == WheelKind::speed      ? speed_units()
                                         : wheels.kind == WheelKind::distance ? distance_units()
@@ -91,7 +96,7 @@ class ByNames {
   }
 
   void find_command() {
-    if (take_radius()) return;
+    if (take_radius() || take_curvature()) return;
     if (const auto found = named_.sides(Quantity::command, findings_))
       return take_signed(CommandKind::wheels, found->first, found->second);
     if (const auto found = named_.sides(Quantity::duty, findings_))
@@ -108,11 +113,11 @@ class ByNames {
     if (const auto found = NamedChannels::pair(linear, angular, findings_)) {
       return take_command(CommandKind::twist, found->first, found->second);
     }
-    // Speeds of the body beside wheels that were measured, and held: they are what was asked for.
+    // Speeds of the body beside wheels or places that were measured, and held: they are what was asked for.
     const auto speeds = named_.all(Quantity::linear_speed, NamedSide::none);
     if (const auto found =
             NamedChannels::pair(speeds, named_.all(Quantity::angular_speed, NamedSide::none), findings_);
-        found && mapping_.wheels && is_held(found->first.channel->values)) {
+        found && (mapping_.wheels || has_places()) && is_held(found->first.channel->values)) {
       findings_.push_back(found->first.name().text() + " and " + found->second.name().text() +
                           " are held for most rows and are taken for commands");
       return take_command(CommandKind::twist, found->first, found->second);
@@ -124,6 +129,11 @@ class ByNames {
     if (const auto found = named_.single(Quantity::command))
       return take_command(CommandKind::wheels, *found, std::nullopt);
     if (!linear.empty()) take_command(CommandKind::wheels, linear.front(), std::nullopt);
+  }
+
+  bool has_places() const {
+    return !named_.all(Quantity::x, NamedSide::none).empty() &&
+           !named_.all(Quantity::y, NamedSide::none).empty();
   }
 
   // With the bits of direction beside it.
@@ -166,6 +176,21 @@ class ByNames {
     mapping_.command->unit = "mm/s";
     findings_.push_back("commands are a velocity and the radius of the turn, in mm/s and mm: " +
                         found->first.name().text() + " and " + found->second.name().text());
+    return true;
+  }
+
+  // A velocity and one over the radius of the turn, in 1/m.
+  bool take_curvature() {
+    auto velocities = named_.all(Quantity::linear_command, NamedSide::none);
+    for (const auto& speed : named_.all(Quantity::linear_speed, NamedSide::none)) velocities.push_back(speed);
+    const auto found =
+        NamedChannels::pair(velocities, named_.all(Quantity::curvature, NamedSide::none), findings_);
+    if (!found) return false;
+    take_command(CommandKind::wheels, found->first, found->second);
+    mapping_.command->by_radius = true;
+    mapping_.command->by_curvature = true;
+    findings_.push_back("commands are a velocity and a curvature, in 1/m: " + found->first.name().text() +
+                        " and " + found->second.name().text());
     return true;
   }
 
@@ -218,6 +243,26 @@ class ByNames {
     scalar->unit_is_stated = is_stated || !found.front().stream->type.empty();  // of messages: SI
   }
 
+  // Numbers without a unit that are no volts of a robot: percent, or raw numbers of a converter.
+  void check_battery() {
+    constexpr double most_v = 60.0;
+    constexpr double least_mv = 2500.0;
+    if (!mapping_.battery || mapping_.battery->unit_is_stated) return;
+    const FoundChannel found = find_channel(recordings_, mapping_.battery->column);
+    const double most = found.channel == nullptr ? 0.0 : largest(found.channel->values);
+    if (most <= most_v) return;
+    const std::string name = mapping_.battery->column.text();
+    if (most >= least_mv && most <= 1000.0 * most_v) {
+      mapping_.battery->unit = "mV";
+      findings_.push_back(name + " is taken for millivolts");
+    } else {
+      mapping_.battery.reset();
+      findings_.push_back(name + " goes up to " + config::plain_number(most) +
+                          ", which is no voltage in V or mV: not used; if it is one: --set battery.column=" +
+                          name + " --set battery.unit=V");
+    }
+  }
+
   // A column of the stream that holds the wheels, else the commands, else the reference.
   void find_time() {
     const Stream* stream = nullptr;
@@ -225,10 +270,16 @@ class ByNames {
       stream = find_channel(recordings_, *mapping_.reference->x).stream;
     if (mapping_.command) stream = find_channel(recordings_, mapping_.command->first).stream;
     if (mapping_.wheels) stream = find_channel(recordings_, mapping_.wheels->left).stream;
+    const Named* found = nullptr;
     for (const auto& named : named_.list()) {
       if (named.meaning.quantity != Quantity::time || named.stream != stream) continue;
       if (!named.stream->received_s.empty()) return;  // stamps of messages are found by themselves
-      mapping_.time.column = ChannelName{"", named.channel->name};
+      const bool is_simulated = NameWords(named.channel->name).has_any({"sim", "simulation", "simulated"});
+      if (found == nullptr || is_simulated) found = &named;
+      if (is_simulated) break;  // a simulator's robot moves by its time, not by that of the wall
+    }
+    if (found != nullptr) {
+      mapping_.time.column = ChannelName{"", found->channel->name};
       return;
     }
     if (stream == nullptr || !stream->received_s.empty()) return;

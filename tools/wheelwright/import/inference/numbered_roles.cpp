@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <iterator>
 
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/inference/assignment.hpp"
+#include "tools/wheelwright/import/inference/column_names.hpp"
 #include "tools/wheelwright/import/inference/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/joined_tables.hpp"
 #include "tools/wheelwright/import/inference/motion_assignments.hpp"
@@ -85,8 +87,8 @@ class ByNumbers {
     std::vector<Candidate> wheels;
     for (const Channel* channel : unused_) {
       if (!std::isfinite(quantum(channel->values))) continue;  // a constant
-      if (!looks_counted(channel->values)) commands.push_back(channel);
-      if (are_whole(channel->values)) wheels.push_back({channel, true});
+      if (may_command(*channel) && !looks_counted(channel->values)) commands.push_back(channel);
+      if (may_be_wheel(*channel) && are_whole(channel->values)) wheels.push_back({channel, true});
     }
     if (commands.size() > max_unheld_columns) return;
     const auto possible = possible_assignments(commands, wheels, t_s, mapping_.wheel_base_m);
@@ -96,6 +98,11 @@ class ByNumbers {
   }
 
   const std::vector<const Channel*>& unused() const { return unused_; }
+  std::vector<const Channel*> unused_and_no_pose() const {
+    std::vector<const Channel*> channels = unused_;
+    std::erase_if(channels, [this](const Channel* channel) { return is_of_a_pose(*channel); });
+    return channels;
+  }
 
  private:
   void collect(std::vector<const Channel*>& commands, std::vector<Candidate>& wheels) const {
@@ -107,9 +114,10 @@ class ByNumbers {
       }
     }
     for (const Channel* channel : unused_) {
-      if (!mapping_.command && is_held(channel->values) && !looks_counted(channel->values))
+      if (!mapping_.command && may_command(*channel) && is_held(channel->values) &&
+          !looks_counted(channel->values))
         commands.push_back(channel);
-      if (mapping_.wheels) continue;
+      if (mapping_.wheels || !may_be_wheel(*channel)) continue;
       wheels.push_back({channel, true});
       wheels.push_back({channel, false});
     }
@@ -120,6 +128,28 @@ class ByNumbers {
           mapping_.wheels->right && channel_of(stream_, *mapping_.wheels->right) == &channel;
       if (is_left || is_right) wheels.push_back({&channel, mapping_.wheels->kind != WheelKind::speed});
     }
+  }
+
+  bool is_of_a_pose(const Channel& channel) const {
+    return is_named(channel, {Quantity::x, Quantity::y, Quantity::z, Quantity::heading, Quantity::qx,
+                              Quantity::qy, Quantity::qz, Quantity::qw, Quantity::wanted});
+  }
+
+  // A name that names no role for certain, or the key of a line, may say what numbers are: "CMD", "ENC",
+  // "odom_x".
+  bool is_named(const Channel& channel, std::initializer_list<Quantity> quantities) const {
+    return std::ranges::find(quantities, meaning_of(stream_, channel).quantity) != quantities.end();
+  }
+  bool is_command(const Channel& channel) const {
+    return is_named(channel, {Quantity::command, Quantity::duty});
+  }
+  bool may_command(const Channel& channel) const {
+    const bool are_named =
+        std::ranges::any_of(unused_, [this](const Channel* other) { return is_command(*other); });
+    return are_named ? is_command(channel) : !is_named(channel, {Quantity::count});
+  }
+  bool may_be_wheel(const Channel& channel) const {
+    return !is_of_a_pose(channel) && (mapping_.command.has_value() || !is_command(channel));
   }
 
   // One wheel for two commands: the counter of the other may be a column that never moves.
@@ -186,7 +216,7 @@ void map_by_numbers(std::span<const Recording> recordings, const GivenMapping& g
   const bool sides_are_known = mapping.command.has_value() || mapping.wheels.has_value();
   by_numbers.find_motion(t_s);
   if (mapping.time.column || mapping.time.period_s)
-    find_step(*stream, t_s, by_numbers.unused(), given, mapping, findings);
+    find_step(*stream, t_s, by_numbers.unused_and_no_pose(), given, mapping, findings);
   if (!mapping.command && !mapping.wheels) by_numbers.find_unheld_motion(t_s);
   if (!mapping.reference && mapping.command && mapping.wheels)
     find_pose_columns(*stream, t_s, by_numbers.unused(), sides_are_known, mapping, findings);

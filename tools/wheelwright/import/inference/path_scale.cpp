@@ -25,25 +25,56 @@ std::complex<double> mean(const Plane& places) {
   return sum / static_cast<double>(places.size());
 }
 
+// Least squares of places = slope * path + offset of each segment, also with a marker off the axle:
+//
+//   places = slope * path + arm * exp(i heading) + offset,    slope: real, arm: complex
 struct FittedSlope {
   double products = 0.0;
   double path_squares = 0.0;
   double place_squares = 0.0;
+  std::complex<double> path_by_heading;
+  std::complex<double> places_by_heading;
+  double heading_squares = 0.0;
 
-  void add(const Plane& path, const Plane& places) {
+  void add(const Plane& path, const Plane& places, const Plane& headings) {
     if (path.empty()) return;
     const auto path_mean = mean(path);
     const auto place_mean = mean(places);
+    const auto heading_mean = mean(headings);
     for (std::size_t i = 0; i < path.size(); ++i) {
-      products += std::real((places[i] - place_mean) * std::conj(path[i] - path_mean));
-      path_squares += std::norm(path[i] - path_mean);
-      place_squares += std::norm(places[i] - place_mean);
+      const auto on_path = path[i] - path_mean;
+      const auto place = places[i] - place_mean;
+      const auto heading = headings[i] - heading_mean;
+      products += std::real(place * std::conj(on_path));
+      path_squares += std::norm(on_path);
+      place_squares += std::norm(place);
+      path_by_heading += on_path * std::conj(heading);
+      places_by_heading += place * std::conj(heading);
+      heading_squares += std::norm(heading);
     }
   }
 
+  double slope() const { return products / path_squares; }
   double explained() const {
     return path_squares > 0.0 && place_squares > 0.0 ? products * products / (path_squares * place_squares)
                                                      : 0.0;
+  }
+
+  // With an arm, where that leaves less than half of the squares, and the path is no circle about the axle.
+  double slope_with_arm() const {
+    constexpr double clearly_less = 0.5;
+    constexpr double least_path = 0.05;  // of its squares, beyond what the arm can do
+    if (!(heading_squares > 0.0)) return slope();
+    FittedSlope rest = *this;
+    rest.products -= std::real(places_by_heading * std::conj(path_by_heading)) / heading_squares;
+    rest.path_squares -= std::norm(path_by_heading) / heading_squares;
+    rest.place_squares -= std::norm(places_by_heading) / heading_squares;
+    const auto left = [](const FittedSlope& fit) {
+      return fit.place_squares - fit.products * fit.products / fit.path_squares;
+    };
+    return rest.path_squares > least_path * path_squares && left(rest) < clearly_less * left(*this)
+               ? rest.slope()
+               : slope();
   }
 };
 
@@ -73,7 +104,7 @@ class PathSlope {
   void add_run(const std::vector<std::size_t>& rows, double angle_in_rad, FittedSlope& slope) const {
     const double unit_m = place_in_m(*mapping_.reference);
     const WheelTravel travel = wheel_travel(columns_, rows, mapping_);
-    Plane path, places;
+    Plane path, places, headings;
     double last_way = 0.0;
     double last_heading = 0.0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -82,17 +113,19 @@ class PathSlope {
       const double heading = angle_in_rad * columns_.theta_rad[rows[i]];
       const double turn = std::remainder(heading - last_heading, 2.0 * pi);
       if (!path.empty() && std::abs(turn) > unclear_rad) {
-        slope.add(path, places);
+        slope.add(path, places, headings);
         path.clear();
         places.clear();
+        headings.clear();
       }
       path.push_back(path.empty() ? std::complex<double>()
                                   : path.back() + std::polar(1.0, heading - 0.5 * turn) * (way - last_way));
       places.push_back(unit_m * std::complex<double>(columns_.x[rows[i]], columns_.y[rows[i]]));
+      headings.push_back(std::polar(1.0, heading));
       last_way = way;
       last_heading = heading;
     }
-    slope.add(path, places);
+    slope.add(path, places, headings);
   }
 
   const DriveColumns& columns_;
@@ -114,7 +147,7 @@ std::optional<PathScale> path_scale(const DriveColumns& columns, const Mapping& 
   const bool in_degrees = degrees.explained() > radians.explained();
   const FittedSlope& best = in_degrees ? degrees : radians;
   if (best.explained() < min_explained || best.products < 0.0) return std::nullopt;
-  return PathScale{best.products / best.path_squares, in_degrees ? degree : 1.0};
+  return PathScale{best.slope_with_arm(), in_degrees ? degree : 1.0};
 }
 
 std::optional<double> turn_scale(const DriveColumns& columns, const Mapping& mapping,

@@ -37,7 +37,7 @@ bool has_place_to_go(const Stream& stream) {
 }
 
 bool is_heading(const NameWords& words) {
-  return words.has_any({"theta", "yaw", "heading", "psi", "th", "orientation", "hdg"});
+  return words.has_any({"theta", "yaw", "heading", "psi", "th", "orientation", "hdg", "compass", "bearing"});
 }
 
 // A quaternion, or turns about the axes.

@@ -60,6 +60,11 @@ std::vector<double> heading_of(const QuaternionColumns& parts) {
 
 }  // namespace
 
+bool has_real_part_first(std::span<const Channel, 4> four) {
+  return mean_square(four[1]) + mean_square(four[2]) < max_tilt &&
+         mean_square(four[0]) + mean_square(four[1]) > max_tilt;
+}
+
 std::optional<QuaternionColumns> find_quaternion(const Stream& stream,
                                                  const std::vector<const Channel*>& unused) {
   const std::span<const Channel> channels(stream.channels);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "tools/wheelwright/import/recording.hpp"
@@ -25,5 +26,8 @@ struct QuaternionColumns {
 // stands on the floor: x and y are small. The real part stands last or first.
 std::optional<QuaternionColumns> find_quaternion(const Stream& stream,
                                                  const std::vector<const Channel*>& unused);
+
+// Whether four neighbours that are a quaternion of a robot on the floor are w, x, y, z and not x, y, z, w.
+bool has_real_part_first(std::span<const Channel, 4> four);
 
 }  // namespace wheelwright::import

@@ -10,8 +10,8 @@ namespace {
 
 using config::plain_number;
 
-constexpr std::array<std::string_view, 9> time_unit_names{"s",   "ms", "us",  "ns",   "hms",
-                                                          "iso", "cs", "day", "frame"};
+constexpr std::array<std::string_view, 11> time_unit_names{"s",  "ms",  "us",    "ns",  "hms", "iso",
+                                                           "cs", "day", "frame", "min", "h"};
 constexpr std::array<std::string_view, 4> command_kind_names{"wheels", "twist", "duty", "throttle"};
 constexpr std::array<std::string_view, 4> wheel_kind_names{"counts", "angle", "distance", "speed"};
 
@@ -54,10 +54,11 @@ void add_command(Entries& entries, const CommandMapping& command) {
               : command.by_radius ? "command.velocity"
                                   : "command.left",
               command.first.text());
-  entries.add(is_twist            ? "command.angular"
-              : is_throttle       ? "command.steering"
-              : command.by_radius ? "command.radius"
-                                  : "command.right",
+  entries.add(is_twist               ? "command.angular"
+              : is_throttle          ? "command.steering"
+              : command.by_curvature ? "command.curvature"
+              : command.by_radius    ? "command.radius"
+                                     : "command.right",
               command.second);
   entries.add("command.left_direction", command.direction[0]);
   entries.add("command.right_direction", command.direction[1]);
@@ -109,6 +110,7 @@ void add_reference(Entries& entries, const ReferenceMapping& reference) {
   entries.add("reference.heading_offset_deg", reference.heading_offset_deg);
   entries.add("reference.clock", reference.clock == ReferenceClock::same ? "same" : "shifted");
   entries.add("reference.shift_s", reference.shift_s);
+  entries.add("reference.clock_rate", reference.clock_rate);
 }
 
 void add_scalar(Entries& entries, const std::string& section, const std::optional<ScalarMapping>& scalar) {

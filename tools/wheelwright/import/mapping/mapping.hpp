@@ -26,7 +26,7 @@ struct ChannelName {
 ChannelName channel_name(std::string_view text);
 
 // A frame is one period of the time mapping.
-enum class TimeUnit : std::uint8_t { s, ms, us, ns, hms, iso, cs, day, frame };
+enum class TimeUnit : std::uint8_t { s, ms, us, ns, hms, iso, cs, day, frame, min, h };
 
 struct TimeMapping {
   std::optional<ChannelName> column;  // absent: the time of recording, or rows that are `period_s` apart
@@ -51,7 +51,8 @@ struct CommandMapping {
   bool left_reversed = false;                             // a positive number drives the wheel backward
   bool right_reversed = false;
 
-  bool by_radius = false;  // the two channels are a velocity and the radius of the turn
+  bool by_radius = false;     // the two channels are a velocity and the radius of the turn
+  bool by_curvature = false;  // the same, with one over the radius
 
   bool is_of_body() const { return kind == CommandKind::twist || kind == CommandKind::throttle; }
   bool is_duty() const { return kind == CommandKind::duty || kind == CommandKind::throttle; }
@@ -95,7 +96,8 @@ struct ReferenceMapping {
   bool y_points_right = false;               // of x
   std::optional<double> heading_offset_deg;  // added to the headings; absent: found in the motion
   ReferenceClock clock = ReferenceClock::same;
-  std::optional<double> shift_s;  // added to its stamps, where its clock is shifted
+  std::optional<double> shift_s;     // added to its stamps, where its clock is shifted
+  std::optional<double> clock_rate;  // seconds of the robot in one of its clock, from its first stamp on
 };
 
 struct ScalarMapping {

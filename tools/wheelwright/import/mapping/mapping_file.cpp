@@ -47,6 +47,8 @@ TimeMapping read_time(YamlReader& from) {
                                      {"ns", TimeUnit::ns},
                                      {"hms", TimeUnit::hms},
                                      {"day", TimeUnit::day},
+                                     {"min", TimeUnit::min},
+                                     {"h", TimeUnit::h},
                                      {"frame", TimeUnit::frame},
                                      {"iso", TimeUnit::iso}},
                                     time.unit);
@@ -75,15 +77,17 @@ std::optional<CommandMapping> read_command(YamlReader& from) {
                                           is_twist      ? CommandKind::twist
                                           : is_throttle ? CommandKind::throttle
                                                         : CommandKind::wheels);
-  command.by_radius = from.has("velocity") || from.has("radius");
+  command.by_curvature = from.has("curvature");
+  command.by_radius = from.has("velocity") || from.has("radius") || command.by_curvature;
   const auto first = channel(from, is_twist            ? "linear"
                                    : is_throttle       ? "throttle"
                                    : command.by_radius ? "velocity"
                                                        : "left");
-  command.second = channel(from, is_twist            ? "angular"
-                                 : is_throttle       ? "steering"
-                                 : command.by_radius ? "radius"
-                                                     : "right");
+  command.second = channel(from, is_twist               ? "angular"
+                                 : is_throttle          ? "steering"
+                                 : command.by_curvature ? "curvature"
+                                 : command.by_radius    ? "radius"
+                                                        : "right");
   if ((is_twist != (command.kind == CommandKind::twist) ||
        is_throttle != (command.kind == CommandKind::throttle)) &&
       first) {
@@ -99,7 +103,8 @@ std::optional<CommandMapping> read_command(YamlReader& from) {
   command.right_reversed = right_reversed;
   command.neutral = from.number("neutral", {-1e6, 1e6}, command.neutral);
   command.steering_gain = from.number("steering_gain", {-1000, 1000}, command.steering_gain);
-  command.unit = unit(from, "unit", speed_units(), command.by_radius ? "mm/s" : command.unit);
+  command.unit =
+      unit(from, "unit", speed_units(), command.by_radius && !command.by_curvature ? "mm/s" : command.unit);
   command.angular_unit = unit(from, "angular_unit", angular_units(), command.angular_unit);
   command.full_scale = from.number("full_scale", {1e-6, 1e9}, command.full_scale);
   command.full_scale_m_s = number(from, "full_scale_m_s", {0.001, 100, "m/s"});
@@ -186,6 +191,7 @@ std::optional<ReferenceMapping> read_reference(YamlReader& from) {
   reference.y_points_right = from.choice<bool>("y_axis", {{"left", false}, {"right", true}}, false);
   reference.heading_offset_deg = number(from, "heading_offset_deg", {-360, 360, "deg"});
   reference.shift_s = number(from, "shift_s", {-1e12, 1e12, "s"});
+  reference.clock_rate = number(from, "clock_rate", {0.5, 2, "s/s"});
   from.text("topic", "");  // which stream it is taken from, where names are found
   if (!reference.x && !reference.theta && !reference.qw) return std::nullopt;
   return reference;

@@ -85,6 +85,7 @@ bool KeyedLine::parse(std::string_view line) {
     }
   }
   if (values_.empty() || words_.empty()) return false;
+  lengthen_names();
   build_form();
   return true;
 }
@@ -121,8 +122,12 @@ bool KeyedLine::take_number(std::string_view& rest) {
     // In "L12E13" the letter is the next key: an exponent without a point has a sign.
     const auto digits = std::min(
         rest.find_first_not_of("0123456789", static_cast<std::size_t>(begin - rest.data())), rest.size());
-    const bool is_key = digits + 1 < rest.size() && (rest[digits] == 'E' || rest[digits] == 'e') &&
-                        is_digit(rest[digits + 1]) && !words_.empty();
+    const bool is_e = digits + 1 < rest.size() && (rest[digits] == 'E' || rest[digits] == 'e');
+    // "R90E-12F3": every key of the line is a letter.
+    const bool is_signed_key =
+        is_e && digits + 2 < rest.size() && rest[digits + 1] == '-' && is_digit(rest[digits + 2]) &&
+        !words_.empty() && words_.back().text.size() == 1 && are_letters_with_numbers(rest.substr(digits));
+    const bool is_key = (is_e && is_digit(rest[digits + 1]) && !words_.empty()) || is_signed_key;
     const auto result = std::from_chars(begin, is_key ? rest.data() + digits : end_of_rest, value);
     if (result.ec == std::errc::invalid_argument) return false;
     if (result.ec != std::errc() || !std::isfinite(value)) value = nothing;
@@ -173,6 +178,28 @@ void KeyedLine::take_word(std::string_view& rest) {
     words_.back().unit = word;
   } else {
     words_.push_back({word, 0, {}});
+  }
+}
+
+// "Left count: 1  Right count: 2" holds two names of two words, not one name twice.
+void KeyedLine::lengthen_names() {
+  const auto occurs_twice = [this](const KeyedWord& word) {
+    return std::ranges::count_if(words_, [&word](const KeyedWord& other) {
+             return other.numbers > 0 && other.text == word.text;
+           }) > 1;
+  };
+  std::vector<std::size_t> to_join;
+  for (std::size_t i = 1; i < words_.size(); ++i) {
+    const KeyedWord& before = words_[i - 1];
+    const char* const end = before.text.data() + before.text.size();
+    const bool are_beside = words_[i].text.data() - end == 1 && before.numbers == 0;
+    if (words_[i].numbers > 0 && are_beside && occurs_twice(words_[i])) to_join.push_back(i);
+  }
+  for (auto i = to_join.rbegin(); i != to_join.rend(); ++i) {
+    const char* const begin = words_[*i - 1].text.data();
+    const char* const end = words_[*i].text.data() + words_[*i].text.size();
+    words_[*i].text = std::string_view(begin, static_cast<std::size_t>(end - begin));
+    words_.erase(words_.begin() + static_cast<std::ptrdiff_t>(*i) - 1);
   }
 }
 

@@ -32,6 +32,7 @@ class KeyedLine {
   bool take_number(std::string_view& rest);
   void take_word(std::string_view& rest);
   std::size_t word_length(std::string_view rest) const;
+  void lengthen_names();
   void build_form();
 
   std::vector<KeyedWord> words_;

@@ -9,12 +9,14 @@
 #include <system_error>
 
 #include "config/load/ascii_text.hpp"
+#include "tools/wheelwright/import/formats/text/unit_text.hpp"
 
 namespace wheelwright::import {
 namespace {
 
 using config::is_digit;
 using config::to_lower;
+using config::trim;
 
 constexpr std::size_t longest_number = 400;  // characters
 
@@ -56,6 +58,16 @@ std::optional<double> read_short_decimal(std::string_view cell) {
   if (has_point && cell.size() == 1) return std::nullopt;
   const double value = static_cast<double>(digits) / powers_of_ten[decimals];
   return is_negative ? -value : value;
+}
+
+// A number below zero that was written without its sign: 18446744073709551115 is -501.
+std::optional<double> read_unsigned_64(std::string_view cell) {
+  constexpr std::size_t digits_of_64_bits = 20;
+  if (cell.size() != digits_of_64_bits) return std::nullopt;
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (error != std::errc() || end != cell.data() + cell.size()) return std::nullopt;
+  return -static_cast<double>(~value + 1);
 }
 
 std::optional<double> read_hexadecimal(std::string_view cell) {
@@ -137,6 +149,7 @@ std::optional<double> read_number(std::string_view cell, char decimal, bool grou
   if (!is_digit(first) && first != '-' && first != '.' && first != ',') return read_truth(cell);
   if (decimal == '.') {
     if (const auto number = read_short_decimal(cell)) return number;
+    if (const auto number = read_unsigned_64(cell)) return number;
     if (const auto number = read_plain(cell)) return number;
   }
   std::array<char, longest_number> buffer;
@@ -144,6 +157,17 @@ std::optional<double> read_number(std::string_view cell, char decimal, bool grou
     return read_number(joined, decimal);
   const std::string_view plain = plain_form(cell, decimal, grouped, buffer);
   return plain.empty() ? std::nullopt : read_plain(plain);
+}
+
+std::optional<NumberWithUnit> read_number_with_unit(std::string_view cell, char decimal) {
+  const auto begin = cell.find_last_of("0123456789.");
+  if (begin == std::string_view::npos || begin + 1 == cell.size() || cell.size() > longest_number)
+    return std::nullopt;
+  const std::string_view behind = cell.substr(begin + 1);
+  const std::string_view unit = trim(behind);
+  if (!is_unit(unit) || (unit.size() == 1 && behind.size() == 1)) return std::nullopt;
+  const auto value = read_number(cell.substr(0, begin + 1), decimal);
+  return value ? std::optional(NumberWithUnit{*value, unit}) : std::nullopt;
 }
 
 Grouping grouping_of(std::string_view cell, char decimal) {
@@ -157,10 +181,11 @@ Grouping grouping_of(std::string_view cell, char decimal) {
 
 bool is_missing(std::string_view cell) {
   if (cell.empty()) return true;
-  constexpr std::array<std::string_view, 24> words{
-      "-",    "--",  "nan", "-nan",      "na",     "n/a",    "null",     "none",
-      "nil",  "?",   ".",   "inf",       "-inf",   "+inf",   "infinity", "-infinity",
-      "#n/a", "#na", "nat", "-nan(ind)", "1.#inf", "1.#ind", "1.#qnan",  "-1.#ind"};
+  constexpr std::array<std::string_view, 30> words{
+      "-",    "--",        "nan",    "-nan",    "na",      "n/a",    "null",     "none",
+      "nil",  "?",         ".",      "inf",     "-inf",    "+inf",   "infinity", "-infinity",
+      "#n/a", "#na",       "#ref!",  "#div/0!", "#value!", "#num!",  "#name?",   "#null!",
+      "nat",  "-nan(ind)", "1.#inf", "1.#ind",  "1.#qnan", "-1.#ind"};
   constexpr std::size_t longest_word = 9;
   if (cell.size() > longest_word) return false;
   return std::ranges::any_of(words, [cell](std::string_view word) { return equals_word(cell, word); });

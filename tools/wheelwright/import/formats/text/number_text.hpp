@@ -7,6 +7,14 @@
 
 namespace wheelwright::import {
 
+// A number and its unit in one cell, "0.05 sec", "12.4V": where the two are not parted by a blank the unit
+// has two letters or more.
+struct NumberWithUnit {
+  double value = 0.0;
+  std::string_view unit;
+};
+std::optional<NumberWithUnit> read_number_with_unit(std::string_view cell, char decimal);
+
 // A number with the given sign before its decimals ('.' or ','); also 0x1F, true and false (1 and 0), and
 // thousands separators where they can be nothing else (1,234.5 and 1,234,567, not 1,234 unless the digits of
 // the file are `grouped`; 1'234 and 1 234, also with a blank that does not break). Nothing for infinity.

@@ -79,6 +79,9 @@ void split_row(std::string_view line, const Dialect& dialect, std::vector<std::s
     if (line.starts_with('"')) line.remove_prefix(1);
     if (line.ends_with('"')) line.remove_suffix(1);
   }
+  if (dialect.separator != ';') {  // the end of a row in a script of MATLAB
+    while (!line.empty() && (is_blank(line.back()) || line.back() == ';')) line.remove_suffix(1);
+  }
   if (dialect.separator == ' ') {
     split_at_blanks(line, cells);
   } else if (dialect.separator == '\0') {

@@ -21,6 +21,7 @@ constexpr std::size_t kind_count = 5;
 std::optional<ColumnKind> kind_of(std::string_view cell, const Dialect& dialect) {
   if (is_missing(cell)) return std::nullopt;
   if (read_number(cell, dialect.decimal, dialect.has_groups)) return ColumnKind::number;
+  if (read_number_with_unit(cell, dialect.decimal)) return ColumnKind::number;
   const auto time = read_time(cell, dialect.date_order);
   if (!time) return ColumnKind::text;
   if (time->form == TimeForm::clock) return ColumnKind::clock;
@@ -79,6 +80,7 @@ class Head {
     for (std::size_t i = 0; i < units.size() && i < layout_.columns.size(); ++i) {
       if (!units[i].empty()) layout_.columns[i].unit = units[i];
     }
+    if (first_row < sample_.head.size()) take_units_of_cells(sample_.head[first_row].text);
     for (std::size_t i = 0; i < end; ++i) take_line_above(sample_.head[i]);
     if (left_out_ > max_remarks_above) {
       layout_.remarks.push_back(std::to_string(left_out_ - max_remarks_above) +
@@ -119,6 +121,17 @@ class Head {
     return cells.front() == "1" || kinds_.front() == ColumnKind::text;
   }
 
+  // "0.05 sec" in the first row.
+  void take_units_of_cells(std::string_view row) {
+    Cells cells;
+    split_row(row, table_.dialect, cells);
+    for (std::size_t i = 0; i < cells.size() && i < layout_.columns.size(); ++i) {
+      if (!layout_.columns[i].unit.empty() || layout_.columns[i].kind != ColumnKind::number) continue;
+      if (const auto number = read_number_with_unit(cells[i], table_.dialect.decimal))
+        layout_.columns[i].unit = number->unit;
+    }
+  }
+
   void say_that_a_name_is_missing(const Line& header) {
     Cells cells;
     split_row(header.text, table_.dialect, cells);
@@ -133,7 +146,7 @@ class Head {
     if (first_row == 0) return 0;
     first_row_ = first_row;
     std::size_t at = first_row - 1;
-    if (at > 0 && is_rule(sample_.head[at].text)) --at;
+    if (at > 0 && (is_rule(sample_.head[at].text) || trim(sample_.head[at].text).ends_with('['))) --at;
     layout_.header = header_cells(sample_.head[at]);
     if (layout_.header.empty()) return first_row;
     const std::vector<std::string> above = at > 0 ? header_cells(sample_.head[at - 1]) : layout_.header;

@@ -120,6 +120,24 @@ bool is_stray(char character) {
   return code == 0x7f || (code < 0x20 && (code < 0x08 || code > 0x0d) && code != 0x1b);
 }
 
+// "\x1b[0;32m", which sets the colour of a terminal.
+void drop_colours(std::string& text) {
+  constexpr std::string_view begin = "\x1b[";
+  std::size_t end = 0;
+  std::size_t kept = text.find(begin);
+  if (kept == std::string::npos) return;
+  for (std::size_t at = kept; at < text.size(); at = end) {
+    if (std::string_view(text).substr(at).starts_with(begin)) {
+      at = std::min(text.find_first_not_of("0123456789;", at + begin.size()), text.size() - 1) + 1;
+    }
+    end = std::min(text.find(begin, at), text.size());
+    std::copy(text.begin() + static_cast<std::ptrdiff_t>(at), text.begin() + static_cast<std::ptrdiff_t>(end),
+              text.begin() + static_cast<std::ptrdiff_t>(kept));
+    kept += end - at;
+  }
+  text.resize(kept);
+}
+
 }  // namespace
 
 DecodedText decode_text(std::string bytes) {
@@ -145,6 +163,7 @@ DecodedText decode_text(std::string bytes) {
     decoded.text = from_latin1(decoded.text);
     decoded.encoding = "Latin-1";
   }
+  drop_colours(decoded.text);
   drop_zeros_at_end(decoded);
   return decoded;
 }

@@ -14,7 +14,8 @@ struct DecodedText {
 };
 
 // UTF-8 and UTF-16 (either byte order), each with or without a byte order mark; bytes that are not UTF-8 are
-// taken for Latin-1. Zero bytes at the end, which a power cut leaves, are left out with a remark.
+// taken for Latin-1. Colours of a terminal are left out. Zero bytes at the end, which a power cut leaves, are
+// left out with a remark.
 DecodedText decode_text(std::string bytes);
 
 // Whether the first bytes of a file are text. A few stray bytes, as on a serial line, do no harm.

@@ -4,10 +4,13 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "config/load/printable_text.hpp"
+#include "tools/wheelwright/import/formats/ros/echo/message_columns.hpp"
+#include "tools/wheelwright/import/formats/ros/echo/yaml_messages.hpp"
 #include "tools/wheelwright/import/formats/text/decimal_comma.hpp"
 #include "tools/wheelwright/import/formats/text/dialect_sniffer.hpp"
 #include "tools/wheelwright/import/formats/text/json_document.hpp"
@@ -74,11 +77,6 @@ std::string in_words(const SniffedTable& table, const TableLayout& layout) {
   return words + (layout.has_units_row ? ", units beneath it" : "");
 }
 
-constexpr std::string_view yaml_refusal =
-    "messages as YAML, as rostopic echo and ros2 topic echo print them; write them with 'rostopic echo -p' "
-    "or 'ros2 "
-    "topic echo --csv', or give the bag";
-
 // Each message ends with a line of its own.
 bool are_yaml_messages(const TextSample& sample) {
   return std::ranges::count_if(sample.contents, [](std::string_view line) { return trim(line) == "---"; }) >
@@ -92,6 +90,22 @@ std::string refusal(const TextSample& sample) {
   }
   return "no table of numbers, and no lines with a word and its numbers (the first line is '" +
          config::excerpt(trim(sample.contents.front())) + "')";
+}
+
+// Names the columns of messages that 'ros2 topic echo --csv' has printed, and returns their type.
+std::optional<std::string> take_message_names(std::vector<TextTable>& tables) {
+  if (tables.size() != 1) return std::nullopt;
+  TextTable& table = tables.front();
+  std::vector<ros::ColumnContent> contents;
+  for (std::size_t i = 0; i < table.width(); ++i) {
+    const bool is_text = table.columns[i].kind == ColumnKind::text;
+    contents.push_back(
+        {table.values[i], is_text ? std::span(table.labels[i].names()) : std::span<const std::string>()});
+  }
+  auto message = ros::recognise_message(contents);
+  if (!message) return std::nullopt;
+  for (std::size_t i = 0; i < table.width(); ++i) table.columns[i].name = message->names[i];
+  return message->type;
 }
 
 class TextReader {
@@ -120,8 +134,9 @@ class TextReader {
     TableLayout layout;
     if (table.score() >= min_table_score) layout = find_layout(sample, table);
     const bool is_weak = table.score() < min_table_score;
-    if ((is_weak || are_keyed(sample, table, layout)) && are_yaml_messages(sample)) {
-      return fail(std::string(yaml_refusal));
+    if (are_yaml_messages(sample)) {
+      auto stream = ros::read_yaml_messages(decoded_.text, recording_.remarks);
+      if (stream) return finish("ROS messages as text (YAML)", {*std::move(stream)});
     }
     if (are_keyed(sample, table, layout)) {
       return finish("text, lines of a key and its numbers",
@@ -153,12 +168,19 @@ class TextReader {
     std::erase_if(tables->tables, [](const TextTable& each) { return each.rows() == 0; });
     std::vector<Stream> streams;
     const bool are_several = tables->tables.size() > 1;
+    const auto message =
+        !are_several && layout.header.empty() ? take_message_names(tables->tables) : std::nullopt;
     for (std::size_t i = 0; i < tables->tables.size(); ++i) {
       const std::string name = are_several ? "table " + std::to_string(i + 1) : "";
       std::ranges::move(make_streams(std::move(tables->tables[i]), name, recording_.remarks),
                         std::back_inserter(streams));
     }
-    return finish(in_words(table, layout), std::move(streams));
+    std::string format = in_words(table, layout);
+    if (message) {
+      for (Stream& stream : streams) stream.type = *message;
+      format += ", messages of " + (message->empty() ? "a type that is not known" : *message);
+    }
+    return finish(std::move(format), std::move(streams));
   }
 
   ReadResult finish(std::string format, std::vector<Stream> streams) {

@@ -17,7 +17,11 @@ bool fits(TimeForm form, ColumnKind kind) {
 }
 
 std::optional<double> read_cell(std::string_view cell, ColumnKind kind, const Dialect& dialect) {
-  if (kind == ColumnKind::number) return read_number(cell, dialect.decimal, dialect.has_groups);
+  if (kind == ColumnKind::number) {
+    if (const auto number = read_number(cell, dialect.decimal, dialect.has_groups)) return number;
+    const auto with_unit = read_number_with_unit(cell, dialect.decimal);
+    return with_unit ? std::optional(with_unit->value) : std::nullopt;
+  }
   const auto time = read_time(cell, dialect.date_order);
   return time && fits(time->form, kind) ? std::optional(time->seconds) : std::nullopt;
 }

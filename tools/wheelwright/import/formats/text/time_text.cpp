@@ -193,6 +193,37 @@ std::optional<TimeText> read_date_and_time(std::string_view text, DateOrder orde
   return TimeText{TimeForm::date_and_time, *day + *clock - *zone};
 }
 
+// "May  3 14:22:01.250", as syslog and journalctl write it: of no year, taken as 1972, which has a 29
+// February.
+std::optional<TimeText> read_syslog(std::string_view text) {
+  Scanner scanner(text);
+  const auto month = take_month_name(scanner);
+  scanner.skip_blanks();
+  const auto day = scanner.take_integer();
+  scanner.skip_blanks();
+  const auto clock = take_clock(scanner, true);
+  if (!month || !day || !clock || !scanner.is_at_end()) return std::nullopt;
+  const auto seconds = seconds_since_1970({{1972, *month, *day}, true, false}, DateOrder::day_first, false);
+  if (!seconds) return std::nullopt;
+  return TimeText{TimeForm::date_and_time, *seconds + *clock};
+}
+
+// The stamp that begins a line of syslog, with the machine and the program behind it.
+std::optional<StampPrefix> syslog_prefix(std::string_view line) {
+  Scanner scanner(line);
+  if (!take_month_name(scanner)) return std::nullopt;
+  scanner.skip_blanks();
+  if (!scanner.take_integer()) return std::nullopt;
+  scanner.skip_blanks();
+  if (!take_clock(scanner, true)) return std::nullopt;
+  const std::size_t length = line.size() - scanner.rest().size();
+  if (!read_syslog(line.substr(0, length))) return std::nullopt;
+  const auto program = line.find("]: ", length);
+  const auto last_of_host = line.find_first_of("=:,;", length);
+  const bool has_program = program != std::string_view::npos && program < last_of_host;
+  return StampPrefix{line.substr(0, length), has_program ? program + 3 : length};
+}
+
 std::optional<TimeText> read_clock(std::string_view text) {
   Scanner scanner(text);
   double days = 0.0;
@@ -215,7 +246,8 @@ std::optional<TimeText> read_clock(std::string_view text) {
 }  // namespace
 
 std::optional<TimeText> read_time(std::string_view text, DateOrder order) {
-  if (text.size() < 4 || text.size() > 60 || !is_digit(text.front())) return std::nullopt;
+  if (text.size() < 4 || text.size() > 60) return std::nullopt;
+  if (!is_digit(text.front())) return read_syslog(text);
   if (const auto clock = read_clock(text)) return clock;
   return read_date_and_time(text, order);
 }
@@ -245,7 +277,7 @@ std::optional<StampPrefix> stamp_prefix(std::string_view line) {
     const std::string_view stamp = trim(head.substr(1, bracket - 1));
     if (matches(stamp)) return StampPrefix{stamp, bracket + 1};
   }
-  return std::nullopt;
+  return syslog_prefix(line);
 }
 
 }  // namespace wheelwright::import

@@ -16,14 +16,15 @@ struct TimeText {
 };
 
 // h:mm:ss.fff, mm:ss.fff, with AM or PM, with days before it ("0 days 00:00:01.5"); 2024-03-05, 5.3.2024,
-// 3/5/2024, 05-Mar-2024; both parted by 'T' or blanks, with Z or +01:00. Decimals behind '.' or ','.
+// 3/5/2024, 05-Mar-2024; both parted by 'T' or blanks, with Z or +01:00; Mar  5 14:22:01 of a syslog.
+// Decimals behind '.' or ','.
 std::optional<TimeText> read_time(std::string_view text, DateOrder order);
 
 // Whether a date such as 25/03/2024 or 03/25/2024 shows its order by a number above 12.
 std::optional<DateOrder> order_shown_by(std::string_view text);
 
 // The characters of "12:34:56.789 -> ", which the serial monitor of the Arduino IDE writes before a line,
-// or of "[12:34:56.789] "; 0 where a line does not begin so.
+// of "[12:34:56.789] ", or of "May  3 12:34:56 host program[812]: "; 0 where a line does not begin so.
 struct StampPrefix {
   std::string_view stamp;
   std::size_t length = 0;  // with what parts it from the rest

@@ -53,6 +53,7 @@ struct Entry {
   bool is_array = false;
   std::size_t wrong_sizes = 0;
   std::size_t first_wrong = 0;  // byte offset
+  std::size_t too_long = 0;     // arrays for which the others would have to be filled up too far
 };
 
 struct Record {
@@ -135,12 +136,18 @@ class Reader {
     if (entry.type != nullptr) take_values(record, entry);
   }
 
-  // Shorter arrays are filled up, which must not take memory without bound.
-  bool take_padding(std::size_t count, const Entry& entry) {
+  // Shorter arrays are filled up, which must not take memory without bound: what would take too much is left
+  // out, and takes nothing.
+  bool take_padding(std::size_t count, Entry& entry) {
     const std::size_t places = entry.stream.channels.size() - 1;
     const std::size_t rows_before = entry.stream.rows - 1;
-    padding_ += count < places ? places - count : (count - places) * rows_before;
-    return padding_ <= max_padding;
+    const std::size_t more = count < places ? places - count : (count - places) * rows_before;
+    if (more > max_padding - padding_) {
+      ++entry.too_long;
+      return false;
+    }
+    padding_ += more;
+    return true;
   }
 
   void take_values(const Record& record, Entry& entry) {
@@ -148,9 +155,9 @@ class Reader {
     const std::size_t count = record.payload.size() / size;
     const bool fits =
         count * size == record.payload.size() && (entry.is_array ? count <= max_array : count == 1);
+    if (!fits && entry.wrong_sizes++ == 0) entry.first_wrong = record.offset;
     if (!fits || !take_padding(count, entry)) {
       --entry.stream.rows;
-      if (entry.wrong_sizes++ == 0) entry.first_wrong = record.offset;
       return;
     }
     auto& channels = entry.stream.channels;
@@ -262,10 +269,15 @@ class Reader {
                " records whose size is none of '" + config::excerpt(entry.stream.type) +
                "', the first at byte " + std::to_string(entry.first_wrong) + ": left out");
       }
+      if (entry.too_long > 0) {
+        remark("'" + config::excerpt(entry.stream.name) + "': " + std::to_string(entry.too_long) +
+               " arrays of another length than those before, for which there is no memory: left out");
+      }
       if (entry.stream.rows > 0) recording_.streams.push_back(std::move(entry.stream));
     }
     if (recording_.streams.empty()) return fail("holds no records of values");
-    recording_.format = "WPILOG (FRC data log), version 1." + std::to_string(bytes_[6]);
+    recording_.format =
+        "WPILOG (FRC data log), version 1." + std::to_string(static_cast<unsigned char>(bytes_[6]));
     return std::move(recording_);
   }
 

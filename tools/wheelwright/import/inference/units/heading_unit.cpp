@@ -25,14 +25,35 @@ void add_turns(const DriveColumns& columns, std::span<const std::size_t> rows, c
   }
 }
 
+// Headings that start again behind a whole turn of 360, and go on evenly elsewhere.
+bool wrap_at_360(const Column& headings) {
+  constexpr double wrap_deg = 300.0;
+  constexpr double even_deg = 60.0;
+  std::size_t wraps = 0;
+  double last = nothing;
+  for (const double heading : headings) {
+    if (!std::isfinite(heading)) continue;
+    const double step = std::abs(heading - last);
+    if (step > 360.0 || (step > even_deg && step < wrap_deg)) return false;
+    if (step >= wrap_deg) ++wraps;
+    last = heading;
+  }
+  return wraps > 0;
+}
+
 }  // namespace
 
 bool infer_heading_unit(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
                         std::vector<std::string>& findings) {
   if (!mapping.reference || !mapping.reference->theta || columns.theta_rad.empty() ||
-      mapping.reference->angle_unit != "rad" || given.says("reference.angle_unit") ||
-      way_source(columns, mapping) != WayBy::commands)
+      mapping.reference->angle_unit != "rad" || given.says("reference.angle_unit"))
     return false;
+  if (wrap_at_360(columns.theta_rad)) {
+    mapping.reference->angle_unit = "deg";
+    findings.push_back("headings are in degrees: they start again behind 360");
+    return true;
+  }
+  if (way_source(columns, mapping) != WayBy::commands) return false;
   Agreement turns;
   for (const auto& rows : repair_runs(columns, mapping).runs)
     add_turns(columns, rows, ways_of_robot(columns, rows, mapping, WayBy::commands).turn, turns);

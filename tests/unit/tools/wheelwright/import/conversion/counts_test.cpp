@@ -1,16 +1,14 @@
 #include "tools/wheelwright/import/conversion/counts.hpp"
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "tests/support/catch.hpp"
+#include "tools/wheelwright/import/recording.hpp"
 
 using namespace wheelwright::import;
 
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 // A counter of so many bits that goes by `step` at each of 400 rows, forth and then back.
 std::vector<double> counter(int bits, double step, bool is_signed, double start = 0.0) {

@@ -109,7 +109,24 @@ std::vector<std::string_view> parts_of(std::string_view fields) {
   return parts;
 }
 
+bool has_fields(const KnownType& type, std::span<const std::string> names) {
+  std::string_view fields = type.fields;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string_view line = fields.substr(0, fields.find('\n'));
+    if (line.empty() || line.substr(line.rfind(' ') + 1) != names[i]) return false;
+    fields.remove_prefix(std::min(line.size() + 1, fields.size()));
+  }
+  return fields.empty();
+}
+
 }  // namespace
+
+std::string_view type_with_fields(std::span<const std::string> names) {
+  if (names.size() < 2) return {};
+  const auto* found =
+      std::ranges::find_if(known_types, [names](const KnownType& type) { return has_fields(type, names); });
+  return found == known_types.end() ? std::string_view() : found->name;
+}
 
 std::optional<std::string> known_definition(std::string_view type) {
   const KnownType* known = find_type(short_type_name(type));

@@ -60,11 +60,6 @@ TEST_CASE("A missing number keeps its place in the line") {
   CHECK(std::isnan(read[0]));
 }
 
-TEST_CASE("Messages as YAML are refused with the mend") {
-  CHECK_THAT(refusal_of("header:\n  seq: 1\n---\nheader:\n  seq: 2\n---\nheader:\n  seq: 3\n---\n"),
-             ContainsSubstring("rostopic echo -p"));
-}
-
 TEST_CASE("JSON lines give their numbers under flattened names") {
   const import::Recording recording = read_text(
       "{\"t\":0.5,\"p\":{\"x\":[1,2]},\"s\":\"a\"}\n{\"t\":0.6,\"p\":{\"x\":[3,null]},\"s\":\"b\"}\n{\"t\":0."
