@@ -270,8 +270,8 @@ void YamlReader::finish() const {
     if (std::find(asked.begin(), asked.end(), key) != asked.end()) continue;
     const std::string near = nearest_word(key, asked);
     std::string known;
-    for (const auto& name : asked) {
-      if (known.find(name) == std::string::npos) known += (known.empty() ? "" : ", ") + name;
+    for (auto name = asked.begin(); name != asked.end(); ++name) {
+      if (std::find(asked.begin(), name, *name) == name) known += (known.empty() ? "" : ", ") + *name;
     }
     node_->fail_at(entry.first.Mark(),
                    "unknown key '" + excerpt(key) + "'; " +

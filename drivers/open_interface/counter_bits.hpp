@@ -2,7 +2,7 @@
 // the line loses them (line_bits.hpp), and the travel that such counts give is wrong.
 //
 // Judges bits 5 and 6. They change every 32 and 64 ticks, which no wheel steps over from one sample to the
-// next. Of a lost bit 7 come steps that no wheel can make, which the counter itself refuses.
+// next. A lost bit 7 makes steps that no wheel can make: EncoderCounter refuses those.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,7 @@ class CounterBits {
   }
 
  private:
-  static constexpr int max_step = 96;
+  static constexpr int max_step = 96;  // ticks a sample; beyond, bits may change and change back between two
   static constexpr int enough_travel = 512;  // twice what the low byte counts
   static constexpr unsigned judged = 0x60;
 

@@ -3,9 +3,9 @@
 // Counts are 16 bits and roll over. By the documents the encoder is not quadrature (Create 2 OI p30): counts
 // go in the direction that is commanded, and up where the command is zero, whatever the wheel does. Recorded
 // Create 2 count in the direction in which the motor pushes, which while braking is the wrong one. Others may
-// know the true direction: all are believed until a sign changes at a time or a speed at which no wheel turns
-// round. From then on only the size of a change is believed while the wheel moves, and the direction changes
-// where it is slow.
+// know the true direction. So the counter starts by trusting the sign. If a sign changes when the wheel
+// cannot have turned round (it is too fast, or the command changed too long ago), only the size of a change
+// counts from then on while the wheel moves, and the direction may change only where the wheel is slow.
 #pragma once
 
 #include <array>
@@ -25,8 +25,8 @@ class EncoderCounter {
   // Forgets where the raw count was; the next sample continues from the same total.
   void rebase();
 
-  // Forgets in which direction the wheel moved: the commands it was told belonged to the other wheel. The
-  // next sign is believed.
+  // Forgets in which direction the wheel moved: the commands so far belonged to the other wheel. The next
+  // sign counts.
   void forget_signs();
 
   std::int64_t total() const { return total_; }

@@ -7,8 +7,8 @@
 
 namespace wheelwright {
 
-// Below this the gain that a short calibration states is too good to be true of the rest of the day and of
-// other speeds: friction does not grow with speed. As a fraction, set by hand.
+// Lower bound of the standard error of a gain, as a fraction, set by hand: a short calibration cannot know
+// how the gain drifts over the day, nor what friction makes of it at other speeds.
 inline constexpr double min_gain_error = 0.004;
 
 struct FilterNoise {

@@ -27,7 +27,7 @@ class ModelDoubt {
   ModelDoubt() = default;
   explicit ModelDoubt(const RobotModel& model);
 
-  // The robot is where the filter has it.
+  // Sets the pose, and the travel of the wheels, to those of the filter.
   void set_place(const Pose& pose, const WheelPair& distance_m);
   // Moves on by one period with this command in force. `wheel_m_s` is what the model itself does over the
   // period. Returns by how much the speed of each wheel may be another.

@@ -1,4 +1,4 @@
-// What one tick holds for and against a wheel and its encoder.
+// What the tests for faults of a wheel and its encoder are given each tick.
 #pragma once
 
 namespace wheelwright {

@@ -1,11 +1,12 @@
 // One wheel's travel from model and encoder together: a Kalman filter in the position domain with a gate.
 //
-// The state is how far the wheel's travel has come off the model's. Travel, not speed, is compared: a lost or
-// added count stays in the innovation until it is dealt with, while the age of a polled counter (up to one
-// refresh of the robot, v * 15.6 ms) does not add up. A reading is discarded, and the model stands in for it,
+// The state is by how much the wheel's travel differs from the model's. Travel, not speed, is compared: a
+// lost or added count stays in the innovation until it is dealt with, while the age of a polled counter (up
+// to one refresh of the robot, v * 15.6 ms) does not add up. A reading is discarded, and the model stands in
+// for it,
 //   * where it lies outside the gate,
-//   * where the mean of as many readings as go through all ages lies outside a gate of its own, which has no
-//     share for the age and is narrower for that: small jumps last, ages do not,
+//   * where the mean over one full cycle of ages lies outside a gate of its own, which is narrower since ages
+//     average out in it: this catches small jumps, which stay,
 //   * where the counter does not count although the wheel is to roll.
 // After that the encoder has to prove itself: over a window in which the wheel was to move, its increments
 // have to be those of the model. If its position fits too, nothing was lost; otherwise the encoder is given a

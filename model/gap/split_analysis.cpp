@@ -122,7 +122,7 @@ Score SplitAnalysis::slow_floor(const std::vector<DriveLog>& logs) const {
 Excess SplitAnalysis::over_credible_noise(const std::vector<DriveLog>& logs) const {
   const NoiseModel noise = with_slow_noise(*train_, result_.search.final.model, half_a_second_apart_s);
   const GapFigures figures{gap_size(result_.before, logs), gap_size(result_.after, logs),
-                           noise_floor(result_.after, logs, no_more_than_noise(noise), floor_seed)};
+                           noise_floor(result_.after, logs, with_bounded_drift(noise), floor_seed)};
   return largest_excess(figures, figures);
 }
 
@@ -236,7 +236,7 @@ void SplitAnalysis::remove_names() {
 }
 
 void SplitAnalysis::judge() {
-  ResidualDiagnostics residual{what_is_left(result_), {}, train_->has_counts()};
+  ResidualDiagnostics residual{residual_excess(result_), {}, train_->has_counts()};
   put_slow_noise_into_floors();
   residual.gain_changes = changed_gains(result_, *train_, *held_out_);
   reach_verdict(result_, context_.options.limits, residual);

@@ -5,14 +5,14 @@
 // instead of the difference of two over 15-18 ms. It is whitened (travel_whitener.hpp: rounding, slip, drift
 // that fades) with the noise found by likelihood on the way, so that the estimate is that of maximum
 // likelihood. Levenberg-Marquardt steps; steps to an unstable model are never taken. Sensitivities are exact:
-// with A the recursion, the derivative of y(k) after the weight of u(k-i) is the command filtered by 1/A,
-// i periods ago, and after the weight of y(k-i) the free run itself filtered by 1/A, i periods ago (Ljung,
-// System Identification, 2nd ed., section 10.3). So three filtered signals hold them all.
+// with A the recursion, the derivative of y(k) with respect to the weight of u(k-i) is the command filtered
+// by 1/A, i periods ago, and to the weight of y(k-i) the free run itself filtered by 1/A, i periods ago
+// (Ljung, System Identification, 2nd ed., section 10.3). So three filtered signals hold them all.
 //
 // Ticks show little of what happens within a few periods, and a free fit of order 9 fills that with ringing
-// that the data neither ask for nor forbid (poles on the unit circle beside zeros). So responses are believed
-// beforehand to be smooth and to fade, by the prior that the FIR fit of the same data has found likeliest;
-// exact data outweigh it without a trace.
+// that the data neither ask for nor forbid (poles on the unit circle beside zeros). So responses have a
+// prior: they are smooth and fade, as the FIR fit of the same data has found likeliest. With exact data the
+// prior has no effect.
 #pragma once
 
 #include <optional>
@@ -35,7 +35,7 @@ struct RefinedResponse {
   SmallSolution last_step;      // of the linearised problem, for the covariance of the weights
   double noise_variance = 0.0;  // m^2, of the white part of a reading
   RelativeTravelNoise noise;
-  double objective = 0.0;  // negative log-likelihood of the data and the prior together
+  double objective = 0.0;  // negative log-likelihood of data and prior, without constants
 };
 
 struct FreeRunProblem {

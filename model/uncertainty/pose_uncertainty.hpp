@@ -2,7 +2,7 @@
 //
 // Errors of parameters are the same in every period. What one of them does to the pose is
 // d_k, half of the difference between two simulations of the same commands, with that parameter moved up and
-// down by one standard deviation (moved_models.hpp), so that effects count with all their bends:
+// down by one standard deviation (moved_models.hpp), so that the nonlinearity of effects counts:
 //
 //   P = sum_k d_k d_k' + N
 //
@@ -35,7 +35,7 @@ class PoseUncertainty {
 
   // The robot is known to rest at this pose.
   void reset(const Pose& pose);
-  // The robot is known to be at this pose; its motion stays.
+  // The robot is known to be at this pose: what noise has added so far is dropped; its motion stays.
   void set_pose(const Pose& pose);
   // Goes on in the place of another model of the same robot, from `pose`: what was uncertain stays so.
   void take_over(const PoseUncertainty& before, const Pose& pose);

@@ -49,16 +49,17 @@ inline KnownErrors drifting_errors(const gap::TravelNoise& noise, std::size_t co
     known.errors.push_back(travel + noise.reading * normal(random));
     for (int k = 0; k < fine; ++k) {
       const double push = noise.walk_per_sqrt_s * std::sqrt(fine_s) * normal(random);
-      travel += fine_s * (speed - travel / noise.returns_s);
-      speed += (push - fine_s * speed) / noise.lasts_s;
+      travel += fine_s * (speed - travel / noise.return_time_s);
+      speed += (push - fine_s * speed) / noise.drift_correlation_time_s;
     }
   }
   return known;
 }
 
 // Readings of a tracker that err alike for a while.
-inline KnownErrors with_tracker(KnownErrors known, double deviation, double lasts_s, std::uint64_t seed) {
-  const double kept = std::exp(-reading_step_s / lasts_s);
+inline KnownErrors with_tracker(KnownErrors known, double deviation, double drift_correlation_time_s,
+                                std::uint64_t seed) {
+  const double kept = std::exp(-reading_step_s / drift_correlation_time_s);
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
   double alike = deviation * normal(random);

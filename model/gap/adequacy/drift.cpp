@@ -24,7 +24,8 @@ std::optional<Drift> drift(std::span<const ResidualTrack* const> tracks, const D
   std::vector<NoiseSample> samples;
   samples.reserve(series.size());
   for (const ErrorSeries& one : series) samples.push_back(one.sample());
-  const TravelNoise noise = noise_of(samples, {.smallest_reading = 0.0, .longest_lasting_s = no_lasting_s});
+  const TravelNoise noise =
+      noise_of(samples, {.smallest_reading = 0.0, .max_correlation_time_s = no_correlation_time_s});
   Drift found;
   found.rate_per_sqrt_s = noise.walk_per_sqrt_s;
   found.size = noise.walk_per_sqrt_s * std::sqrt(horizon_s);

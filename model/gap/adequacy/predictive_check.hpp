@@ -3,8 +3,8 @@
 // Where the accepted model and its noise are right, the innovations of a run are independent and standard
 // normal. Each statistic below looks for one way in which they are not, and comes with the probability of as
 // large a value by chance. The check fails if the smallest of all these, corrected for their number (Sidak),
-// lies below `level`. A statistic counts only if what it shows would be seen by a person in the free run:
-// `visible_...`.
+// lies below `level`. A statistic counts only if what it shows would be seen by a person in the free run
+// (figures/visible_error.hpp).
 //   periodic residual, over time and over a wheel's travel      periodic_residual.hpp
 //   dependence on command, heading, place, time, and on the time since a change of command   dependence.hpp
 //   offset of measured headings and positions over heading      offset_over_heading.hpp
@@ -16,16 +16,13 @@
 #include <string>
 #include <vector>
 
+#include "model/gap/figures/visible_error.hpp"
 #include "model/gap/fit/fit_problem.hpp"
 #include "model/gap/fit/trial_model.hpp"
 
 namespace wheelwright::gap {
 
 constexpr double check_level = 0.01;
-// Of a free-run error, what a person sees in a plot; less is no gap. The same as for the figures of the gap.
-constexpr double visible_travel_m = 0.003;  // of a wheel
-constexpr double visible_position_m = 0.006;
-constexpr double visible_heading_rad = 0.010;
 
 // The curve that shows it to a person.
 struct StatisticCurve {

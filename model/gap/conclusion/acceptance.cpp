@@ -13,10 +13,10 @@ bool some_is_sure_by(const GapAnalysis& analysis, double nats) {
 }  // namespace
 
 bool is_sure_by(const Finding& found, double nats) {
-  return found.heldout_gain_nats > nats && found.posterior > sure;
+  return found.heldout_gain_nats > nats && found.posterior > sure_posterior;
 }
 
-Excess what_is_left(const GapAnalysis& analysis) {
+Excess residual_excess(const GapAnalysis& analysis) {
   return largest_excess(analysis.train, analysis.tail_held_out ? analysis.train : analysis.test);
 }
 
@@ -52,7 +52,7 @@ bool closes_the_gap(const GapAnalysis& analysis, bool linear_left_out) {
   return some_figure_falls(figures, min_fall, is_beyond_chance(analysis) ? 0.0 : 1.0);
 }
 
-NoiseModel no_more_than_noise(const NoiseModel& noise) {
+NoiseModel with_bounded_drift(const NoiseModel& noise) {
   NoiseModel limited = noise;
   for (const Channel channel :
        {Channel::left, Channel::right, Channel::forward, Channel::aside, Channel::turn}) {

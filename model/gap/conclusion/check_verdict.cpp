@@ -39,7 +39,7 @@ std::string part_in_words(const GapAnalysis& analysis) {
   const double share = share_of_evidence(analysis);
   const std::string names = names_of(analysis);
   const int percent = static_cast<int>(100.0 * share);  // 89.7 is less than 90
-  if (percent > 0 && share < sure)
+  if (percent > 0 && share < sure_posterior)
     return names + " would explain " + std::to_string(percent) + " % of the evidence.";
   return " The other runs look like" + names + ", by which these come no closer.";
 }

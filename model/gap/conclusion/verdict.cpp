@@ -27,7 +27,8 @@ struct Judgement {
 };
 
 Judgement of_findings(const std::vector<Finding>& found) {
-  const auto doubtful = std::ranges::find_if(found, [](const Finding& one) { return one.posterior < sure; });
+  const auto doubtful =
+      std::ranges::find_if(found, [](const Finding& one) { return one.posterior < sure_posterior; });
   if (doubtful != found.end()) {
     return {Verdict::ambiguous,
             "Something is missing, but these runs do not distinguish " + doubtful->setting.name + " from " +
@@ -106,7 +107,7 @@ Judgement of_nothing_found(const GapAnalysis& analysis, const SearchLimits& limi
   }
   // That no effect was found does not mean that nothing is missing: where the free runs are off by more than
   // noise explains, in the runs that were fitted and in those that were not, something is.
-  if (more_than_any_noise(over_quick_noise, what_is_left(analysis))) {
+  if (more_than_any_noise(over_quick_noise, residual_excess(analysis))) {
     return {Verdict::unnamed, "Something is missing that no effect of the library explains: in free runs " +
                                   in_words(over_quick_noise) + "."};
   }
@@ -249,7 +250,7 @@ void reach_verdict(GapAnalysis& analysis, const SearchLimits& limits, const Resi
     analysis.summary += " " + gyro_scale_in_words(gyro_scale);
   }
   if (!residual.counted) analysis.summary += gains_in_words(analysis.search.final.model);
-  const Excess left = what_is_left(analysis);
+  const Excess left = residual_excess(analysis);
   if (analysis.verdict == Verdict::named && left.times >= far_above_noise) {
     analysis.summary += " More may be: in free runs " + in_words(left) + ".";
   }

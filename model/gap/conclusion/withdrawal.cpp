@@ -61,7 +61,8 @@ double share_of_evidence(const GapAnalysis& analysis) {
 bool explains_the_smaller_part(const GapAnalysis& analysis, const GapFigures& test) {
   constexpr double half = 0.5;
   if (analysis.check.passed || std::ranges::none_of(analysis.found, of_free_runs)) return false;
-  const bool explains_little = share_of_evidence(analysis) < sure && largest_share_gone(test) < half;
+  const bool explains_little =
+      share_of_evidence(analysis) < sure_posterior && largest_share_gone(test) < half;
   return explains_little || (goes_further_astray(test) && !some_is_beyond_doubt_untouched(analysis));
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "model/gap/figures/visible_error.hpp"
+
 namespace wheelwright::gap {
 namespace {
 
@@ -14,7 +16,8 @@ constexpr std::size_t first_integrated = 1;  // of wheel speed, most is noise of
 constexpr std::size_t position = 2;          // and heading behind it
 
 // m/s, m, m, rad: off by so little, a run is as good as right, whatever its noise.
-constexpr std::array<double, figure_count> negligible{0.0, 0.003, 0.006, 0.010};
+constexpr std::array<double, figure_count> negligible{0.0, visible_travel_m, visible_position_m,
+                                                      visible_heading_rad};
 
 using Values = std::array<std::optional<double>, figure_count>;
 

@@ -9,7 +9,7 @@
 
 namespace wheelwright::gap {
 
-// Of a figure, in noise floors: from there on something is missing. Clean logs stay below 1.15.
+// Figure over noise floor from which on something is missing. Clean logs stay below 1.15.
 constexpr double more_than_noise = 1.5;
 constexpr double far_above_noise = 2.0;
 
@@ -29,8 +29,8 @@ struct Excess {
 };
 
 // The figure that lies furthest above its floor in both sets of runs; `times` and `closed` are the smaller of
-// the two. A figure of less than 3 mm of travel, 6 mm of position or 10 mrad of heading does not count; from
-// first to last pose alone, one and a half floors count as one.
+// the two. A figure of less than 3 mm of travel, 6 mm of position or 10 mrad of heading does not count. Where
+// only a first and a last pose are known, the floor is taken 1.5 times as high.
 Excess largest_excess(const GapFigures& train, const GapFigures& test);
 
 // The figure that lies furthest above its floor in the held-out runs and twice as far as in training,

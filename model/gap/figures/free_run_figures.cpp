@@ -43,7 +43,7 @@ class Drift {
   double at() const { return at_; }
 
  private:
-  bool lasts() const { return noise_.lasts_s > 0.0; }
+  bool lasts() const { return noise_.drift_correlation_time_s > 0.0; }
 
   TravelNoise noise_;
   std::mt19937_64& random_;
@@ -162,11 +162,11 @@ NoiseModel with_slow_noise(const FitProblem& problem, const TrialModel& model, d
   NoiseModel noise = problem.noise();
   for (const double far_apart_s : {half_a_second_apart_s, two_seconds_apart_s}) {
     if (far_apart_s > max_apart_s) continue;
-    const NoiseModel slow = problem.noise_left_by(model, far_apart_s, no_lasting_s);
+    const NoiseModel slow = problem.noise_left_by(model, far_apart_s, no_correlation_time_s);
     for (std::size_t c = 0; c < channel_count; ++c) {
       if (slow.channel[c].walk_per_sqrt_s <= noise.channel[c].walk_per_sqrt_s) continue;
       noise.channel[c].walk_per_sqrt_s = slow.channel[c].walk_per_sqrt_s;
-      noise.channel[c].returns_s = slow.channel[c].returns_s;
+      noise.channel[c].return_time_s = slow.channel[c].return_time_s;
     }
   }
   return noise;

@@ -76,7 +76,7 @@ double FitProblem::smallest_reading(std::size_t channel) const {
 }
 
 NoiseModel FitProblem::noise_left_by(const TrialModel& model, double min_apart_s,
-                                     double longest_lasting_s) const {
+                                     double max_correlation_time_s) const {
   std::vector<RunErrors> errors(runs_.size());
   parallel_for_(runs_.size(), [&](std::size_t r) { errors[r] = free_run_errors(model, runs_[r]); });
   NoiseModel noise = noise_;
@@ -92,9 +92,9 @@ NoiseModel FitProblem::noise_left_by(const TrialModel& model, double min_apart_s
     samples.reserve(series.size());
     for (const auto& one : series) samples.push_back(one.sample());
     const bool of_references =
-        c > static_cast<std::size_t>(Channel::right) && longest_lasting_s > no_lasting_s;
+        c > static_cast<std::size_t>(Channel::right) && max_correlation_time_s > no_correlation_time_s;
     if (!samples.empty())
-      noise.channel[c] = noise_of(samples, {smallest_reading(c), longest_lasting_s, of_references});
+      noise.channel[c] = noise_of(samples, {smallest_reading(c), max_correlation_time_s, of_references});
   });
   // Both wheels are of one make: what one shows of noise holds for the other.
   if (!segments_.empty()) {

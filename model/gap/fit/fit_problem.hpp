@@ -47,7 +47,7 @@ class FitProblem {
   // The noise under which the errors of a model are most likely. Only readings that lie at least
   // `min_apart_s` apart are used.
   NoiseModel noise_left_by(const TrialModel& model, double min_apart_s = 0.0,
-                           double longest_lasting_s = lasting_of_motors_s) const;
+                           double max_correlation_time_s = motor_correlation_time_s) const;
   void set_noise(const NoiseModel& noise);
   const NoiseModel& noise() const { return noise_; }
 

@@ -92,7 +92,7 @@ Hypothesis Planner::hypothesis(const std::string& name, const TrialModel& model)
 // The answers that are still possible in the place of the least certain finding.
 std::vector<Hypothesis> Planner::rivals() const {
   const auto doubtful = std::ranges::min_element(analysis_.found, {}, &Finding::posterior);
-  if (doubtful == analysis_.found.end() || doubtful->posterior >= sure) return {};
+  if (doubtful == analysis_.found.end() || doubtful->posterior >= sure_posterior) return {};
   const auto holds = [&](const TrialModel& model) {
     return std::ranges::any_of(model.effects, [&](const TrialEffect& effect) {
       return effect.info->name == doubtful->setting.name;

@@ -34,10 +34,11 @@ Profile profile(std::span<const NoiseSample> samples, const TravelNoise& shape) 
   return {-0.5 * n * std::log(variance) - all.log_determinant, std::sqrt(variance)};
 }
 
-constexpr std::array lasting_s{0.03, 0.06, 0.12, lasting_of_motors_s, 0.5, lasting_of_swaying_s};
+constexpr std::array lasting_s{
+    0.03, 0.06, 0.12, motor_correlation_time_s, 0.5, oscillation_correlation_time_s};
 constexpr std::array returning_s{1.0, 3.0, 10.0};
 constexpr double default_tracker_s = 0.1;
-constexpr std::array tracker_lasts_s{0.04, 0.2, 0.4};
+constexpr std::array tracker_correlation_time_s{0.04, 0.2, 0.4};
 constexpr std::array tracker_of_reading{0.7, 1.4, 3.0, 10.0};
 constexpr std::array steady_shares{0.7, 0.5, 0.35, 0.25, 0.17, 0.12};
 constexpr double worth_it_nats = 10.0;  // of a further number
@@ -113,24 +114,25 @@ Shape refined(std::span<const NoiseSample> samples, const Shape& present) {
 Shape lasting(std::span<const NoiseSample> samples, const Shape& present, double longest_s) {
   Shape best = present;
   double step = present.step;
-  for (const double lasts_s : lasting_s) {
-    if (lasts_s > longest_s) break;
+  for (const double drift_correlation_time_s : lasting_s) {
+    if (drift_correlation_time_s > longest_s) break;
     TravelNoise noise = present.noise;
-    noise.lasts_s = lasts_s;
+    noise.drift_correlation_time_s = drift_correlation_time_s;
     const Shape found = climbed(samples, noise, step);
     step = found.step;
-    if (found.likelier_than(best, best.noise.lasts_s == 0.0 ? worth_it_nats : 0.0)) best = found;
+    if (found.likelier_than(best, best.noise.drift_correlation_time_s == 0.0 ? worth_it_nats : 0.0))
+      best = found;
   }
   return best;
 }
 
 Shape returning(std::span<const NoiseSample> samples, const Shape& present) {
   Shape best = present;
-  for (const double returns_s : returning_s) {
+  for (const double return_time_s : returning_s) {
     TravelNoise noise = present.noise;
-    noise.returns_s = returns_s;
+    noise.return_time_s = return_time_s;
     const Shape found = climbed(samples, noise, present.step);
-    if (found.likelier_than(best, std::isinf(best.noise.returns_s) ? worth_it_nats : 0.0)) best = found;
+    if (found.likelier_than(best, std::isinf(best.noise.return_time_s) ? worth_it_nats : 0.0)) best = found;
   }
   return best;
 }
@@ -148,10 +150,10 @@ bool holds_between_far_readings(std::span<const NoiseSample> samples, const Shap
 }
 
 Shape of_drift(std::span<const NoiseSample> samples, const Shape& walk, const NoiseLimits& limits) {
-  Shape best = lasting(samples, walk, limits.longest_lasting_s);
+  Shape best = lasting(samples, walk, limits.max_correlation_time_s);
   const Shape returns = returning(samples, best);
-  if (returns.noise.returns_s != best.noise.returns_s)
-    best = lasting(samples, returns, limits.longest_lasting_s);
+  if (returns.noise.return_time_s != best.noise.return_time_s)
+    best = lasting(samples, returns, limits.max_correlation_time_s);
   return !limits.tracked || holds_between_far_readings(samples, best) ? best : walk;
 }
 
@@ -172,9 +174,9 @@ std::vector<NoiseSample> begins_of(std::span<const NoiseSample> samples) {
 // from a smaller one.
 Shape tracked(std::span<const NoiseSample> samples, const Shape& walk) {
   Shape best = walk;
-  const auto consider = [&](double lasts_s, double of_reading, double from_step) {
+  const auto consider = [&](double drift_correlation_time_s, double of_reading, double from_step) {
     TravelNoise noise = walk.noise;
-    noise.tracker_lasts_s = lasts_s;
+    noise.tracker_correlation_time_s = drift_correlation_time_s;
     noise.tracker = of_reading;
     const Shape found = climbed(samples, noise, std::max(0.0, from_step));
     if (found.likelier_than(best, best.noise.tracker == 0.0 ? 2.0 * worth_it_nats : 0.0)) best = found;
@@ -184,9 +186,10 @@ Shape tracked(std::span<const NoiseSample> samples, const Shape& walk) {
   }
   if (best.noise.tracker == 0.0) return best;
   const double of_reading = best.noise.tracker;
-  for (const double lasts_s : tracker_lasts_s) consider(lasts_s, of_reading, best.step);
-  const double lasts_s = best.noise.tracker_lasts_s;
-  for (const double more : {0.7, 1.4}) consider(lasts_s, more * of_reading, best.step);
+  for (const double drift_correlation_time_s : tracker_correlation_time_s)
+    consider(drift_correlation_time_s, of_reading, best.step);
+  const double drift_correlation_time_s = best.noise.tracker_correlation_time_s;
+  for (const double more : {0.7, 1.4}) consider(drift_correlation_time_s, more * of_reading, best.step);
   return best;
 }
 

@@ -27,21 +27,24 @@ struct ErrorSeries {
 // Only readings that lie so far behind the one before, and those behind which nothing is known.
 ErrorSeries thinned(const NoiseSample& all, double min_apart_s);
 
-// How long the speed of what drifts may last: of motors, and of what sways. Readings that lie far apart do
-// not tell; then it is a random walk.
-constexpr double no_lasting_s = 0.0;
-constexpr double lasting_of_motors_s = 0.25;
-constexpr double lasting_of_swaying_s = 1.0;
+// Largest correlation time of the speed of a drift: none where readings lie far apart, which do not show it
+// (the drift is a random walk then), of motors, and of what oscillates.
+constexpr double no_correlation_time_s = 0.0;
+constexpr double motor_correlation_time_s = 0.25;
+constexpr double oscillation_correlation_time_s = 1.0;
 
 struct NoiseLimits {
   double smallest_reading;  // the least that a reading can err (its quantisation)
-  double longest_lasting_s;
+  double max_correlation_time_s;
   bool tracked = false;  // by references, which may err alike for a while
 };
 
-// The noise under which the series are most likely; all series of one channel together. Where they are
-// tracked, noise that lasts must not come to more between readings half a second and two seconds apart than
-// these show: smooth references make quick errors look as if the travel's speed lasted.
+// The noise under which the series are most likely, all series of one channel together: it maximises
+//
+//   ln L = -1/2 sum_k (e_k / s_k)^2 - sum_k ln s_k,    e_k: innovation before scaling, s_k: its deviation
+//
+// For tracked references the variance that is predicted between readings 0.5 s and 2 s apart must not exceed
+// what they show; otherwise a smoothed reference looks like a drift whose speed is correlated.
 TravelNoise noise_of(std::span<const NoiseSample> samples, const NoiseLimits& limits);
 
 }  // namespace wheelwright::gap

@@ -9,18 +9,18 @@ namespace wheelwright::gap {
 DriftStep::DriftStep(const TravelNoise& noise, double duration_s, double unsteady) {
   const double intensity = unsteady + (1.0 - unsteady) * noise.steady_share * noise.steady_share;
   const double walk2 = noise.walk_per_sqrt_s * noise.walk_per_sqrt_s * intensity;
-  const double a = 1.0 / noise.returns_s;
+  const double a = 1.0 / noise.return_time_s;
   const auto integral = [duration_s](double rate) {
     return rate > 0.0 ? -std::expm1(-rate * duration_s) / rate : duration_s;
   };
   kept = std::exp(-a * duration_s);
-  if (noise.lasts_s <= 0.0) {
+  if (noise.drift_correlation_time_s <= 0.0) {
     carry_s = decay = 0.0;
     travel_variance = walk2 * integral(2.0 * a);
     return;
   }
   constexpr double apart = 1e-4;  // two equal rates have integrals of their own, which these come near to
-  double b = 1.0 / noise.lasts_s;
+  double b = 1.0 / noise.drift_correlation_time_s;
   if (std::abs(b - a) < apart * a) b = (1.0 + apart) * a;
   const double quicker = b / (b - a);
   decay = std::exp(-b * duration_s);
@@ -32,11 +32,13 @@ DriftStep::DriftStep(const TravelNoise& noise, double duration_s, double unstead
 }
 
 double drift_speed_variance(const TravelNoise& noise) {
-  return noise.lasts_s > 0.0 ? noise.walk_per_sqrt_s * noise.walk_per_sqrt_s / (2.0 * noise.lasts_s) : 0.0;
+  return noise.drift_correlation_time_s > 0.0
+             ? noise.walk_per_sqrt_s * noise.walk_per_sqrt_s / (2.0 * noise.drift_correlation_time_s)
+             : 0.0;
 }
 
 double TravelNoise::tracker_kept(double duration_s) const {
-  return tracker_lasts_s > 0.0 ? std::exp(-duration_s / tracker_lasts_s) : 0.0;
+  return tracker_correlation_time_s > 0.0 ? std::exp(-duration_s / tracker_correlation_time_s) : 0.0;
 }
 
 // The steps of the filter, one reading after the other.
@@ -191,7 +193,7 @@ struct Whitener::State {
 
 Whitener::Whitener(std::span<const double> times_s, std::span<const char> restarts, const TravelNoise& noise,
                    std::span<const double> unsteady)
-    : lasting_(noise.lasts_s > 0.0), tracked_(noise.tracker > 0.0) {
+    : lasting_(noise.drift_correlation_time_s > 0.0), tracked_(noise.tracker > 0.0) {
   Steps steps(times_s, restarts, noise, unsteady);
   for (std::size_t i = 0; i < times_s.size(); ++i) {
     if (steps.advance_to(i)) {
@@ -227,7 +229,7 @@ InnovationSums Whitener::sums(std::span<const double> times_s, std::span<const c
                               const TravelNoise& noise, std::span<const double> unsteady,
                               std::span<const double> errors) {
   const Steps steps(times_s, restarts, noise, unsteady);
-  const bool lasting = noise.lasts_s > 0.0;
+  const bool lasting = noise.drift_correlation_time_s > 0.0;
   if (noise.tracker > 0.0) {
     return lasting ? sums_of<true, true>(steps, errors) : sums_of<false, true>(steps, errors);
   }

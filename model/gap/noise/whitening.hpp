@@ -4,9 +4,13 @@
 // readings have in common for a part of a second, as it smooths them. Between readings the travel itself
 // drifts (slip, what pushes a motor that no model predicts): by a random walk, or by a speed that is
 // forgotten within a part of a second (Ornstein and Uhlenbeck, 1930); by less where commands are steady.
-// Where a wheel's speed is held by a controller with an integral, what it lost comes back within seconds. Of
-// a series of errors with these, the innovations of the Kalman filter for it are white with unit variance, so
-// that their sum of squares is a log likelihood, whatever the correlation of the errors themselves.
+// Where a wheel's speed is held by a controller with an integral, what it lost comes back within seconds:
+//
+//   dx = (v - x / return_time) dt,   dv = -v / drift_correlation_time dt + q dW,   reading = x + tracker +
+//   white
+//
+// The innovations of the Kalman filter for such a series are white with unit variance. Their sum of squares
+// is a log likelihood, whatever the correlation of the errors themselves.
 #pragma once
 
 #include <limits>
@@ -17,13 +21,13 @@ namespace wheelwright::gap {
 
 // In m, or in rad for a heading.
 struct TravelNoise {
-  double reading = 1e-3;          // standard deviation of one reading, by itself
-  double walk_per_sqrt_s = 1e-3;  // of the drifting, per square root of time, before it returns
-  double lasts_s = 0.0;           // until the drifting's speed is forgotten; zero: a random walk
-  double returns_s = std::numeric_limits<double>::infinity();  // until the travel comes back
-  double tracker = 0.0;          // standard deviation of what readings near each other err alike
-  double tracker_lasts_s = 0.0;  // until that is forgotten
-  double steady_share = 1.0;     // of the drifting that is left where commands are steady
+  double reading = 1e-3;                  // standard deviation of one reading, by itself
+  double walk_per_sqrt_s = 1e-3;          // of the drifting, per square root of time, before it returns
+  double drift_correlation_time_s = 0.0;  // until the drifting's speed is forgotten; zero: a random walk
+  double return_time_s = std::numeric_limits<double>::infinity();  // until the travel comes back
+  double tracker = 0.0;                     // standard deviation of what readings near each other err alike
+  double tracker_correlation_time_s = 0.0;  // until that is forgotten
+  double steady_share = 1.0;                // of the drifting that is left where commands are steady
 
   // Share of the tracker's common error that is left after some time.
   double tracker_kept(double duration_s) const;

@@ -60,7 +60,7 @@ struct GapRun {
   WheelPair initial_travel_m;           // tells the angle at which the wheels stood at the start
   std::array<Series, channel_count> series;
   std::vector<Reference> references;  // with x, y and heading
-  std::vector<Pose> passed;           // the same at each grid point, between the references; empty if sparse
+  std::vector<Pose> passed;           // references interpolated at each grid point; empty if sparse
   bool heading_alone = false;         // of the references; then they say nothing of x and y
   bool has_counts = false;
   bool sparse = false;                       // references are far apart

@@ -48,7 +48,7 @@ const Candidate* CandidateAcceptance::next_effect(const SelectionStep& step,
   for (const Candidate& candidate : step.candidates) {
     if (is_decoy(*candidate.effect.info) || !comparison_.good_enough(candidate)) continue;
     asked.insert(candidate.effect.info);
-    if (asked.size() > few) return nullptr;
+    if (asked.size() > max_costly_candidates) return nullptr;
     if (accepted(candidate, step, so_far)) return &candidate;
   }
   return nullptr;

@@ -52,7 +52,7 @@ Fit CandidateEvaluation::with_refitted_linear_part(const Fit& fit) {
 // Of the few best that have a fork, once: its shape is found under one noise and fitted on under another.
 void CandidateEvaluation::shape_forks(SelectionStep& selection_step, int steps) const {
   bool any = false;
-  for (std::size_t i = 0; i < std::min(few, selection_step.candidates.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(max_costly_candidates, selection_step.candidates.size()); ++i) {
     Fit& fit = selection_step.candidates[i].fit;
     if (!has_fork(fit.model.effects.back())) continue;
     fit = train_.fit(with_fork_found(train_, fit.model, parallel_for_), steps,
@@ -74,7 +74,7 @@ Outputs CandidateEvaluation::affected_outputs_of_last(const TrialModel& model, s
 // Of the few best that have a region of the floor in them.
 void CandidateEvaluation::place_regions(SelectionStep& selection_step, int steps, RegionSearch placed) const {
   bool any = false;
-  for (std::size_t i = 0; i < std::min(few, selection_step.candidates.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(max_costly_candidates, selection_step.candidates.size()); ++i) {
     Fit& fit = selection_step.candidates[i].fit;
     if (!has_region(fit.model)) continue;
     const bool itself = selection_step.candidates[i].effect.info->name == "surface_patch";
@@ -120,7 +120,7 @@ bool CandidateEvaluation::pair_stands_out_of_its_own_noise(const SelectionStep& 
   SelectionStep again{train_.fit(selection_step.without.model, steps_of_a_refit), 0.0, {}, {}};
   again.pair = train_.fit(selection_step.pair->model, steps_of_a_refit,
                           affected_outputs_of_last(selection_step.pair->model, 2));
-  again.candidates.resize(std::min(few, selection_step.candidates.size()));
+  again.candidates.resize(std::min(max_costly_candidates, selection_step.candidates.size()));
   parallel_for_(again.candidates.size(), [&](std::size_t i) {
     const TrialModel& model = selection_step.candidates[i].fit.model;
     again.candidates[i].fit = train_.fit(model, steps_of_a_refit, affected_outputs_of_last(model, 1));
@@ -162,7 +162,8 @@ std::vector<const Candidate*> CandidateEvaluation::helpful(const SelectionStep& 
         best, [&](const Candidate* other) { return other->effect.info == candidate.effect.info; });
     const bool helps =
         candidate.train_nats > limits_.min_further_nats && candidate.unseen_nats() > limits_.min_further_nats;
-    if (!known && helps && !is_decoy(*candidate.effect.info) && best.size() < few) best.push_back(&candidate);
+    if (!known && helps && !is_decoy(*candidate.effect.info) && best.size() < max_costly_candidates)
+      best.push_back(&candidate);
   }
   return best;
 }
@@ -196,7 +197,9 @@ TrialModel CandidateEvaluation::likeliest_under_its_own_noise(const SelectionSte
       return other.fit.model.effects.back().info == candidate.effect.info;
     });
     if (known) continue;
-    if (contenders.size() == few || candidate.score < near * selection_step.candidates.front().score) break;
+    if (contenders.size() == max_costly_candidates ||
+        candidate.score < near * selection_step.candidates.front().score)
+      break;
     contenders.emplace_back().fit = candidate.fit;
   }
   if (contenders.size() == 1) return contenders.front().fit.model;

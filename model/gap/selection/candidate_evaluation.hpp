@@ -1,4 +1,4 @@
-// One look at a model: which effects could be added to it, and how well each one would do.
+// Evaluates all effects that could be added to a model.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@
 namespace wheelwright::gap {
 
 constexpr int steps_of_a_fit = 10;
-constexpr std::size_t few = 3;  // of the best, where one more look at each is costly
+constexpr std::size_t max_costly_candidates = 3;  // of the best, where to evaluate each again is costly
 constexpr int steps_of_a_refit = 5;
 
 class CandidateEvaluation {
@@ -33,11 +33,12 @@ class CandidateEvaluation {
   // Fit and noise depend on each other: both, as often as asked for.
   Fit settle(TrialModel model, int passes);
 
-  // Screens all that the model does not hold, fits the most promising ones beside the linear part and judges
-  // them. `more_models`, each with one effect more than `without`, are tried in any case, and two effects at
-  // once where each masks the other. The noise is then what the best one leaves, since before, it holds what
-  // is missing; and all are fitted again under it. Where the best few come near each other, it is what the
-  // likeliest of them leaves, each under the noise that it leaves itself.
+  // 1. Screens all effects that the model does not hold.
+  // 2. Fits the most promising ones beside the linear part and judges them; `more_models`, each with one
+  //    effect more than `without`, in any case, and two effects at once where each masks the other.
+  // 3. Estimates the noise with the best candidate in the model: without it, the noise absorbs the missing
+  //    effect. Where several are nearly as good, with the likeliest, each under the noise that it leaves.
+  // 4. Fits all again under that noise.
   SelectionStep evaluate(const Fit& without, const std::vector<TrialModel>& more_models = {});
 
   // What hides each other explains little one by one, and the noise that both together leave is smaller than

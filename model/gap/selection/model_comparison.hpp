@@ -1,5 +1,9 @@
-// Who explains more: candidates for a place in a model, judged on runs that they were fitted to and on runs
-// that were held out.
+// Compares candidates for a model, on the runs that they were fitted to and on runs that were held out.
+//
+// A candidate's score is its gain of log-likelihood on both, each divided by the autocorrelation factor f of
+// its residuals, less the penalty of its parameters (BIC); p: parameters, n: readings of all runs.
+//
+//   score = train_nats / f_train + heldout_nats / f_heldout - p / 2 ln n
 #pragma once
 
 #include <algorithm>
@@ -46,7 +50,7 @@ struct Candidate {
 // shape of one.
 bool beyond_a_linear_part(const TrialModel& model, const TrialEffect& effect);
 
-// One look at a model: who could be added to it, best first.
+// What could be added to a model, best first.
 struct SelectionStep {
   Fit without;
   double heldout_sum_squares = 0.0;  // of `without`

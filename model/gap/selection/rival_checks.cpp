@@ -64,7 +64,7 @@ Fit RivalChecks::in_place(const Candidate& candidate, std::size_t place) const {
 void RivalChecks::try_in_place(SelectionStep& check, std::size_t place) const {
   const auto stage = [](const TrialEffect& effect) { return effect.info->variants[effect.variant].stage; };
   bool any = false;
-  for (std::size_t i = 0; i < std::min(few, check.candidates.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(max_costly_candidates, check.candidates.size()); ++i) {
     Candidate& candidate = check.candidates[i];
     const auto& effects = candidate.fit.model.effects;
     const std::size_t behind = effects.size() - 1 - place;

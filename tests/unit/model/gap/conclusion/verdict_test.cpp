@@ -15,7 +15,7 @@ namespace {
 
 // `over_quick_noise`: in floors of the noise from reading to reading; by default as over that of seconds.
 Verdict verdict_of(GapAnalysis analysis, double over_quick_noise = 0.0) {
-  const Excess left = what_is_left(analysis);
+  const Excess left = residual_excess(analysis);
   reach_verdict(analysis, {}, {{left.figure, std::max(left.times, over_quick_noise), left.closed}, {}});
   return analysis.verdict;
 }
@@ -34,7 +34,7 @@ TEST_CASE("Where a decoy explains more than any name, the summary says what it d
     Candidate& best = analysis.search.selection_steps.back().candidates.emplace_back();
     best.effect.info = &*std::ranges::find(decoys(), "decoy_swing", &EffectInfo::name);
     best.train_nats = best.heldout_nats = nats;
-    reach_verdict(analysis, {}, {what_is_left(analysis), {}});
+    reach_verdict(analysis, {}, {residual_excess(analysis), {}});
     return analysis.summary;
   };
   CHECK_THAT(summary_of(200.0), ContainsSubstring("it is as if the gain swung slowly with time."));

@@ -36,7 +36,7 @@ KnownErrors with_smooth_readings(KnownErrors known, double deviation, double smo
 TEST_CASE("The noise of a series is found from the series") {
   const auto known = known_errors(noise, 20000, 7);
   const std::vector<NoiseSample> samples{{known.times_s, known.restarts, known.errors}};
-  const TravelNoise found = noise_of(samples, {1e-6, lasting_of_motors_s});
+  const TravelNoise found = noise_of(samples, {1e-6, motor_correlation_time_s});
   // Walk over reading is looked for in steps of a quarter of a decade.
   const double step = std::pow(10.0, 0.25);
   CHECK(found.walk_per_sqrt_s / found.reading < step * noise.walk_per_sqrt_s / noise.reading);
@@ -48,9 +48,9 @@ TEST_CASE("How long a speed lasts, and that travel comes back, is found from the
   const TravelNoise truth{1e-4, 4e-3, 0.12, 3.0};
   const auto known = drifting_errors(truth, 20000, 9);
   const std::vector<NoiseSample> samples{{known.times_s, known.restarts, known.errors}};
-  const TravelNoise found = noise_of(samples, {1e-6, lasting_of_motors_s});
-  CHECK(found.lasts_s == truth.lasts_s);
-  CHECK(found.returns_s == truth.returns_s);
+  const TravelNoise found = noise_of(samples, {1e-6, motor_correlation_time_s});
+  CHECK(found.drift_correlation_time_s == truth.drift_correlation_time_s);
+  CHECK(found.return_time_s == truth.return_time_s);
   CHECK_THAT(found.walk_per_sqrt_s, WithinRel(truth.walk_per_sqrt_s, 0.4));
 }
 
@@ -58,9 +58,9 @@ TEST_CASE("A random walk is not taken for a speed that lasts, nor for travel tha
   for (const std::uint64_t seed : {10U, 11U, 12U, 13U}) {
     const auto known = known_errors(noise, 20000, seed);
     const std::vector<NoiseSample> samples{{known.times_s, known.restarts, known.errors}};
-    const TravelNoise found = noise_of(samples, {1e-6, lasting_of_motors_s});
-    CHECK(found.lasts_s == 0.0);
-    CHECK(std::isinf(found.returns_s));
+    const TravelNoise found = noise_of(samples, {1e-6, motor_correlation_time_s});
+    CHECK(found.drift_correlation_time_s == 0.0);
+    CHECK(std::isinf(found.return_time_s));
   }
 }
 
@@ -68,7 +68,7 @@ TEST_CASE("References that are smoothed do not make noise come to more over seco
   for (const std::uint64_t seed : {14U, 15U, 16U}) {
     const auto known = with_smooth_readings(known_errors({4e-4, 1e-2}, 20000, seed), 8e-3, 0.12, seed + 10);
     const std::vector<NoiseSample> samples{{known.times_s, known.restarts, known.errors}};
-    const TravelNoise found = noise_of(samples, {1e-6, lasting_of_motors_s, true});
+    const TravelNoise found = noise_of(samples, {1e-6, motor_correlation_time_s, true});
     CHECK(found.walk_per_sqrt_s <
           2.0 * 1e-2);  // noise that lasts would come to three times as much as there is
   }
@@ -76,24 +76,24 @@ TEST_CASE("References that are smoothed do not make noise come to more over seco
 
 TEST_CASE("What readings of a tracker err alike is told from the travel that wanders") {
   struct Truth {
-    double reading, walk, tracker, lasts_s;
+    double reading, walk, tracker, drift_correlation_time_s;
   };
   const auto truth =
       GENERATE(Truth{1e-3, 1e-3, 1e-3, 0.1}, Truth{1e-3, 4e-3, 3e-3, 0.2}, Truth{2e-4, 1e-3, 3e-3, 0.1});
-  const auto known =
-      with_tracker(known_errors({truth.reading, truth.walk}, 20000, 17), truth.tracker, truth.lasts_s, 18);
+  const auto known = with_tracker(known_errors({truth.reading, truth.walk}, 20000, 17), truth.tracker,
+                                  truth.drift_correlation_time_s, 18);
   const std::vector<NoiseSample> samples{{known.times_s, known.restarts, known.errors}};
-  const TravelNoise found = noise_of(samples, {1e-6, lasting_of_motors_s, true});
+  const TravelNoise found = noise_of(samples, {1e-6, motor_correlation_time_s, true});
   CHECK_THAT(found.tracker, WithinRel(truth.tracker, 0.25));
   CHECK_THAT(found.walk_per_sqrt_s, WithinRel(truth.walk, 0.25));
-  CHECK(found.tracker_lasts_s == truth.lasts_s);
+  CHECK(found.tracker_correlation_time_s == truth.drift_correlation_time_s);
 }
 
 TEST_CASE("White readings and a walk are not taken for a tracker") {
   for (const std::uint64_t seed : {19U, 20U, 21U}) {
     const auto known = known_errors(noise, 20000, seed);
     const std::vector<NoiseSample> samples{{known.times_s, known.restarts, known.errors}};
-    CHECK(noise_of(samples, {1e-6, lasting_of_motors_s, true}).tracker == 0.0);
+    CHECK(noise_of(samples, {1e-6, motor_correlation_time_s, true}).tracker == 0.0);
   }
 }
 
@@ -126,7 +126,7 @@ TEST_CASE("How much less travel drifts where commands are steady is found from t
   for (const double steady_share : {0.17, 0.35}) {
     const auto [known, unsteady] = unsteady_errors(steady_share, 31);
     const std::vector<NoiseSample> samples{{known.times_s, known.restarts, known.errors, unsteady}};
-    const TravelNoise found = noise_of(samples, {1e-6, lasting_of_motors_s});
+    const TravelNoise found = noise_of(samples, {1e-6, motor_correlation_time_s});
     CHECK_THAT(found.steady_share, WithinAbs(steady_share, 1e-9));
     CHECK_THAT(found.walk_per_sqrt_s, WithinRel(3e-3, 0.3));
   }
@@ -136,7 +136,7 @@ TEST_CASE("A robot that drifts alike everywhere is not said to drift less where 
   for (const std::uint64_t seed : {41U, 42U, 43U}) {
     const auto [known, unsteady] = unsteady_errors(1.0, seed);
     const std::vector<NoiseSample> samples{{known.times_s, known.restarts, known.errors, unsteady}};
-    CHECK(noise_of(samples, {1e-6, lasting_of_motors_s}).steady_share == 1.0);
+    CHECK(noise_of(samples, {1e-6, motor_correlation_time_s}).steady_share == 1.0);
   }
 }
 

@@ -96,7 +96,7 @@ TEST_CASE("Errors whose speed lasts, and which come back, come out white and of 
 
 TEST_CASE("Errors that readings have in common for a while come out white and of unit variance") {
   const TravelNoise tracked{
-      .reading = 1e-3, .walk_per_sqrt_s = 1e-3, .tracker = 2e-3, .tracker_lasts_s = 0.1};
+      .reading = 1e-3, .walk_per_sqrt_s = 1e-3, .tracker = 2e-3, .tracker_correlation_time_s = 0.1};
   auto known = with_tracker(known_errors({1e-3, 1e-3}, 20000, 10), 2e-3, 0.1, 11);
   known.restarts[3000] = 1;
   const Whitener whitener(known.times_s, known.restarts, tracked);
@@ -110,8 +110,8 @@ TEST_CASE("Errors that readings have in common for a while come out white and of
 }
 
 TEST_CASE("A long time is foretold as its parts are") {
-  const double returns_s = GENERATE(3.0, 0.12);  // or as quickly as the speed is forgotten
-  const TravelNoise lasting{1e-4, 4e-3, 0.12, returns_s};
+  const double return_time_s = GENERATE(3.0, 0.12);  // or as quickly as the speed is forgotten
+  const TravelNoise lasting{1e-4, 4e-3, 0.12, return_time_s};
   const DriftStep whole(lasting, 0.3);
   const DriftStep part(lasting, 0.1);
   double travel = 0.0;
