@@ -4,6 +4,7 @@
 #include <array>
 #include <tuple>
 
+#include "model/gap/adequacy/heading_swing.hpp"
 #include "model/gap/adequacy/statistic_in_words.hpp"
 #include "model/gap/adequacy/tail_probability.hpp"
 
@@ -34,16 +35,27 @@ std::vector<std::vector<double>> travel_of(const FitProblem& problem, const Trac
   return at;
 }
 
+// The residuals of one channel, those of all in `by_channel`.
 std::vector<CheckStatistic> statistics_of(const ChannelWords& of, const FitProblem& problem,
-                                          const Tracks& tracks, std::span<const std::vector<Pose>> poses) {
+                                          const std::array<Tracks, channel_count>& by_channel,
+                                          std::span<const std::vector<Pose>> poses) {
   std::vector<CheckStatistic> all;
+  const auto tracks_of = [&](Channel channel) -> const Tracks& {
+    return by_channel.at(static_cast<std::size_t>(channel));
+  };
+  const Tracks& tracks = tracks_of(of.channel);
   const bool of_wheel = tracks.front()->of_wheel();
-  if (const auto found = periodic_residual(tracks, times_of(tracks), PeriodicResidual::Over::time))
-    all.push_back(statistic_of(of, *found));
+  const auto add_periodic = [&](const std::vector<std::vector<double>>& at, PeriodicResidual::Over over) {
+    const auto found = periodic_residual(tracks, at, over);
+    if (!found) return;
+    const double heading_rad =
+        of_wheel ? heading_swing_rad(problem, *found, tracks_of(Channel::left), tracks_of(Channel::right), at)
+                 : 0.0;
+    all.push_back(statistic_of(of, *found, heading_rad));
+  };
+  add_periodic(times_of(tracks), PeriodicResidual::Over::time);
   if (of_wheel) {
-    if (const auto found =
-            periodic_residual(tracks, travel_of(problem, tracks), PeriodicResidual::Over::travel))
-      all.push_back(statistic_of(of, *found));
+    add_periodic(travel_of(problem, tracks), PeriodicResidual::Over::travel);
     if (const auto found = reversal_residual(problem, tracks)) all.push_back(statistic_of(of, *found));
   }
   for (const Covariate& covariate : covariates_for(problem, poses, tracks)) {
@@ -66,13 +78,12 @@ PredictiveCheck predictive_check(const FitProblem& problem, const TrialModel& mo
   const auto tracks = residual_tracks(problem, model);
   const auto poses = predicted_poses(problem, model);
   PredictiveCheck check;
+  std::array<Tracks, channel_count> by_channel;
+  for (const ResidualTrack& track : tracks)
+    by_channel.at(static_cast<std::size_t>(track.channel)).push_back(&track);
   for (const ChannelWords& of : channels) {
-    Tracks of_channel;
-    for (const ResidualTrack& track : tracks) {
-      if (track.channel == of.channel) of_channel.push_back(&track);
-    }
-    if (of_channel.empty()) continue;
-    std::ranges::move(statistics_of(of, problem, of_channel, poses), std::back_inserter(check.statistics));
+    if (by_channel.at(static_cast<std::size_t>(of.channel)).empty()) continue;
+    std::ranges::move(statistics_of(of, problem, by_channel, poses), std::back_inserter(check.statistics));
   }
   const auto corrected = [&](const CheckStatistic& statistic) {
     return smallest_of(statistic.p_value, static_cast<double>(check.statistics.size()));

@@ -34,7 +34,7 @@ double visible_size(Channel channel) {
   return of_wheel ? visible_travel_m : visible_position_m;
 }
 
-CheckStatistic statistic_of(const ChannelWords& of, const PeriodicResidual& found) {
+CheckStatistic statistic_of(const ChannelWords& of, const PeriodicResidual& found, double heading_swing_rad) {
   const bool over_time = found.over == PeriodicResidual::Over::time;
   CheckStatistic statistic;
   statistic.name =
@@ -54,6 +54,12 @@ CheckStatistic statistic_of(const ChannelWords& of, const PeriodicResidual& foun
   statistic.share_of_gap = found.share;
   statistic.detail = {{over_time ? "period_s" : "period_m", found.period},
                       {of.angle ? "amplitude_rad" : "amplitude_m", found.amplitude}};
+  if (!statistic.visible && is_visible(2.0 * heading_swing_rad, Channel::turn)) {
+    statistic.visible = true;
+    statistic.sentence = "the heading, by the wheels, swings every " + every + " by " +
+                         size_in_words(heading_swing_rad, true) + " to either side";
+    statistic.detail.emplace_back("heading_amplitude_rad", heading_swing_rad);
+  }
   return statistic;
 }
 

@@ -23,7 +23,8 @@ struct ChannelWords {
 // The error from which a person sees it in a plot of the channel, m or rad.
 double visible_size(Channel channel);
 
-CheckStatistic statistic_of(const ChannelWords& of, const PeriodicResidual& found);
+// `heading_swing_rad`: what a swing of a wheel is of the heading (heading_swing.hpp).
+CheckStatistic statistic_of(const ChannelWords& of, const PeriodicResidual& found, double heading_swing_rad);
 CheckStatistic statistic_of(const ChannelWords& of, const Covariate& covariate, const Dependence& found);
 CheckStatistic statistic_of(const ChannelWords& of, const OffsetOverHeading& found);
 // `problem` has the names of the runs.

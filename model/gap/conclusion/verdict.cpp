@@ -187,16 +187,24 @@ std::vector<GainChange> changed_gains(const GapAnalysis& analysis, const FitProb
                                       const FitProblem& heldout) {
   constexpr double much_worse = 1.5;  // mean square of held-out residuals against those of training
   constexpr double min_change = 0.01;
+  constexpr double beyond_usual = 2.0;
   const GapSearch& search = analysis.search;
   const double fitted = search.final.sum_squares / static_cast<double>(train.readings());
   const double held_out = search.heldout_sum_squares_after / static_cast<double>(heldout.readings());
   std::vector<GainChange> changes;
   if (held_out < much_worse * fitted && !only_held_out(analysis)) return changes;
+  // By as much as that of a run that the model was fitted to, no gain has changed.
+  const auto change_of = [](const WheelPair& gain) {
+    return std::max(std::abs(gain.left - 1.0), std::abs(gain.right - 1.0));
+  };
+  double usual = 0.0;
+  for (const GapRun& run : train.runs())
+    usual = std::max(usual, change_of(travel_gain(search.final.model, run)));
   for (std::size_t r = 0; r < heldout.runs().size(); ++r) {
     const GapRun& run = heldout.runs()[r];
     const WheelPair gain = travel_gain(search.final.model, run);
-    const double change = std::max(std::abs(gain.left - 1.0), std::abs(gain.right - 1.0));
-    if (change >= min_change) changes.push_back({short_name(r, heldout.runs()), gain});
+    if (change_of(gain) >= std::max(min_change, beyond_usual * usual))
+      changes.push_back({short_name(r, heldout.runs()), gain});
   }
   return changes;
 }

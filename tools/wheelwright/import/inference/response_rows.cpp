@@ -44,6 +44,14 @@ struct Group {
   std::array<double, 2> measured{};   // of speeds that were measured, the same
 };
 
+// A short run is too short for groups.
+std::size_t rows_of_group(double step_s, std::size_t rows) {
+  constexpr std::size_t enough_groups = 200;
+  if (!(step_s > 0.0)) return 1;
+  const auto wanted = static_cast<std::size_t>(std::max(1L, std::lround(shortest_row_s / step_s)));
+  return std::clamp<std::size_t>(rows / enough_groups, 1, wanted);
+}
+
 class RunResponse {
  public:
   RunResponse(const DriveColumns& columns, const Mapping& mapping, std::array<ResponseRows, 2>& result)
@@ -62,8 +70,7 @@ class RunResponse {
     }
     const double step_s = median_step_of(t_s, travel.values[0]);
     shortest_s_ = burst_part * step_s;
-    group_rows_ =
-        step_s > 0.0 ? static_cast<std::size_t>(std::max(1L, std::lround(shortest_row_s / step_s))) : 1;
+    group_rows_ = rows_of_group(step_s, rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const std::array<double, 2> value{travel.values[0][i],
                                         is_pair_ ? travel.values[1][i] : travel.values[0][i]};

@@ -40,6 +40,20 @@ void add_swing(std::vector<DriveLog>& runs, double amplitude_rad, double period_
   }
 }
 
+// The wheels swing against each other while the robot drives, and the heading with them.
+void add_hunting(std::vector<DriveLog>& runs, double amplitude_m, double period_s) {
+  for (DriveLog& run : runs) {
+    for (DriveSample& sample : run.samples) {
+      const bool drives = std::abs(sample.command_m_s.left) + std::abs(sample.command_m_s.right) > 0.01;
+      if (!sample.ticks || !drives) continue;
+      const double swing_m = amplitude_m * std::sin(2.0 * std::numbers::pi * sample.t_s / period_s);
+      sample.ticks->left += std::lround(swing_m / run.metres_per_tick->left);
+      sample.ticks->right -= std::lround(swing_m / run.metres_per_tick->right);
+      if (sample.reference_theta_rad) *sample.reference_theta_rad -= 2.0 * swing_m / run.wheel_base_m;
+    }
+  }
+}
+
 }  // namespace
 
 TEST_CASE("A robot of which nothing is missing passes the predictive check") {
@@ -64,6 +78,15 @@ TEST_CASE("A heading that swings while driving is unnamed, and the sentence give
   CHECK_THAT(first.detail.front().second, WithinRel(1.43, 0.02));
   CHECK_THAT(first.size, WithinRel(amplitude_rad, 0.4));
   CHECK_THAT(analysis.summary, ContainsSubstring("the error of the heading swings every 1.4"));
+}
+
+TEST_CASE("Wheels that swing against each other by a millimetre are seen by the heading that they turn by") {
+  auto runs = clean_runs(42);
+  add_hunting(runs, 0.0012, 0.77);
+  const auto analysis = analysed(runs);
+  INFO(analysis.summary);
+  CHECK(analysis.verdict == Verdict::unnamed);
+  CHECK_THAT(analysis.summary, ContainsSubstring("the heading, by the wheels, swings every 0.7"));
 }
 
 TEST_CASE(
