@@ -218,6 +218,7 @@ class Gathering {
 
   void shift_reference(const std::vector<const Stream*>& streams, std::vector<Column>& times) const {
     if (!mapping_.reference || !mapping_.reference->x) return;
+    if (!mapping_.reference->shift_s && !mapping_.reference->clock_rate) return;
     const double shift_s = mapping_.reference->shift_s.value_or(0.0);
     const double rate = mapping_.reference->clock_rate.value_or(1.0);
     const FoundChannel found = find_channel(recordings_, *mapping_.reference->x);
