@@ -24,6 +24,7 @@
 #include "tools/wheelwright/import/inference/units/gain_units.hpp"
 #include "tools/wheelwright/import/inference/units/time_unit.hpp"
 #include "tools/wheelwright/import/inference/units/units_by_motion.hpp"
+#include "tools/wheelwright/import/inference/unknown_units.hpp"
 #include "tools/wheelwright/import/inference/unused_columns.hpp"
 #include "tools/wheelwright/import/mapping/mapping_file.hpp"
 
@@ -145,6 +146,7 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
       add_doubts(*columns, mapping, inference.doubts);
     }
   }
+  doubt_unknown_units(recordings, mapping, inference.doubts);
   if (auto unused = unused_columns(recordings, mapping)) inference.findings.push_back(*std::move(unused));
   inference.entries = overlaid(mapping, given);
   // Each of several roles may have been looked for in the same streams.

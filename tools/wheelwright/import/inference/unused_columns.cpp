@@ -48,7 +48,8 @@ bool is_used(const Mapping& mapping, const Stream& stream, const Channel& channe
                                "qz",
                                "qw",
                                "velocity",
-                               "radius"};
+                               "radius",
+                               "curvature"};
   return std::ranges::any_of(mapping_entries(mapping), [&](const MappingEntry& entry) {
     const std::string key = entry.key.substr(entry.key.find('.') + 1);
     return std::ranges::find(columns, key) != columns.end() &&

@@ -25,10 +25,11 @@ struct Unit {
   bool is_found_by_motion() const { return !is_imperial && !is_raw; }
 };
 
-// m/s mm/s cm/s km/h ft/s inch/s, of a wheel rad/s deg/s rpm turn/s, counts/s, 0.229rpm (Dynamixel)
+// m/s mm/s cm/s km/h ft/s inch/s mph dm/s m/min, of a wheel rad/s deg/s rpm turn/s, counts/s, 0.229rpm
+// (Dynamixel)
 std::span<const Unit> speed_units();
 std::span<const Unit> angular_units();   // rad/s deg/s
-std::span<const Unit> distance_units();  // m mm cm km ft inch
+std::span<const Unit> distance_units();  // m mm cm km ft inch dm yd
 std::span<const Unit> angle_units();     // rad deg turn
 std::span<const Unit> voltage_units();   // V mV
 

@@ -10,7 +10,9 @@
 namespace wheelwright::import {
 namespace {
 
-constexpr std::array<std::string_view, 47> symbols{"s",
+constexpr std::array<std::string_view, 49> symbols{"s",
+                                                   "mph",
+                                                   "yd",
                                                    "ms",
                                                    "us",
                                                    "ns",

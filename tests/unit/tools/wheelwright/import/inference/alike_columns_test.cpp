@@ -181,3 +181,20 @@ TEST_CASE("Percent and raw numbers are no voltage") {
   const ImportOutcome volts = with_battery("12.4");
   CHECK_THAT(*volts.conversion->runs.front().samples.front().battery_v, WithinRel(12.4, 1e-9));
 }
+
+TEST_CASE("A unit that is stated is used, and one that is not known is a doubt") {
+  const ForeignDrive drive = foreign_drive();
+  const auto in_unit = [&](const std::string& unit, double per_m_s) {
+    return import_text(
+        foreign_text(drive, "t,cmd_left (" + unit + "),cmd_right (" + unit + "),enc_left,enc_right",
+                     [&](const ForeignRow& row) {
+                       return number(row.t_s) + "," + number(per_m_s * row.command_left) + "," +
+                              number(per_m_s * row.command_right) + "," + counts(row);
+                     }),
+        {alike_base, alike_scale});
+  };
+  check_same(in_unit("mph", 2.2369363), drive);
+  check_same(in_unit("cm/sec", 100.0), drive);
+  CHECK(in_unit("km/s", 1.0).doubts("'km/s', which is not known here"));
+  CHECK_FALSE(in_unit("m/s", 1.0).doubts("not known here"));
+}
