@@ -13,12 +13,13 @@
 namespace wheelwright::import {
 namespace {
 
-// What stands in the place of a unit and scales nothing.
-bool is_no_scale(const std::string& unit) {
-  constexpr std::array<std::string_view, 17> words{"",       "-",    "1",     "%",      "pct",   "count",
-                                                   "counts", "tick", "ticks", "pulses", "pulse", "step",
-                                                   "pwm",    "raw",  "duty",  "hms",    "iso"};
-  return std::ranges::find(words, std::string_view(config::lower_case(unit))) != words.end();
+// What stands in the place of a unit and scales nothing, an inch, and letters, which may be names.
+bool is_no_unknown(const std::string& unit) {
+  constexpr std::array<std::string_view, 16> words{"pct",    "in",    "count", "counts", "tick", "ticks",
+                                                   "pulses", "pulse", "steps", "step",   "pwm",  "raw",
+                                                   "duty",   "hms",   "iso",   "bool"};
+  return unit.size() < 2 ||
+         std::ranges::find(words, std::string_view(config::lower_case(unit))) != words.end();
 }
 
 }  // namespace
@@ -28,7 +29,7 @@ void doubt_unknown_units(std::span<const Recording> recordings, const Mapping& m
   for (const Recording& recording : recordings) {
     for (const Stream& stream : recording.streams) {
       for (const Channel& channel : stream.channels) {
-        if (is_no_scale(channel.unit) || !unit_by_spelling(channel.unit).empty() ||
+        if (is_no_unknown(channel.unit) || !unit_by_spelling(channel.unit).empty() ||
             stated_time_unit(channel.unit) || !is_used(mapping, stream, channel))
           continue;
         doubts.push_back(

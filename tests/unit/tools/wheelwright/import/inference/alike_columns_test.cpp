@@ -197,4 +197,15 @@ TEST_CASE("A unit that is stated is used, and one that is not known is a doubt")
   check_same(in_unit("cm/sec", 100.0), drive);
   CHECK(in_unit("km/s", 1.0).doubts("'km/s', which is not known here"));
   CHECK_FALSE(in_unit("m/s", 1.0).doubts("not known here"));
+  const ImportOutcome inches = import_text(
+      foreign_text(drive, "t,cmd_left,cmd_right,left_position (in),right_position (in)",
+                   [](const ForeignRow& row) {
+                     constexpr double inches_per_count = ForeignDrive::metres_per_count / 0.0254;
+                     return number(row.t_s) + "," + both_commands(row) + "," +
+                            number(inches_per_count * static_cast<double>(row.counts_left)) + "," +
+                            number(inches_per_count * static_cast<double>(row.counts_right));
+                   }),
+      {alike_base});
+  check_same(inches, drive);
+  CHECK_FALSE(inches.doubts("not known here"));
 }
