@@ -125,6 +125,7 @@ std::optional<Drift> find_drift(const std::vector<PartShift>& parts, double firs
       slopes.push_back((parts[j].shift_s - parts[i].shift_s) / (parts[j].reference_s - parts[i].reference_s));
   const double slope = median(std::move(slopes));
   std::vector<double> at_first;
+  at_first.reserve(parts.size());
   for (const PartShift& part : parts)
     at_first.push_back(part.shift_s - slope * (part.reference_s - first_stamp_s));
   const double first_shift_s = median(std::vector<double>(at_first));
