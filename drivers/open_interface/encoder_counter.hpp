@@ -4,8 +4,8 @@
 // go in the direction that is commanded, and up where the command is zero, whatever the wheel does. Recorded
 // Create 2 count in the direction in which the motor pushes, which while braking is the wrong one. Others may
 // know the true direction. So the counter starts by trusting the sign. If a sign changes when the wheel
-// cannot have turned round (it is too fast, or the command changed too long ago), only the size of a change
-// counts from then on while the wheel moves, and the direction may change only where the wheel is slow.
+// cannot have turned round (it is too fast, or a new command is too recent), only the size of a change counts
+// from then on while the wheel moves, and the direction may change only where the wheel is slow.
 #pragma once
 
 #include <array>

@@ -135,6 +135,8 @@ TEST_CASE("As a service the exit status tells configuration, permission, device,
     CHECK(status_of(bench, config) == 75);
     robot->signal(SIGUSR1);
     CHECK(daemon->wait(5s) == 76);
+    CHECK(
+        std::filesystem::exists(bench.runtime() / "rest.yaml"));  // for --rest: nobody has stopped the wheels
   }
 }
 
@@ -175,7 +177,9 @@ TEST_CASE("A service that was ended in mid-drive does not drive off by itself, o
   const auto far = bench.configure({.run = "at_end: stay", .route = "[[3, 0]]"});
   const auto first = bench.start_service(far);
   REQUIRE(first->says("route: driving", 10s));
+  CHECK(std::filesystem::exists(bench.runtime() / "rest.yaml"));
   CHECK(first->end() == 0);
+  CHECK_FALSE(std::filesystem::exists(bench.runtime() / "rest.yaml"));  // the robot was left at rest
   const auto second = bench.start_service(bench.configure({.run = "at_end: stay", .route = "[[0.1, 0]]"}));
   CHECK(second->says("not armed: the process before this one ended while the robot was armed", 6s));
   second->signal(SIGUSR1);

@@ -40,7 +40,7 @@ class CarriedRobot {
     std::size_t at = 0;
     while (at < rows_.size()) {
       const std::size_t end = end_of_rest(at);
-      if (const auto from = carried_from(at, end)) treat(*from, end);
+      if (const auto stand = carried_from(at, end)) treat(*stand, end);
       at = std::max(end, at + 1);
     }
   }
@@ -68,14 +68,21 @@ class CarriedRobot {
     return std::abs(a.left - b.left) <= 1 && std::abs(a.right - b.right) <= 1;
   }
 
-  // The last pose at which the robot stood, where it then leaves its place.
-  std::optional<std::size_t> carried_from(std::size_t at, std::size_t end) const {
-    std::size_t since = at;  // the robot stands from here on
-    std::size_t still = at;  // and is there yet
+  // Poses at which the robot stands at one place.
+  struct Stand {
+    std::size_t first;
+    std::size_t last;
+  };
+
+  // Where it stood before it left its place.
+  std::optional<Stand> carried_from(std::size_t at, std::size_t end) const {
+    std::size_t since = at;
+    std::size_t still = at;
     bool stood = false;
     for (std::size_t i = at; i < end; ++i) {
       const Apart apart = between(since, i);
-      if (stood && is_beyond(apart, 1.0) && is_beyond(between(since, end - 1), 1.0)) return still;
+      if (stood && is_beyond(apart, 1.0) && is_beyond(between(since, end - 1), 1.0))
+        return Stand{since, still};
       if (!stood && is_beyond(apart, slow)) since = i;
       if (!is_beyond(apart, slow)) still = i;
       stood = stood || samples_[rows_[i]].t_s - samples_[rows_[since]].t_s >= stood_s;
@@ -107,9 +114,9 @@ class CarriedRobot {
     return {median(std::move(moved_m)), median(std::move(turned_rad))};
   }
 
-  void treat(std::size_t from, std::size_t end) {
-    const Apart apart = between(from, end - 1);
-    const std::size_t first = rows_[from] + 1;
+  void treat(const Stand& stand, std::size_t end) {
+    const Apart apart = between(stand.first, end - 1);
+    const std::size_t first = rows_[stand.last] + 1;
     const std::size_t last = rows_[end - 1];
     gate_.treated_fault(first,
                         "the robot moves " + in_digits(apart.moved_m, 2) + " m and turns " +

@@ -45,6 +45,12 @@ TEST_CASE("Not a number and infinity are refused") {
   }
 }
 
+TEST_CASE("A key that is a part of another one is listed among those that are known") {
+  YamlReader reader = YamlReader::parse("zzzzzzzz: 1\n", "robot.yaml");
+  for (const char* key : {"encoder_order", "order"}) reader.text(key, "");
+  CHECK_THAT(error_of([&] { reader.finish(); }), ContainsSubstring("encoder_order, order"));
+}
+
 TEST_CASE("An unknown key is an error that names the nearest right one") {
   YamlReader reader = YamlReader::parse("period_ms: 18\n", "robot.yaml");
   reader.number("period_s", {0.005, 0.5, "s"}, 0.018);

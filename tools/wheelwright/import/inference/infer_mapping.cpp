@@ -115,7 +115,9 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
   map_metadata(recordings, mapping, inference.doubts);
   set_time_unit(recordings, given, mapping, inference.findings);
   find_stick_commands(recordings, mapping, inference.findings, inference.doubts);
+  const bool had_wheels = mapping.wheels.has_value();
   map_by_numbers(recordings, given, mapping, inference.findings);
+  if (!had_wheels) choose_among_commands(recordings, given, mapping, inference.findings);
   map_metadata(recordings, mapping, inference.doubts);
   count_positions(given, mapping);
   const bool unit_assumed = mapping.wheels && mapping.wheels->unit_assumed && !given.says("wheels.unit");

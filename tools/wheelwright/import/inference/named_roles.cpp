@@ -5,13 +5,13 @@
 #include <limits>
 #include <optional>
 
-#include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/inference/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/name_words.hpp"
 #include "tools/wheelwright/import/inference/named_channels.hpp"
 #include "tools/wheelwright/import/inference/named_reference.hpp"
+#include "tools/wheelwright/import/inference/units/battery_unit.hpp"
 #include "tools/wheelwright/import/inference/units/gain_units.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
@@ -32,7 +32,7 @@ class ByNames {
     find_scalar(mapping_.gyro, Quantity::gyro, angular_units());
     const bool is_given = mapping_.battery.has_value();
     find_scalar(mapping_.battery, Quantity::battery, voltage_units());
-    if (!is_given) check_battery();
+    if (!is_given) check_battery(recordings_, mapping_, findings_);
     if (!mapping_.time.column) find_time();
   }
 
@@ -241,26 +241,6 @@ class ByNames {
     const bool is_stated = find_unit(units, unit).has_value();
     scalar = ScalarMapping{found.front().name(), is_stated ? unit : std::string(units.front().name)};
     scalar->unit_is_stated = is_stated || !found.front().stream->type.empty();  // of messages: SI
-  }
-
-  // Numbers without a unit that are no volts of a robot: percent, or raw numbers of a converter.
-  void check_battery() {
-    constexpr double most_v = 60.0;
-    constexpr double least_mv = 2500.0;
-    if (!mapping_.battery || mapping_.battery->unit_is_stated) return;
-    const FoundChannel found = find_channel(recordings_, mapping_.battery->column);
-    const double most = found.channel == nullptr ? 0.0 : largest(found.channel->values);
-    if (most <= most_v) return;
-    const std::string name = mapping_.battery->column.text();
-    if (most >= least_mv && most <= 1000.0 * most_v) {
-      mapping_.battery->unit = "mV";
-      findings_.push_back(name + " is taken for millivolts");
-    } else {
-      mapping_.battery.reset();
-      findings_.push_back(name + " goes up to " + config::plain_number(most) +
-                          ", which is no voltage in V or mV: not used; if it is one: --set battery.column=" +
-                          name + " --set battery.unit=V");
-    }
   }
 
   // A column of the stream that holds the wheels, else the commands, else the reference.

@@ -12,6 +12,7 @@
 #include "tools/wheelwright/import/inference/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/joined_tables.hpp"
 #include "tools/wheelwright/import/inference/motion_assignments.hpp"
+#include "tools/wheelwright/import/inference/name_words.hpp"
 #include "tools/wheelwright/import/inference/pose_columns.hpp"
 #include "tools/wheelwright/import/inference/step_response.hpp"
 #include "tools/wheelwright/import/inference/unused_columns.hpp"
@@ -148,8 +149,10 @@ class ByNumbers {
         std::ranges::any_of(unused_, [this](const Channel* other) { return is_command(*other); });
     return are_named ? is_command(channel) : !is_named(channel, {Quantity::count});
   }
+  // The input of a controller is what it measures, beside the setpoint that is the command.
   bool may_be_wheel(const Channel& channel) const {
-    return !is_of_a_pose(channel) && (mapping_.command.has_value() || !is_command(channel));
+    const bool is_input = mapping_.command.has_value() && NameWords(channel.name).has("input");
+    return !is_of_a_pose(channel) && (is_input || !is_command(channel));
   }
 
   // One wheel for two commands: the counter of the other may be a column that never moves.

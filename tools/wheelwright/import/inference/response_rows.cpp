@@ -32,9 +32,9 @@ double median_step_of(const std::vector<double>& t_s, const Column& values) {
 
 constexpr std::array nothings{nothing, nothing};
 
-// Rows that are put together, so that the response to a command, of so many rows, is over in them: a lag of
-// 0.3 s takes 1 s, which is 200 rows of a log of 200 Hz.
-constexpr double shortest_row_s = 0.05;
+// Rows that are put together, so that the response to a command, of thirty rows, is over in them: a lag of
+// 0.3 s takes 2 s, which is 400 rows of a log of 200 Hz.
+constexpr double shortest_row_s = 0.1;
 
 // What has come since the row that was given last.
 struct Group {

@@ -86,7 +86,12 @@ TEST_CASE("Wheels that swing against each other by a millimetre are seen by the 
   const auto analysis = analysed(runs);
   INFO(analysis.summary);
   CHECK(analysis.verdict == Verdict::unnamed);
-  CHECK_THAT(analysis.summary, ContainsSubstring("the heading, by the wheels, swings every 0.7"));
+  const CheckStatistic& first = analysis.check.statistics.front();
+  REQUIRE(first.detail.front().first == "period_s");
+  CHECK_THAT(first.detail.front().second, WithinRel(0.77, 0.02));
+  REQUIRE(first.detail.back().first == "heading_amplitude_rad");
+  CHECK_THAT(first.detail.back().second, WithinRel(2.0 * 0.0012 / runs.front().wheel_base_m, 0.15));
+  CHECK_THAT(analysis.summary, ContainsSubstring("the heading, by the wheels, swings every"));
 }
 
 TEST_CASE(

@@ -65,7 +65,7 @@ TEST_CASE("A robot that is carried while its wheels stand is said, and what foll
   const GatedLog gated = gate(carried(drive, 0.8));
   REQUIRE(gated.faults.size() == 1);
   const DataFault& fault = gated.faults.front();
-  CHECK_THAT(fault.what, ContainsSubstring("moves 0.79 m") && ContainsSubstring("carried or pushed"));
+  CHECK_THAT(fault.what, ContainsSubstring("moves 0.8 m") && ContainsSubstring("carried or pushed"));
   CHECK_FALSE(fault.explains);
   CHECK(fault.row - drive.log.first_line > drive.rest + rest_rows / 2 - 2);
   CHECK(fault.row - drive.log.first_line < drive.rest + rest_rows / 2 + 20);

@@ -91,3 +91,50 @@ TEST_CASE("A rate that a person states is used") {
   REQUIRE(sample.reference_pose());
   CHECK_THAT(sample.reference_pose()->x_m, WithinAbs(drive.rows[300].x, 0.02));
 }
+
+TEST_CASE("A shift of minutes between long records is as fine as one of seconds") {
+  const auto wave = [](std::size_t k, double period_rows) {
+    return std::sin(6.283185307 * static_cast<double>(k) / period_rows);
+  };
+  const ForeignDrive drive =
+      drive_by([&](std::size_t k) { return 0.12 + 0.08 * wave(k, 61.3) + 0.05 * wave(k, 237.1); },
+               [&](std::size_t k) { return 0.11 - 0.06 * wave(k, 47.9) + 0.06 * wave(k, 1310.7); }, 12'000);
+  constexpr double begun_later_s = 250.0;
+  const auto log =
+      foreign_text(drive, "t,cmd_left,cmd_right,ticks_left,ticks_right", [](const ForeignRow& row) {
+        return number(row.t_s) + "," + number(row.command_left) + "," + number(row.command_right) + "," +
+               counts(row);
+      });
+  std::string poses = "t,x,y,theta\n";
+  for (const ForeignRow& row : drive.rows)
+    if (row.t_s >= begun_later_s)
+      poses += number(row.t_s - begun_later_s) + "," + number(row.x) + "," + number(row.y) + "," +
+               number(row.theta) + "\n";
+  const auto understood = import::understand(
+      {{file_of("drive.csv", log)},
+       file_of("mocap.csv", poses),
+       import::GivenMapping("", {"robot.wheel_base_m=0.3", "wheels.metres_per_count=0.0005"})});
+  if (!understood) FAIL(understood.error());
+  CHECK_THAT(*understood->mapping.reference->shift_s, WithinAbs(begun_later_s, 0.06));
+}
+
+TEST_CASE("Without wheels the commands of both sides say how fast the robot goes") {
+  const auto wave = [](std::size_t k, double period_rows) {
+    return std::sin(6.283185307 * static_cast<double>(k) / period_rows);
+  };
+  const ForeignDrive drive =
+      drive_by([](std::size_t) { return 0.1; },
+               [&](std::size_t k) { return 0.11 - 0.06 * wave(k, 147.9) + 0.06 * wave(k, 310.7); });
+  const auto log = foreign_text(drive, "t,cmd_left,cmd_right", [](const ForeignRow& row) {
+    return number(row.t_s) + "," + number(row.command_left) + "," + number(row.command_right);
+  });
+  const auto poses = foreign_text(drive, "t,x,y,theta", [](const ForeignRow& row) {
+    return number(7.0 + row.t_s) + "," + number(row.x) + "," + number(row.y) + "," + number(row.theta);
+  });
+  const auto understood = import::understand({{file_of("drive.csv", log)},
+                                              file_of("mocap.csv", poses),
+                                              import::GivenMapping("", {"robot.wheel_base_m=0.3"})});
+  if (!understood) FAIL(understood.error());
+  CHECK_THAT(*understood->mapping.reference->shift_s,
+             WithinAbs(-7.0, 0.4));  // the robot's delay and lag in it
+}

@@ -209,3 +209,51 @@ TEST_CASE("A unit that is stated is used, and one that is not known is a doubt")
   check_same(inches, drive);
   CHECK_FALSE(inches.doubts("not known here"));
 }
+
+TEST_CASE("Commands behind a limiter are taken also where the wheels are found by their motion") {
+  const ForeignDrive drive = foreign_drive();
+  double left = 0.0, right = 0.0;
+  ForeignRow last = drive.rows.front();
+  const ImportOutcome outcome = import_text(
+      foreign_text(drive, "t,desired_left,desired_right,command_left,command_right,actual_left,actual_right",
+                   [&](const ForeignRow& row) {
+                     left = static_cast<double>(row.counts_left - last.counts_left) * 0.01;
+                     right = static_cast<double>(row.counts_right - last.counts_right) * 0.01;
+                     last = row;
+                     return number(row.t_s) + "," + planned(drive, row) + "," + both_commands(row) + "," +
+                            number(left) + "," + number(right);
+                   }),
+      {alike_base});
+  REQUIRE(outcome.understood.mapping.command);
+  CHECK(outcome.understood.mapping.command->first.channel == "command_left");
+  CHECK(outcome.understood.mapping.wheels->left.channel == "actual_left");
+}
+
+TEST_CASE("A wheel without a counter is left out with its command, and that is said") {
+  const ForeignDrive drive = foreign_drive();
+  const ImportOutcome outcome = import_text(foreign_text(drive, "t,cmd_left,cmd_right,ticks_left",
+                                                         [](const ForeignRow& row) {
+                                                           return number(row.t_s) + "," + both_commands(row) +
+                                                                  "," + std::to_string(row.counts_left);
+                                                         }),
+                                            {alike_base, alike_scale});
+  CHECK(outcome.remarks("the right wheel has no counter, and is left out with its command"));
+}
+
+TEST_CASE("A count that no counter can hold is none, and the rest of the drive stays") {
+  const ForeignDrive drive = foreign_drive();
+  const ImportOutcome outcome = import_text(foreign_text(drive, "t,cmd_left,cmd_right,ticks_left,ticks_right",
+                                                         [&](const ForeignRow& row) {
+                                                           const bool is_garbage = &row == &drive.rows[600];
+                                                           return number(row.t_s) + "," + both_commands(row) +
+                                                                  "," +
+                                                                  (is_garbage ? "1e25,1e25" : counts(row));
+                                                         }),
+                                            {alike_base, alike_scale});
+  if (!outcome.conversion) FAIL(outcome.conversion.error());
+  const DriveLog& log = outcome.conversion->runs.front();
+  REQUIRE(log.samples.size() == drive.rows.size());
+  CHECK_FALSE(log.samples[600].ticks);
+  CHECK(log.samples[601].ticks->left - log.samples[599].ticks->left ==
+        drive.rows[601].counts_left - drive.rows[599].counts_left);
+}

@@ -75,6 +75,11 @@ TEST_CASE("A velocity and a radius are the speeds of the wheels, with the radii 
   const auto outcome = import_commands(drive, "velocity,radius", velocity_and_radius);
   check_same(outcome, drive, 2e-3);
   CHECK(outcome.understood.mapping.command->by_radius);
+  const auto by_zero = import_commands(drive, "velocity,radius", [](const ForeignRow& row) {
+    const std::string text = velocity_and_radius(row);
+    return text.ends_with(",32768") ? text.substr(0, text.find(',')) + ",0" : text;
+  });
+  check_same(by_zero, drive, 2e-3);
 }
 
 TEST_CASE("Speeds of a servo are in its own unit where the wheels show it, and asked for where they do not") {

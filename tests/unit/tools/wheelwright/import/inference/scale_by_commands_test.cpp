@@ -41,6 +41,6 @@ TEST_CASE("Wheels that come to their speed slowly have the same scale at any rat
     CAPTURE(period_s);
     const ImportOutcome outcome = import_text(slow_wheels(period_s), {"robot.wheel_base_m=0.3"});
     if (!outcome.conversion) FAIL(outcome.conversion.error());
-    CHECK_THAT(outcome.conversion->runs.front().metres_per_tick->left, WithinRel(0.0001, 0.015));
+    CHECK_THAT(outcome.conversion->runs.front().metres_per_tick->left, WithinRel(0.0001, 0.01));
   }
 }

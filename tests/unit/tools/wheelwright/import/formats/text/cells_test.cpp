@@ -45,3 +45,15 @@ TEST_CASE("Two labels that end in the same word are two names") {
   CHECK(values(recording.streams[0], "Left count") == Values{1.0, 3.0});
   CHECK(values(recording.streams[0], "Right count") == Values{2.0, 4.0});
 }
+
+TEST_CASE("Colours of a terminal are no part of a line") {
+  const import::Recording recording =
+      read_text("\x1b[0;32mI (12) L: 1 R: 2\x1b[0m\n\x1b[0;32mI (22) L: 3 R: 4\x1b[0m\n");
+  CHECK(values(recording.streams[0], "R") == Values{2.0, 4.0});
+}
+
+TEST_CASE("In letters and their numbers an E is the next letter, with a minus behind it as well") {
+  const import::Recording recording = read_text("T12L100R90E-12F3\nT22L100R90E-13F4\nT32L100R91E14F5\n");
+  CHECK(values(recording.streams[0], "R") == Values{90.0, 90.0, 91.0});
+  CHECK(values(recording.streams[0], "E") == Values{-12.0, -13.0, 14.0});
+}
