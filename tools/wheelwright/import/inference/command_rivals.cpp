@@ -31,6 +31,8 @@ std::vector<CommandMapping> rivals_of(std::span<const Recording> recordings, con
   const FoundChannel first = find_channel(recordings, command.first);
   const FoundChannel second = find_channel(recordings, *command.second);
   if (first.channel == nullptr || second.channel == nullptr || first.stream != second.stream) return {};
+  // Columns that are called by their numbers are alike in that they have no names.
+  if (meaning_of(*first.stream, *first.channel).quantity == Quantity::unknown) return {};
   std::vector<CommandMapping> rivals;
   for (const auto& recording : recordings) {
     for (const auto& stream : recording.streams) {

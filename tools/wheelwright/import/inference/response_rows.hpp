@@ -10,7 +10,7 @@
 namespace wheelwright::import {
 
 // Speed of both wheels and the command of each, of the mapped columns: in units of the channels per second.
-// Rows that are nearer than 100 ms are put together: their mean speed and command.
+// Rows that are nearer than 50 ms are put together: their mean speed and command.
 std::array<ResponseRows, 2> response_rows(const DriveColumns& columns, const Mapping& mapping);
 
 }  // namespace wheelwright::import

@@ -36,11 +36,15 @@ std::string slow_wheels(double period_s) {
 
 }  // namespace
 
+// A response is fitted over 1.5 s: 0.7 % of what a lag of 0.3 s answers lies beyond, and edges of commands
+// that fall within a row add to that.
 TEST_CASE("Wheels that come to their speed slowly have the same scale at any rate of rows") {
+  constexpr double beyond_the_response = 0.015;
   for (const double period_s : {0.005, 0.01, 0.02, 0.05}) {
     CAPTURE(period_s);
     const ImportOutcome outcome = import_text(slow_wheels(period_s), {"robot.wheel_base_m=0.3"});
     if (!outcome.conversion) FAIL(outcome.conversion.error());
-    CHECK_THAT(outcome.conversion->runs.front().metres_per_tick->left, WithinRel(0.0001, 0.01));
+    CHECK_THAT(outcome.conversion->runs.front().metres_per_tick->left,
+               WithinRel(0.0001, beyond_the_response));
   }
 }
