@@ -5,6 +5,8 @@
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/clock_shift.hpp"
 #include "tools/wheelwright/import/conversion/simulated_time.hpp"
+#include "tools/wheelwright/import/files_of_folder.hpp"
+#include "tools/wheelwright/import/inference/body_choice.hpp"
 #include "tools/wheelwright/import/inference/column_names.hpp"
 #include "tools/wheelwright/import/inference/metadata_roles.hpp"
 #include "tools/wheelwright/import/mapping/mapping_file.hpp"
@@ -76,28 +78,40 @@ std::string names_of(const std::vector<std::filesystem::path>& files) {
                            : files.front().string() + " and " + std::to_string(files.size() - 1) + " more";
 }
 
+std::optional<std::string> given_twice(const std::vector<ListedFile>& files) {
+  for (auto file = files.begin(); file != files.end(); ++file) {
+    std::error_code error;
+    const auto same = std::find_if(files.begin(), file, [&](const ListedFile& other) {
+      return std::filesystem::equivalent(other.path, file->path, error);
+    });
+    if (same == file) continue;
+    return file->path.string() + ": is given twice" +
+           (same->path == file->path ? std::string() : ", as " + same->path.string() + " too") +
+           "; a run counts once";
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 tl::expected<Understood, std::string> understand(const ImportRequest& request) {
   Understood result;
-  const std::vector<std::filesystem::path>& files = request.files;
-  result.name = names_of(files);
-  for (auto file = files.begin(); file != files.end(); ++file) {
-    std::error_code error;
-    const auto same = std::find_if(files.begin(), file, [&](const std::filesystem::path& other) {
-      return std::filesystem::equivalent(other, *file, error);
-    });
-    if (same != file)
-      return tl::unexpected(file->string() + ": is given twice" +
-                            (*same == *file ? std::string() : ", as " + same->string() + " too") +
-                            "; a run counts once");
-  }
-  for (const auto& file : files) {
-    auto recording = open_recording(file);
+  const auto files = files_of_folders(request.files);
+  if (!files) return tl::unexpected(files.error());
+  if (const auto twice = given_twice(*files)) return tl::unexpected(*twice);
+  result.name = names_of(request.files);
+  std::vector<std::string> left_out;
+  for (const ListedFile& file : *files) {
+    auto recording = open_recording(file.path);
+    if (!recording && !file.is_given) {
+      left_out.push_back("left out: " + recording.error());
+      continue;
+    }
     if (!recording) return tl::unexpected(recording.error());
     take_simulated_time(*recording);
     result.recordings.push_back(std::move(*recording));
   }
+  if (result.recordings.empty()) return tl::unexpected(result.name + ": no file in it is a log");
   append_runs(result.recordings);
   if (request.reference) {
     auto recording = open_recording(*request.reference);
@@ -106,6 +120,7 @@ tl::expected<Understood, std::string> understand(const ImportRequest& request) {
     result.recordings.push_back(std::move(*recording));
   }
   name_tables(result.recordings);
+  const auto chosen = choose_among_bodies(result.recordings, request.given);
   result.inference = infer_mapping(result.recordings, request.given);
   result.mapping = to_mapping(result.inference.entries, result.name);
   if (request.reference && !result.mapping.reference) {
@@ -128,6 +143,8 @@ tl::expected<Understood, std::string> understand(const ImportRequest& request) {
     result.mapping = to_mapping(result.inference.entries, result.name);
     result.inference.findings.push_back(shift->evidence);
   }
+  result.inference.findings.insert(result.inference.findings.end(), left_out.begin(), left_out.end());
+  if (chosen) result.inference.findings.push_back(*chosen);
   result.inference.entries = mapping_entries(result.mapping);
   return result;
 }

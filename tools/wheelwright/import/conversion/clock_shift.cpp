@@ -197,6 +197,7 @@ tl::expected<ClockShift, std::string> find_clock_shift(std::span<const Recording
       result.seconds = drift->first_shift_s;
       result.rate = drift->rate;
     }
+    result.correlation = coarse.correlation;
     result.evidence = in_words(result, coarse.correlation);
     return result;
   }

@@ -13,6 +13,7 @@ namespace wheelwright::import {
 struct ClockShift {
   double seconds = 0.0;  // to be added to the stamps of the reference; with a rate, to the first of them
   double rate = 1.0;     // seconds of the robot's clock in one of the reference's, from its first stamp on
+  double correlation = 0.0;  // of the speeds of both
   std::string evidence;
 };
 

@@ -77,8 +77,7 @@ GridSpeeds robot_speeds(std::span<const Recording> recordings, const Mapping& ma
     const bool is_speed = mapping.wheels->kind == WheelKind::speed;
     const auto middle = [&](std::size_t i) {
       const double left = travel.values[0][i];
-      return travel.values[1].empty() || mapping.wheels->body_motion ? left
-                                                                     : 0.5 * (left + travel.values[1][i]);
+      return travel.values[1].empty() ? left : 0.5 * (left + travel.values[1][i]);
     };
     double last = 0.0;
     for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "config/load/text_format.hpp"
@@ -100,6 +102,17 @@ void turn_headings_back(Conversion& conversion, const Mapping& mapping) {
   }
 }
 
+// The whole seconds of stamps go on while the parts of a second go back.
+bool are_nanoseconds_without_zeros(const Column& t_s) {
+  double last = -std::numeric_limits<double>::infinity();
+  for (const double t : t_s) {
+    if (!std::isfinite(t)) continue;
+    if (std::floor(t) < last) return false;
+    last = std::floor(t);
+  }
+  return true;
+}
+
 }  // namespace
 
 tl::expected<Conversion, std::string> convert(const DriveColumns& columns, const Mapping& mapping,
@@ -111,8 +124,12 @@ tl::expected<Conversion, std::string> convert(const DriveColumns& columns, const
   TimeRepair time = repair_runs(columns, mapping);
   if (is_out_of_order(time)) {
     return tl::unexpected(name + ": the clock goes back " + std::to_string(time.set_back) + " times in " +
-                          std::to_string(time.t_s.size()) +
-                          " rows: they are not in the order of time; sort the rows by their time");
+                          std::to_string(time.t_s.size()) + " rows: they are not in the order of time; " +
+                          (are_nanoseconds_without_zeros(columns.t_s)
+                               ? "the whole seconds are, so that nanoseconds were written behind the point "
+                                 "without their leading zeros (521.5 for 521.000000005): write nine digits, "
+                                 "or seconds and nanoseconds in two columns"
+                               : "sort the rows by their time"));
   }
   conversion.remarks = columns.remarks;
   conversion.remarks.insert(conversion.remarks.end(), time.remarks.begin(), time.remarks.end());

@@ -9,6 +9,7 @@
 
 #include "config/load/printable_text.hpp"
 #include "config/load/text_format.hpp"
+#include "tools/wheelwright/import/conversion/body_motion.hpp"
 #include "tools/wheelwright/import/conversion/counts.hpp"
 #include "tools/wheelwright/import/conversion/join_streams.hpp"
 #include "tools/wheelwright/import/conversion/misread_counts.hpp"
@@ -60,6 +61,7 @@ class Gathering {
     if (sources_.empty()) return tl::unexpected(name() + ": " + what_is_missing(mapping_));
     if (!merge()) return tl::unexpected(problem_);
     if (mapping_.wheels) leave_out_misread_counts(columns_, *mapping_.wheels);
+    body_motion_to_wheels(columns_, mapping_);
     if (mapping_.command) {
       if (mapping_.command->by_radius && mapping_.command->second) turn_by_radius(columns_, mapping_);
       subtract_neutral(columns_, mapping_.command->neutral);

@@ -112,22 +112,10 @@ class RunMaker {
   // Angles, distances or speeds as counts of a micrometre.
   void to_fine_counts(std::array<Column, 2>& values, const std::vector<double>& t_s, double scale) const {
     const WheelMapping& wheels = *mapping_.wheels;
-    if (wheels.body_motion) to_wheels(values);
-    const double factor = (wheels.body_motion ? 1.0 : scale) / fine_count_m;
+    const double factor = scale / fine_count_m;
     for (Column& side : values) {
       if (wheels.kind == WheelKind::speed) integrate(side, t_s);
       for (double& entry : side) entry = std::isfinite(entry) ? std::round(entry * factor) : entry;
-    }
-  }
-
-  void to_wheels(std::array<Column, 2>& values) const {
-    const double linear = in_si(speed_units(), mapping_.wheels->unit);
-    const double half_base_m = 0.5 * *mapping_.wheel_base_m;
-    for (std::size_t i = 0; i < values[0].size(); ++i) {
-      const double forward = linear * values[0][i];
-      const double turning = values[1].empty() ? 0.0 : half_base_m * values[1][i];
-      values[0][i] = forward - turning;
-      if (!values[1].empty()) values[1][i] = forward + turning;
     }
   }
 

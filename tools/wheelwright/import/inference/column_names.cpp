@@ -7,8 +7,10 @@
 #include <string_view>
 
 #include "config/load/ascii_text.hpp"
+#include "tools/wheelwright/import/inference/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/name_words.hpp"
 #include "tools/wheelwright/import/inference/pose_names.hpp"
+#include "tools/wheelwright/import/inference/units/gain_units.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {
@@ -187,6 +189,9 @@ Quantity of_body(const Name& name) {
   if (words.has_any({"curvature", "kappa"})) return Quantity::curvature;
   if (words.has("radius") && !words.has_any({"wheel", "wheels"})) return Quantity::radius;
   if (words.has_any({"encoder", "enc", "ticks", "counts", "tick", "count"})) return Quantity::count;
+  if (!name.is_command && words.has_any({"distance", "dist", "travel", "travelled", "odometer"}))
+    return Quantity::travelled;
+  if (!name.is_command && words.has_any({"angle", "turned"})) return Quantity::turned;
   return name.is_command ? Quantity::command : Quantity::unknown;
 }
 
@@ -213,6 +218,14 @@ Quantity quantity_of(const Name& name, const Stream& stream) {
   const bool is_height = quantity == Quantity::unknown && !is_other_axis(name.words) &&
                          (last == "z" || last == "pz" || last == "tz" || last == "posz" || last == "zpos");
   return is_height ? Quantity::z : quantity;
+}
+
+// An ODrive counts turns ("axis0.encoder.vel_estimate"); before its firmware 0.5, edges of the encoder.
+std::string unit_of_odrive(const NameWords& words, const Channel& channel) {
+  constexpr double most_turns_s = 200.0;
+  if (!words.has_any({"axis", "odrv", "odrive"}) || !words.has_any({"estimate", "input"})) return {};
+  if (words.has("pos") && !are_whole(channel.values)) return "turn";
+  return words.has("vel") && largest(channel.values) < most_turns_s ? "turn/s" : std::string();
 }
 
 // "data", "value", "data[0]": the topic is the name.
@@ -256,6 +269,7 @@ NameMeaning meaning_of(const Stream& stream, const Channel& channel) {
   name.unit = channel.unit.empty() ? name.words.take_unit() : channel.unit;
   if (name.unit == "in") name.unit = "inch";  // a word of many names, but a unit where the file states one
   if (const auto standard = unit_by_spelling(name.unit); !standard.empty()) name.unit = standard;
+  if (name.unit.empty()) name.unit = unit_of_odrive(name.words, channel);
   name.side = side_of(name.words, stream);
   name.is_command = is_command_name(name.words) || is_controller_reference(name.words, name.side) ||
                     channel.name.find('*') != std::string::npos || is_command_name(NameWords(topic));

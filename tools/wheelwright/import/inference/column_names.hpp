@@ -30,6 +30,8 @@ enum class Quantity : std::uint8_t {
   angular_command,
   linear_speed,
   angular_speed,
+  travelled,  // how far the body went, forward
+  turned,     // by how much
   x,
   y,
   z,

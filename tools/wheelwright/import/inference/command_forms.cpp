@@ -38,8 +38,7 @@ void infer_forward_bit(std::span<const Recording> recordings, const GivenMapping
   if (!mapping.command || !mapping.command->direction[0] || given.says("command.forward")) return;
   const auto columns = gather_sample(recordings, mapping);
   if (!columns) return;
-  const auto fits = mapping.wheels && !mapping.wheels->body_motion ? fit_both(*columns, mapping)
-                                                                   : std::array<ResponseFit, 2>{};
+  const auto fits = mapping.wheels ? fit_both(*columns, mapping) : std::array<ResponseFit, 2>{};
   if (std::ranges::any_of(fits, [](const ResponseFit& fit) { return fit.explained < form_explained; })) {
     doubts.push_back("which value of the direction bits is forward is not shown by the wheels; " +
                      plain_number(mapping.command->forward) + " is taken: --set command.forward");
@@ -57,7 +56,7 @@ void infer_steering(const DriveColumns& columns, const GivenMapping& given, Mapp
       given.says("command.steering_gain"))
     return;
   CommandMapping& command = *mapping.command;
-  const bool has_both = mapping.wheels && mapping.wheels->right && !mapping.wheels->body_motion;
+  const bool has_both = mapping.wheels && mapping.wheels->right;
   const auto fits = has_both ? fit_both(columns, mapping) : std::array<ResponseFit, 2>{};
   if (fits[0].explained < form_explained || fits[1].explained < form_explained) {
     doubts.push_back(

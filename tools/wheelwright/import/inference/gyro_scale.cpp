@@ -58,7 +58,7 @@ class TurnRegression {
 };
 
 std::optional<GyroSlope> slope_of(const DriveColumns& columns, const Mapping& mapping) {
-  const bool has_turns = mapping.wheels && mapping.wheels->right && !mapping.wheels->body_motion &&
+  const bool has_turns = mapping.wheels && mapping.wheels->right &&
                          mapping.wheels->kind != WheelKind::speed && mapping.wheel_base_m;
   const auto scale = has_turns ? wheel_scale(*mapping.wheels) : std::nullopt;
   if (!scale) return std::nullopt;

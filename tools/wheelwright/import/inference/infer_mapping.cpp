@@ -21,6 +21,7 @@
 #include "tools/wheelwright/import/inference/response_rows.hpp"
 #include "tools/wheelwright/import/inference/step_response.hpp"
 #include "tools/wheelwright/import/inference/stick_commands.hpp"
+#include "tools/wheelwright/import/inference/turning_unit.hpp"
 #include "tools/wheelwright/import/inference/units/gain_units.hpp"
 #include "tools/wheelwright/import/inference/units/time_unit.hpp"
 #include "tools/wheelwright/import/inference/units/units_by_motion.hpp"
@@ -127,6 +128,7 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
   if (mapping.gyro) mapping.gyro->unit_is_stated = gyro_is_stated;
   infer_forward_bit(recordings, given, mapping, inference.findings, inference.doubts);
   infer_hundredths(recordings, given, mapping, inference.findings, inference.doubts);
+  infer_turning_unit(recordings, given, mapping, inference.findings);
   if (mapping.command || mapping.wheels) {
     if (auto columns = gather_sample(recordings, mapping)) {
       infer_neutral(*columns, given, mapping, inference.findings);
@@ -136,16 +138,21 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
       const auto gather_again = [&] {
         if (auto again = gather_sample(recordings, mapping)) columns = std::move(again);
       };
-      if (infer_mirrored_side(*columns, given, mapping, inference.findings)) gather_again();
       if (infer_heading_unit(*columns, given, mapping, inference.findings)) gather_again();
+      if (infer_mirrored_side(*columns, given, mapping, inference.findings)) {
+        gather_again();
+        if (infer_heading_unit(*columns, given, mapping, inference.findings)) gather_again();
+      }
       if (!states_its_frame(recordings) &&
           infer_reference_frame(recordings, *columns, given, mapping, inference.findings, inference.doubts))
         gather_again();
       set_units(*columns, given, mapping, inference.findings, inference.doubts);
+      if (mapping.wheels && mapping.wheels->body_motion) gather_again();  // in the unit that was found
       infer_pixel_scale(recordings, *columns, given, mapping, inference.findings, inference.doubts);
       set_step_scale(*columns, given, mapping, inference.findings);
       set_gyro_unit(*columns, given, mapping, inference.findings, inference.doubts);
       add_doubts(*columns, mapping, inference.doubts);
+      doubt_mirrored_side(*columns, mapping, inference.doubts);
     }
   }
   doubt_unknown_units(recordings, mapping, inference.doubts);

@@ -1,5 +1,5 @@
 // A motor that is mounted the other way round: to drive forward its command is negative, and so are its
-// counts. The two agree with each other, and only the places of the robot show it.
+// counts. The two agree with each other, and only the places or headings of the robot show it.
 #pragma once
 
 #include <string>
@@ -11,9 +11,14 @@
 
 namespace wheelwright::import {
 
-// Reverses command and counts of one side where the robot then goes as far as its reference says, and as they
-// stand does not; a line in `findings`. Signs that are given stay. Whether the mapping is another one then.
+// Reverses command and counts of one side where the robot then goes as far as its reference says, or turns as
+// far where that has headings alone, and as they stand does not; a line in `findings`. Headings alone that
+// grow clockwise would show the other side. Signs that are given stay. Whether the mapping is another one.
 bool infer_mirrored_side(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
                          std::vector<std::string>& findings);
+
+// Without a reference: a line in `doubts` where the wheels go opposite ways most of the time.
+void doubt_mirrored_side(const DriveColumns& columns, const Mapping& mapping,
+                         std::vector<std::string>& doubts);
 
 }  // namespace wheelwright::import

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "config/load/ascii_text.hpp"
+#include "tools/wheelwright/import/inference/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/name_words.hpp"
+#include "tools/wheelwright/import/inference/units/gain_units.hpp"
 #include "tools/wheelwright/import/inference/unused_columns.hpp"
 
 namespace wheelwright::import {
@@ -45,6 +47,11 @@ int words_apart(const std::string& one, const std::string& other) {
         std::ranges::count_if(name.words(), [&in](const std::string& word) { return !in.has(word); }));
   };
   return strange(first, second) + strange(second, first);
+}
+
+bool is_turn_rate(const Named& named) {
+  return NameWords(named.channel->name).has_any({"omega", "w"}) &&
+         largest(named.channel->values) > fastest_m_s;
 }
 
 NamedChannels::NamedChannels(std::span<const Recording> recordings, const Mapping& mapping) {
@@ -100,6 +107,10 @@ std::optional<Named> NamedChannels::single(Quantity quantity) const {
     if (!found.empty()) return found.front();
   }
   return std::nullopt;
+}
+
+bool NamedChannels::has_places() const {
+  return !all(Quantity::x, NamedSide::none).empty() && !all(Quantity::y, NamedSide::none).empty();
 }
 
 std::optional<NamedPair> NamedChannels::numbered_pair(Quantity quantity,

@@ -23,6 +23,9 @@ struct Named {
   ChannelName name() const { return {stream->name, channel->name}; }
 };
 
+// Of a wheel: an omega that is faster than any robot in m/s.
+bool is_turn_rate(const Named& named);
+
 struct NamedPair {
   Named first;
   Named second;
@@ -42,6 +45,8 @@ class NamedChannels {
   std::optional<NamedPair> sides(Quantity quantity, std::vector<std::string>& findings) const;
   // A wheel alone, by its side or without one.
   std::optional<Named> single(Quantity quantity) const;
+  // An x and a y.
+  bool has_places() const;
   // Two columns that differ by 1 and 2 alone, or 0 and 1: "m1_counts" and "m2_counts"; a line in `findings`.
   std::optional<NamedPair> numbered_pair(Quantity quantity, std::vector<std::string>& findings) const;
   // Of the stream of another, without a side; nullptr where there is none.

@@ -1,15 +1,20 @@
 #include "tools/wheelwright/import/inference/named_roles.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 
+#include "config/load/printable_text.hpp"
+#include "tools/wheelwright/import/conversion/body_motion.hpp"
+#include "tools/wheelwright/import/conversion/counts.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/inference/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/name_words.hpp"
 #include "tools/wheelwright/import/inference/named_channels.hpp"
+#include "tools/wheelwright/import/inference/named_commands.hpp"
 #include "tools/wheelwright/import/inference/named_reference.hpp"
 #include "tools/wheelwright/import/inference/units/battery_unit.hpp"
 #include "tools/wheelwright/import/inference/units/gain_units.hpp"
@@ -25,8 +30,10 @@ class ByNames {
 
   void run() {
     if (!mapping_.wheels) find_wheels();
-    if (!mapping_.command) find_command();
+    if (!mapping_.command)
+      mapping_.command = find_named_command(named_, mapping_.wheels.has_value(), findings_);
     if (!mapping_.wheels) find_body_motion();
+    if (!mapping_.wheels) find_body_travel();
     if (!mapping_.reference)
       mapping_.reference = find_named_reference(recordings_, named_, mapping_.wheels.has_value(), findings_);
     find_scalar(mapping_.gyro, Quantity::gyro, angular_units());
@@ -67,10 +74,12 @@ class ByNames {
         {"delta", "diff", "inc", "increment", "increments", "dticks", "dcount", "dcounts", "dcnt", "denc"});
   }
 
-  // Of a wheel: an omega that is faster than any robot in m/s.
-  static bool is_turn_rate(const Named& named) {
-    return NameWords(named.channel->name).has_any({"omega", "w"}) &&
-           largest(named.channel->values) > fastest_m_s;
+  // The angle of an absolute encoder, 0 to 4095 for a turn.
+  static bool goes_around_in_counts(const Named& named) {
+    constexpr int fewest_bits = 10;
+    const auto& values = named.channel->values;
+    return !find_unit(angle_units(), named.meaning.unit) && are_whole(values) &&
+           wrapped_bits(values).value_or(0) >= fewest_bits;
   }
 
   void take_wheels(WheelKind kind, const Named& left, const std::optional<Named>& right) {
@@ -83,6 +92,7 @@ class ByNames {
     wheels.per_row = is_per_row(left);
     if (kind == WheelKind::counts && !are_whole(left.channel->values))
       wheels.kind = wheels.per_row ? WheelKind::distance : WheelKind::angle;
+    if (wheels.kind == WheelKind::angle && goes_around_in_counts(left)) wheels.kind = WheelKind::counts;
     if (wheels.kind == WheelKind::counts) wheels.unit.clear();
     const std::span<const Unit> units = wheels.kind == WheelKind::speed      ? speed_units()
                                         : wheels.kind == WheelKind::distance ? distance_units()
@@ -95,142 +105,38 @@ class ByNames {
     mapping_.wheels = wheels;
   }
 
-  void find_command() {
-    if (take_radius() || take_curvature()) return;
-    if (const auto found = named_.sides(Quantity::command, findings_))
-      return take_signed(CommandKind::wheels, found->first, found->second);
-    if (const auto found = named_.sides(Quantity::duty, findings_))
-      return take_signed(CommandKind::duty, found->first, found->second);
-    for (const auto& [quantity, kind] :
-         {std::pair{Quantity::command, CommandKind::wheels}, {Quantity::duty, CommandKind::duty}}) {
-      if (const auto two = named_.numbered_pair(quantity, findings_))
-        return take_signed(kind, two->first, two->second);
-    }
-    if (take_throttle()) return;
-    const auto linear = named_.all(Quantity::linear_command, NamedSide::none);
-    auto angular = named_.all(Quantity::angular_command, NamedSide::none);
-    for (const auto& steering : named_.all(Quantity::steering, NamedSide::none)) angular.push_back(steering);
-    if (const auto found = NamedChannels::pair(linear, angular, findings_)) {
-      return take_command(CommandKind::twist, found->first, found->second);
-    }
-    // Speeds of the body beside wheels or places that were measured, and held: they are what was asked for.
-    const auto speeds = named_.all(Quantity::linear_speed, NamedSide::none);
-    if (const auto found =
-            NamedChannels::pair(speeds, named_.all(Quantity::angular_speed, NamedSide::none), findings_);
-        found && (mapping_.wheels || has_places()) && is_held(found->first.channel->values)) {
-      findings_.push_back(found->first.name().text() + " and " + found->second.name().text() +
-                          " are held for most rows and are taken for commands");
-      return take_command(CommandKind::twist, found->first, found->second);
-    }
-    for (const Quantity quantity : {Quantity::throttle, Quantity::duty}) {
-      if (const auto found = named_.single(quantity))
-        return take_command(CommandKind::duty, *found, std::nullopt);
-    }
-    if (const auto found = named_.single(Quantity::command))
-      return take_command(CommandKind::wheels, *found, std::nullopt);
-    if (!linear.empty()) take_command(CommandKind::wheels, linear.front(), std::nullopt);
-  }
-
-  bool has_places() const {
-    return !named_.all(Quantity::x, NamedSide::none).empty() &&
-           !named_.all(Quantity::y, NamedSide::none).empty();
-  }
-
-  // With the bits of direction beside it.
-  void take_signed(CommandKind kind, const Named& left, const Named& right) {
-    take_command(kind, left, right);
-    const bool has_sign = std::ranges::any_of(left.channel->values, [](double duty) { return duty < 0.0; });
-    auto bits = named_.sides(Quantity::direction, findings_);
-    if (!bits) bits = named_.numbered_pair(Quantity::direction, findings_);
-    if (const auto both = named_.single(Quantity::direction); both && !bits) bits = NamedPair{*both, *both};
-    if (!bits || has_sign || !is_bit(*bits->first.channel) || !is_bit(*bits->second.channel)) return;
-    mapping_.command->direction = {bits->first.name(), bits->second.name()};
-    findings_.push_back(bits->first.name().text() + " and " + bits->second.name().text() +
-                        " are taken for the direction of the commands, 1 for forward");
-  }
-
-  // Two values, one of them 1; or 1 and -1, and 0 for neither.
-  static bool is_bit(const Channel& channel) {
-    const bool is_signed = std::ranges::find(channel.values, -1.0) != channel.values.end();
-    double other = 1.0;
-    for (const double value : channel.values) {
-      if (!std::isfinite(value) || value == 1.0 || (is_signed && value == 0.0)) continue;
-      if (other != 1.0 && value != other) return false;
-      other = value;
-    }
-    return other != 1.0 && std::abs(other) <= 2.0;
-  }
-
-  // A velocity and the radius of the turn, in whole millimetres, as a Create takes them.
-  bool take_radius() {
-    constexpr double smallest_mm = 100.0;
-    const auto radii = named_.all(Quantity::radius, NamedSide::none);
-    auto velocities = named_.all(Quantity::linear_command, NamedSide::none);
-    for (const auto& speed : named_.all(Quantity::linear_speed, NamedSide::none)) velocities.push_back(speed);
-    const auto found = NamedChannels::pair(velocities, radii, findings_);
-    if (!found || !are_whole(found->second.channel->values) || !are_whole(found->first.channel->values) ||
-        largest(found->second.channel->values) < smallest_mm)
-      return false;
-    take_command(CommandKind::wheels, found->first, found->second);
-    mapping_.command->by_radius = true;
-    mapping_.command->unit = "mm/s";
-    findings_.push_back("commands are a velocity and the radius of the turn, in mm/s and mm: " +
-                        found->first.name().text() + " and " + found->second.name().text());
-    return true;
-  }
-
-  // A velocity and one over the radius of the turn, in 1/m.
-  bool take_curvature() {
-    auto velocities = named_.all(Quantity::linear_command, NamedSide::none);
-    for (const auto& speed : named_.all(Quantity::linear_speed, NamedSide::none)) velocities.push_back(speed);
-    const auto found =
-        NamedChannels::pair(velocities, named_.all(Quantity::curvature, NamedSide::none), findings_);
-    if (!found) return false;
-    take_command(CommandKind::wheels, found->first, found->second);
-    mapping_.command->by_radius = true;
-    mapping_.command->by_curvature = true;
-    findings_.push_back("commands are a velocity and a curvature, in 1/m: " + found->first.name().text() +
-                        " and " + found->second.name().text());
-    return true;
-  }
-
-  // Throttle and steering of a remote control, mixed to the two wheels by the robot.
-  bool take_throttle() {
-    const auto throttle = named_.all(Quantity::throttle, NamedSide::none);
-    auto steering = named_.all(Quantity::steering, NamedSide::none);
-    for (const auto& turning : named_.all(Quantity::angular_command, NamedSide::none))
-      steering.push_back(turning);
-    const auto found = NamedChannels::pair(throttle, steering, findings_);
-    if (found) take_command(CommandKind::throttle, found->first, found->second);
-    return found.has_value();
-  }
-
-  void take_command(CommandKind kind, const Named& first, const std::optional<Named>& second) {
-    CommandMapping command;
-    command.kind = kind;
-    command.first = first.name();
-    if (second) command.second = second->name();
-    if (!first.meaning.unit.empty() && find_unit(speed_units(), first.meaning.unit)) {
-      command.unit = first.meaning.unit;
-    } else if (kind == CommandKind::wheels && is_turn_rate(first)) {
-      command.unit = "rad/s";
-    }
-    if (kind == CommandKind::twist && second && find_unit(angular_units(), second->meaning.unit)) {
-      command.angular_unit = second->meaning.unit;
-    }
-    mapping_.command = command;
-  }
-
   // Forward and turning speed that the robot measured itself: odometry.
   void find_body_motion() {
     const auto turning = named_.all(Quantity::angular_speed, NamedSide::none);
     const auto found =
         NamedChannels::pair(named_.all(Quantity::linear_speed, NamedSide::none), turning, findings_);
     if (!found || (mapping_.command && mapping_.command->first == found->first.name())) return;
-    take_wheels(WheelKind::speed, found->first, found->second);
-    mapping_.wheels->body_motion = true;
+    take_body_motion(WheelKind::speed, *found);
     findings_.push_back("no wheels: forward and turning speed " + found->first.name().text() + " and " +
                         found->second.name().text() + " stand in for them");
+  }
+
+  // How far it went and turned, as a Create says it.
+  void find_body_travel() {
+    if (named_.has_places()) return;
+    const auto found = NamedChannels::pair(named_.all(Quantity::travelled, NamedSide::none),
+                                           named_.all(Quantity::turned, NamedSide::none), findings_);
+    if (!found) return;
+    take_body_motion(WheelKind::distance, *found);
+    WheelMapping& wheels = *mapping_.wheels;
+    if (wheels.unit_assumed && are_whole(found->first.channel->values)) wheels.unit = "mm";
+    if (wheels.angular_unit.empty() && are_whole(found->second.channel->values)) wheels.angular_unit = "deg";
+    findings_.push_back("no wheels: how far the robot went and turned, " + found->first.name().text() +
+                        " and " + found->second.name().text() + ", stand in for them, in " + wheels.unit +
+                        " and " + (wheels.angular_unit.empty() ? "rad" : wheels.angular_unit));
+  }
+
+  void take_body_motion(WheelKind kind, const NamedPair& motion) {
+    take_wheels(kind, motion.first, motion.second);
+    WheelMapping& wheels = *mapping_.wheels;
+    wheels.body_motion = true;
+    if (const auto unit = find_unit(turning_units(wheels), motion.second.meaning.unit))
+      wheels.angular_unit = unit->name;
   }
 
   void find_scalar(std::optional<ScalarMapping>& scalar, Quantity quantity,
@@ -259,12 +165,37 @@ class ByNames {
       if (is_simulated) break;  // a simulator's robot moves by its time, not by that of the wall
     }
     if (found != nullptr) {
-      mapping_.time.column = ChannelName{"", found->channel->name};
+      mapping_.time.column = ChannelName{"", clock_of_device(*found->stream, *found->channel).name};
       return;
     }
     if (stream == nullptr || !stream->received_s.empty()) return;
     const auto frames = std::ranges::find_if(stream->channels, counts_frames);
     if (frames != stream->channels.end()) mapping_.time.column = ChannelName{"", frames->name};
+  }
+
+  // Where stamps were given as rows arrived, in bunches, and the clock of the device stands beside them:
+  // that.
+  const Channel& clock_of_device(const Stream& stream, const Channel& clock) const {
+    constexpr double even = 0.9;
+    constexpr double bunched = 0.5;
+    if (evenness(clock.values) >= bunched) return clock;
+    for (const Channel& other : stream.channels) {
+      if (evenness(other.values) < even || !go_alike(clock.values, other.values)) continue;
+      findings_.push_back("time is '" + config::excerpt(other.name) +
+                          "', which goes by even steps; those of '" + config::excerpt(clock.name) +
+                          "' come in bunches");
+      return other;
+    }
+    return clock;
+  }
+
+  // Seconds, milliseconds, ... of the same time.
+  static bool go_alike(const std::vector<double>& one, const std::vector<double>& other) {
+    constexpr double rate_error = 0.02;
+    const double ratio = (one.back() - one.front()) / (other.back() - other.front());
+    return ratio > 0.0 &&
+           std::ranges::any_of(std::array{1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6, 1e9},
+                               [&](double unit) { return std::abs(ratio / unit - 1.0) < rate_error; });
   }
 
   std::span<const Recording> recordings_;

@@ -104,7 +104,7 @@ class RunResponse {
     std::array<double, 2> speed = nothings;
     for (std::size_t k = 0; k < 2 && !is_burst; ++k)
       speed[k] = (is_speed_ ? group_.measured[k] : value[k] - last_[k]) / group_.duration_s;
-    if (mapping_.command->is_of_body() && !mapping_.wheels->body_motion && is_pair_) {
+    if (mapping_.command->is_of_body() && is_pair_) {
       const double left = mapping_.wheels->left_reversed ? -speed[0] : speed[0];
       const double right = mapping_.wheels->right_reversed ? -speed[1] : speed[1];
       speed = {0.5 * (left + right), right - left};

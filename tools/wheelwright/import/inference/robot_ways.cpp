@@ -8,7 +8,7 @@
 namespace wheelwright::import {
 
 std::optional<WayBy> way_source(const DriveColumns& columns, const Mapping& mapping) {
-  const bool has_wheels = mapping.wheels && mapping.wheels->right && !mapping.wheels->body_motion &&
+  const bool has_wheels = mapping.wheels && mapping.wheels->right &&
                           mapping.wheels->kind != WheelKind::speed && !columns.wheel[1].empty();
   if (!mapping.wheel_base_m) return std::nullopt;
   if (has_wheels) return wheel_scale(*mapping.wheels) ? std::optional(WayBy::wheels) : std::nullopt;

@@ -122,7 +122,7 @@ void find_stick_commands(std::span<const Recording> recordings, Mapping& mapping
                          std::vector<std::string>& findings, std::vector<std::string>& doubts) {
   if (mapping.command) return;
   const auto axes = moved_axes(NamedChannels(recordings, mapping));
-  const bool has_both = mapping.wheels && mapping.wheels->right && !mapping.wheels->body_motion;
+  const bool has_both = mapping.wheels && mapping.wheels->right;
   auto sticks = by_names(axes);
   if (!sticks && has_both) sticks = by_motion(recordings, mapping, axes);
   if (!sticks) return;

@@ -172,8 +172,8 @@ TurningSense sense_in(const DriveColumns& columns, const Mapping& mapping,
 }  // namespace
 
 bool has_turning_wheels(const DriveColumns& columns, const Mapping& mapping) {
-  return mapping.wheels && mapping.wheels->right && !mapping.wheels->body_motion &&
-         mapping.wheels->kind != WheelKind::speed && !columns.wheel[1].empty();
+  return mapping.wheels && mapping.wheels->right && mapping.wheels->kind != WheelKind::speed &&
+         !columns.wheel[1].empty();
 }
 
 TurningSense turning_sense(const DriveColumns& columns, const Mapping& mapping,

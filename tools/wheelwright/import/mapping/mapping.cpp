@@ -81,6 +81,7 @@ void add_wheels(Entries& entries, const WheelMapping& wheels) {
   entries.add(wheels.body_motion ? "wheels.angular" : "wheels.right", wheels.right);
   if (wheels.bits) entries.add("wheels.bits", std::to_string(*wheels.bits));
   if (wheels.kind != WheelKind::counts) entries.add("wheels.unit", wheels.unit);
+  if (!wheels.angular_unit.empty()) entries.add("wheels.angular_unit", wheels.angular_unit);
   if (wheels.per_row) entries.add("wheels.per_row", "true");
   if (wheels.by_command_sign) entries.add("wheels.direction", "command");
   if (wheels.unwrap_by_command) entries.add("wheels.unwrap", "command");

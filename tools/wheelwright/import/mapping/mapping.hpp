@@ -77,7 +77,8 @@ struct WheelMapping {
   bool by_command_sign = false;    // the channels hold no direction: it is that of the command
   bool unwrap_by_command = false;  // a counter that may go more than half around goes as commanded
   bool unit_assumed = false;       // the file does not say the unit; the motion may tell another
-  bool body_motion = false;  // the channels are forward and turning speed of the body, not left and right
+  bool body_motion = false;    // the channels are forward and turning motion of the body, not left and right
+  std::string angular_unit{};  // of the turning motion; empty: rad/s of speeds, else rad
 };
 
 enum class ReferenceClock : std::uint8_t { same, shifted };

@@ -146,6 +146,8 @@ std::optional<WheelMapping> read_wheels(YamlReader& from) {
   wheels.right = channel(from, wheels.body_motion ? "angular" : "right");
   if (from.has("bits")) wheels.bits = static_cast<int>(from.integer("bits", {8, 32}));
   wheels.unit = read_wheel_unit(from, wheels.kind);
+  wheels.angular_unit =
+      unit(from, "angular_unit", wheels.kind == WheelKind::speed ? angular_units() : angle_units(), "");
   wheels.per_row = from.boolean("per_row", false);
   wheels.by_command_sign = from.choice<bool>("direction", {{"counted", false}, {"command", true}}, false);
   wheels.unwrap_by_command = from.choice<bool>("unwrap", {{"nearest", false}, {"command", true}}, false);

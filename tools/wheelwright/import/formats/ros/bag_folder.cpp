@@ -59,8 +59,8 @@ tl::expected<BagFolder, std::string> list_parts(const fs::path& folder) {
   for (const fs::path& file : bags_in(folder)) parts.push_back(part_of(file));
   if (parts.empty())
     return Failure(
-        "is a folder without a bag: neither metadata.yaml nor .bag, .mcap, .db3; if it holds CSV files of "
-        "one run, name them one by one");
+        "is a folder without a bag and without text: neither metadata.yaml nor .bag, .mcap, .db3, .csv, "
+        ".txt");
   std::ranges::sort(parts, {},
                     [](const Part& part) { return std::tie(part.stem, part.extension, part.number); });
   BagFolder result;

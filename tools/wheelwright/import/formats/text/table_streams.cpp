@@ -1,23 +1,18 @@
 #include "tools/wheelwright/import/formats/text/table_streams.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
-#include <limits>
-#include <map>
-#include <optional>
 #include <utility>
 
 #include "config/load/printable_text.hpp"
 #include "tools/wheelwright/import/formats/text/direction_words.hpp"
+#include "tools/wheelwright/import/formats/text/row_kinds.hpp"
 #include "tools/wheelwright/import/formats/text/run_column.hpp"
 
 namespace wheelwright::import {
 namespace {
 
-constexpr std::size_t max_table_streams = 64;
 constexpr std::size_t labels_in_remark = 6;
 
 std::string in_quotes(const std::string& text) {
@@ -76,78 +71,6 @@ void join_date_and_clock(TextTable& table, std::vector<std::string>& remarks) {
     table.columns[i].kind = ColumnKind::date_and_time;
     erase_column(table, i + 1);
   }
-}
-
-std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(), [](char character) {
-    return character >= 'A' && character <= 'Z' ? static_cast<char>(character - 'A' + 'a') : character;
-  });
-  return text;
-}
-
-bool names_a_kind(const std::string& name) {
-  constexpr std::array<std::string_view, 22> words{
-      "topic", "message", "msg",   "type",   "kind",    "id",      "source", "sensor",
-      "frame", "name",    "label", "tag",    "channel", "key",     "signal", "device",
-      "motor", "wheel",   "side",  "record", "field",   "variable"};
-  const std::string lower = lower_case(name);
-  return std::ranges::any_of(words, [&](std::string_view word) {
-    return lower == word || lower.ends_with("_" + std::string(word)) ||
-           lower.ends_with(" " + std::string(word)) || lower.starts_with(std::string(word) + "_");
-  });
-}
-
-std::size_t count_changes(const std::vector<double>& labels) {
-  std::size_t changes = 0;
-  for (std::size_t i = 1; i < labels.size(); ++i) changes += labels[i] != labels[i - 1] ? 1U : 0U;
-  return changes;
-}
-
-double variation(const std::vector<double>& values, const std::vector<double>* labels) {
-  std::map<double, double> last;
-  double sum = 0.0;
-  for (std::size_t row = 0; row < values.size(); ++row) {
-    if (!std::isfinite(values[row])) continue;
-    const auto [before, is_first] = last.try_emplace(labels == nullptr ? 0.0 : (*labels)[row], values[row]);
-    if (!is_first) sum += std::abs(values[row] - before->second);
-    before->second = values[row];
-  }
-  return sum;
-}
-
-// Whether the rows of all labels are those of one thing: a column rises through all of them as a clock does,
-// and no column jumps from label to label.
-bool are_of_one_thing(const TextTable& table, std::size_t column) {
-  constexpr double jumps = 2.0;
-  bool has_clock = false;
-  for (std::size_t i = 0; i < table.width(); ++i) {
-    if (table.columns[i].kind == ColumnKind::text) continue;
-    const auto& values = table.values[i];
-    if (std::ranges::any_of(values, [](double value) { return !std::isfinite(value); })) return false;
-    if (std::ranges::adjacent_find(values, std::greater_equal<>()) == values.end()) has_clock = true;
-    if (variation(values, nullptr) > jumps * variation(values, &table.values[column])) return false;
-  }
-  return has_clock;
-}
-
-// Rows of several kinds take turns; a state such as "DRIVE" stands for many rows.
-bool parts_rows(const TextTable& table, std::size_t column) {
-  const std::size_t labels = table.labels[column].names().size();
-  if (table.columns[column].kind != ColumnKind::text || table.labels[column].are_too_many()) return false;
-  if (names_a_run(table.columns[column].name) && are_stretches(table.values[column])) return false;
-  if (labels < 2 || labels > max_table_streams || 2 * labels > table.rows()) return false;
-  return names_a_kind(table.columns[column].name) ||
-         (5 * count_changes(table.values[column]) > table.rows() && !are_of_one_thing(table, column));
-}
-
-std::optional<std::size_t> find_kind_column(const TextTable& table) {
-  std::optional<std::size_t> best;
-  for (std::size_t i = 0; i < table.width(); ++i) {
-    if (!parts_rows(table, i)) continue;
-    const bool is_better = !best || table.labels[i].names().size() > table.labels[*best].names().size();
-    if (is_better) best = i;
-  }
-  return best;
 }
 
 std::string describe_texts(const Labels& labels) {
@@ -231,6 +154,7 @@ std::vector<Stream> make_streams(TextTable table, const std::string& name,
   drop_index_column(table, remarks);
   join_date_and_clock(table, remarks);
   read_direction_words(table, remarks);
+  label_numbers(table);
   std::vector<double> label_of_row;
   Labels labels;
   if (const auto column = find_kind_column(table)) {

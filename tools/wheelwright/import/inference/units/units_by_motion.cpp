@@ -267,9 +267,7 @@ class UnitFinder {
       doubts_.push_back("the wheels go " + plain_number(rounded_gain(gain)) +
                         " times as far as commanded: check the units of commands and wheels, and the scale");
     }
-    if (mapping_.command->kind != CommandKind::twist || mapping_.wheels->body_motion ||
-        !mapping_.wheel_base_m)
-      return;
+    if (mapping_.command->kind != CommandKind::twist || !mapping_.wheel_base_m) return;
     const auto angular = find_unit(angular_units(), mapping_.command->angular_unit);
     const double turn = fits_[1].gain * *scale / *mapping_.wheel_base_m / (angular ? angular->in_si : 1.0);
     if (fits_[1].explained < unit_explained || (turn > 0.5 && turn < 2.0)) return;
@@ -295,8 +293,7 @@ class UnitFinder {
 
   // What turning suggests; the wheel base itself is given.
   void suggest_base() {
-    if (mapping_.wheel_base_m || mapping_.command->kind != CommandKind::twist || mapping_.wheels->body_motion)
-      return;
+    if (mapping_.wheel_base_m || mapping_.command->kind != CommandKind::twist) return;
     const auto scale = wheel_scale(*mapping_.wheels);
     if (!scale || fits_[1].explained < unit_explained) return;
     findings_.push_back("turns suggest a wheel base of about " +

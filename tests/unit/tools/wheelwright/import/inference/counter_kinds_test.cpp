@@ -190,3 +190,21 @@ TEST_CASE("A run that is too short to predict its counter says that the short wa
       {known[0], known[1], "wheels.bits=8", "wheels.unwrap=command"});
   CHECK(outcome.remarks("taken the short way"));
 }
+
+TEST_CASE(
+    "The angle of an absolute encoder that goes around in counts is a counter, and one in degrees is none") {
+  const ForeignDrive drive = foreign_drive(1200, 0.05, 0.00005);
+  const auto around = [](std::int64_t count) { return std::to_string(((count % 4096) + 4096) % 4096); };
+  const auto outcome = import_text(foreign_text(drive, "t,cmd_left,cmd_right,angle_left,angle_right",
+                                                [&](const ForeignRow& row) {
+                                                  return number(row.t_s) + "," + number(row.command_left) +
+                                                         "," + number(row.command_right) + "," +
+                                                         around(row.counts_left) + "," +
+                                                         around(row.counts_right);
+                                                }),
+                                   {"robot.wheel_base_m=0.3"});
+  if (!outcome.conversion) FAIL(outcome.conversion.error());
+  const import::WheelMapping& wheels = *outcome.understood.mapping.wheels;
+  CHECK(wheels.kind == import::WheelKind::counts);
+  CHECK_THAT(*wheels.metres_per_count, WithinRel(0.00005, 0.02));
+}
