@@ -5,6 +5,7 @@
 #include <string>
 
 #include "drivers/roomba/silence.hpp"
+#include "model/simulation/sensor_period.hpp"
 
 namespace wheelwright::daemon {
 
@@ -18,7 +19,7 @@ struct MachineLoad {
 MachineLoad machine_load();
 
 struct SilenceContext {
-  double period_s = 0.018;
+  double period_s = default_period_s;
   MachineLoad load;
 };
 

@@ -11,11 +11,11 @@
 
 #include "config/load/daemon_config.hpp"
 #include "daemon/guardian/guardian_handle.hpp"
+#include "daemon/model_watch/model_watch.hpp"
 #include "daemon/process.hpp"
 #include "daemon/service/exit_status.hpp"
 #include "daemon/telemetry/status_file.hpp"
 #include "daemon/threads/real_time_setup.hpp"
-#include "daemon/watch/model_watch.hpp"
 #include "daemon/wiring/status_board.hpp"
 #include "daemon/wiring/wiring.hpp"
 #include "drivers/roomba/sensor_loop.hpp"

@@ -38,7 +38,8 @@ struct LiveViewConfig {
   std::filesystem::path truth;        // of a simulated robot, to be shown beside; empty: unknown
 };
 
-// When the gap workflow looks at the recorded drives for what the model lacks (daemon/watch/model_watch.hpp).
+// When the gap workflow looks at the recorded drives for what the model lacks
+// (daemon/model_watch/model_watch.hpp).
 enum class GapWatch : std::uint8_t {
   off,
   when_due,   // after a drive in which the filter found that a calibration is due

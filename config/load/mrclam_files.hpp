@@ -8,12 +8,13 @@
 #include <vector>
 
 #include "model/log/drive_log.hpp"
+#include "model/simulation/sensor_period.hpp"
 
 namespace wheelwright::config {
 
 struct MrclamOptions {
-  double wheel_base_m = 0.258;  // of a Create; the files do not say it
-  double period_s = 0.018;      // nominal period that the log is to state
+  double wheel_base_m = 0.258;         // of a Create; the files do not say it
+  double period_s = default_period_s;  // nominal period that the log is to state
 };
 
 struct MrclamRun {

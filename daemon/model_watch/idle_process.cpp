@@ -1,4 +1,4 @@
-#include "daemon/watch/idle_process.hpp"
+#include "daemon/model_watch/idle_process.hpp"
 
 #include <fcntl.h>
 #include <sched.h>

@@ -1,4 +1,4 @@
-#include "daemon/watch/model_changes.hpp"
+#include "daemon/model_watch/model_changes.hpp"
 
 #include <spdlog/fmt/fmt.h>
 

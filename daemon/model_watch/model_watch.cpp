@@ -1,11 +1,11 @@
-#include "daemon/watch/model_watch.hpp"
+#include "daemon/model_watch/model_watch.hpp"
 
 #include <spdlog/spdlog.h>
 #include <time.h>
 
 #include "config/load/model_file.hpp"
 #include "config/load/output_file.hpp"
-#include "daemon/watch/recorded_drives.hpp"
+#include "daemon/model_watch/recorded_drives.hpp"
 #include "daemon/wiring/plan.hpp"
 
 namespace wheelwright::daemon {

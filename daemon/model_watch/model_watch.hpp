@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "config/load/daemon_config.hpp"
-#include "daemon/watch/idle_process.hpp"
-#include "daemon/watch/model_changes.hpp"
+#include "daemon/model_watch/idle_process.hpp"
+#include "daemon/model_watch/model_changes.hpp"
 
 namespace wheelwright::daemon {
 

@@ -1,4 +1,4 @@
-#include "daemon/watch/recorded_drives.hpp"
+#include "daemon/model_watch/recorded_drives.hpp"
 
 #include <algorithm>
 #include <fstream>

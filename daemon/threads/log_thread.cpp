@@ -138,63 +138,63 @@ void LogThread::note_faults(const PoseRecord& record) {
 }
 
 void LogThread::tell(const roomba::Event& event) {
+  tell_of_link(event);
+  tell_of_drive(event);
+}
+
+void LogThread::tell_of_link(const roomba::Event& event) {
   using roomba::EventCode;
   switch (event.code) {
     case EventCode::port_opened:
-      spdlog::info("{} is open again", config_.device.string());
-      break;
+      return spdlog::info("{} is open again", config_.device.string());
     case EventCode::robot_answers:
-      spdlog::info("the robot answers, battery at {:.1f} V", event.value);
-      break;
+      return spdlog::info("the robot answers, battery at {:.1f} V", event.value);
     case EventCode::link_lost:
-      spdlog::error("the robot does not answer any more");
-      break;
+      return spdlog::error("the robot does not answer any more");
     case EventCode::robot_text:
-      spdlog::info("the robot prints: {}", event.text.data());
-      break;
-    case EventCode::armed:
-      spdlog::info("armed: the robot obeys");
-      break;
-    case EventCode::arm_refused:
-      spdlog::warn("not armed: the robot does not answer; arm it once it does");
-      break;
-    case EventCode::arm_needless:
-      spdlog::info("armed already: the robot drives on");
-      break;
-    case EventCode::stopped:
-      spdlog::warn("stopped at {:.2f} s: {}", event.t_s,
-                   name_of(static_cast<StopReason>(static_cast<int>(event.value))));
-      break;
-    case EventCode::overrun:
-      spdlog::warn("the loop woke up {:.0f} periods late", event.value);
-      break;
+      return spdlog::info("the robot prints: {}", event.text.data());
     case EventCode::checksum_rule:
-      spdlog::info(
+      return spdlog::info(
           "stream checksum: the header byte is {}",
           static_cast<int>(event.value) == static_cast<int>(open_interface::ChecksumRule::header_included)
               ? "included"
               : "not included");
-      break;
-    case EventCode::moves_unarmed:
-      spdlog::warn(
-          "the robot moves at {:.2f} s though it is not armed: it cleans by itself, is pushed, or obeys "
-          "another "
-          "program; press its Clean button or end that program",
-          event.t_s);
-      break;
     case EventCode::counts_stuck:
-      spdlog::error(
+      return spdlog::error(
           "the serial adapter damages every byte: bits {:#04x} of the encoder counts never change; use "
-          "another "
-          "adapter, and see wheelwright doctor",
+          "another adapter, and see wheelwright doctor",
           static_cast<unsigned>(event.value));
-      break;
     case EventCode::stream_period:
       spdlog::info("the robot streams every {:.3f} ms", 1e3 * event.value);
-      if (std::abs(event.value / config_.link.period_s - 1.0) > 0.01) {
+      if (std::abs(event.value / config_.link.period_s - 1.0) > 0.01)
         spdlog::warn("link.period_s is {} ms: set it to {:.6f}", 1e3 * config_.link.period_s, event.value);
-      }
-      break;
+      return;
+    default:
+      return;
+  }
+}
+
+void LogThread::tell_of_drive(const roomba::Event& event) {
+  using roomba::EventCode;
+  switch (event.code) {
+    case EventCode::armed:
+      return spdlog::info("armed: the robot obeys");
+    case EventCode::arm_refused:
+      return spdlog::warn("not armed: the robot does not answer; arm it once it does");
+    case EventCode::arm_needless:
+      return spdlog::info("armed already: the robot drives on");
+    case EventCode::stopped:
+      return spdlog::warn("stopped at {:.2f} s: {}", event.t_s,
+                          name_of(static_cast<StopReason>(static_cast<int>(event.value))));
+    case EventCode::overrun:
+      return spdlog::warn("the loop woke up {:.0f} periods late", event.value);
+    case EventCode::moves_unarmed:
+      return spdlog::warn(
+          "the robot moves at {:.2f} s though it is not armed: it cleans by itself, is pushed, or obeys "
+          "another program; press its Clean button or end that program",
+          event.t_s);
+    default:
+      return;
   }
 }
 

@@ -46,6 +46,8 @@ class LogThread {
   void drain();
   void take(const LogEntry& entry);
   void tell(const roomba::Event& event);
+  void tell_of_link(const roomba::Event& event);
+  void tell_of_drive(const roomba::Event& event);
   void note_activity(const LogEntry& entry);
   void note_faults(const PoseRecord& record);
   void note_file_errors();

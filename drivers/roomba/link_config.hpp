@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cstdint>
 
+#include "model/simulation/sensor_period.hpp"
+
 namespace wheelwright::roomba {
 
 enum class Transport : std::uint8_t {
@@ -22,7 +24,7 @@ enum class EncoderOrder : std::uint8_t {
 };
 
 struct LinkConfig {
-  double period_s = 0.018;
+  double period_s = default_period_s;
   Transport transport = Transport::query;
   DriveMode drive_mode = DriveMode::direct;
   bool full_mode = false;  // Safe mode otherwise: the robot itself stops at a cliff or wheel drop

@@ -11,6 +11,7 @@
 #include "model/geometry/pose.hpp"
 #include "model/route/route.hpp"
 #include "model/route/route_follower.hpp"
+#include "model/simulation/sensor_period.hpp"
 
 namespace wheelwright {
 
@@ -86,7 +87,7 @@ struct Mission {
 
 // The robot and the limits within which it may be moved.
 struct RobotLimits {
-  double period_s = 0.018;
+  double period_s = default_period_s;
   double wheel_base_m = 0.235;
   WheelPair metres_per_tick{0.000444565, 0.000444565};  // until a calibration says better
   double largest_wheel_speed_m_s = 0.3;

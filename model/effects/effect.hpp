@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "model/geometry/pose.hpp"
+#include "model/simulation/sensor_period.hpp"
 
 namespace wheelwright {
 
@@ -27,7 +28,7 @@ enum class EffectStage { command, wheel, floor, body, observation, counts };
 
 // What an effect may know at the beginning of a period.
 struct StepContext {
-  double period_s = 0.018;
+  double period_s = default_period_s;
   double wheel_base_m = 0.235;
   double time_s = 0.0;          // since the start of the run
   WheelPair command_m_s;        // as sent

@@ -24,6 +24,7 @@
 #include "model/identification/response_prior.hpp"
 #include "model/identification/travel_runs.hpp"
 #include "model/identification/travel_whitener.hpp"
+#include "model/simulation/sensor_period.hpp"
 
 namespace wheelwright {
 
@@ -40,7 +41,7 @@ struct RefinedResponse {
 
 struct FreeRunProblem {
   std::span<const TravelRun> runs;
-  double period_s = 0.018;
+  double period_s = default_period_s;
   double tick_m = 0.00044;  // rounding below which nothing is seen
   WheelSide side = WheelSide::left;
   ArmaLayout layout;

@@ -12,11 +12,12 @@
 #include "model/geometry/pose.hpp"
 #include "model/route/route.hpp"
 #include "model/simulation/drive_limits.hpp"
+#include "model/simulation/sensor_period.hpp"
 
 namespace wheelwright {
 
 struct FollowerLimits {
-  double period_s = 0.018;
+  double period_s = default_period_s;
   double wheel_base_m = 0.235;
   double largest_wheel_speed_m_s = 0.3;
   double slowest_wheel_speed_m_s = 0.04;  // slower commands may fall into a robot's dead zone

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "model/geometry/pose.hpp"
+#include "model/simulation/sensor_period.hpp"
 
 namespace wheelwright {
 
@@ -31,7 +32,7 @@ struct WheelResponse {
 
 struct LinearModel {
   ModelType type = ModelType::fir;
-  double period_s = 0.018;
+  double period_s = default_period_s;
   double wheel_base_m = 0.235;
   WheelResponse left;
   WheelResponse right;

@@ -12,6 +12,7 @@
 #include "model/geometry/wheel_side.hpp"
 #include "model/simulation/linear_model.hpp"
 #include "model/simulation/model_simulation.hpp"
+#include "model/simulation/sensor_period.hpp"
 
 namespace wheelwright::gap {
 
@@ -98,7 +99,7 @@ constexpr double largest_gyro_scale = 0.15;
 
 struct TrialModel {
   LinearPartShape shape;
-  double period_s = 0.018;
+  double period_s = default_period_s;
   double wheel_base_m = 0.235;
   // a, b, share or weights of the other's command, or a and b of turns; left, then right where not shared, or
   // else by how much the right wheel's gain exceeds the left's, relative; periods by which the right wheel

@@ -1,5 +1,5 @@
 // A program beside the daemon that takes only what the others leave.
-#include "daemon/watch/idle_process.hpp"
+#include "daemon/model_watch/idle_process.hpp"
 
 #include <csignal>
 #include <fstream>

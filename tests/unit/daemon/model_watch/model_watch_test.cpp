@@ -1,5 +1,5 @@
 // The watch over a model: what it says of drives of a robot that has changed since its model was made.
-#include "daemon/watch/model_watch.hpp"
+#include "daemon/model_watch/model_watch.hpp"
 
 #include <algorithm>
 #include <cmath>

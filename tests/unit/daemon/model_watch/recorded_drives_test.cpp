@@ -1,5 +1,5 @@
 // Which of the drives that a robot has recorded the watch over its model looks at.
-#include "daemon/watch/recorded_drives.hpp"
+#include "daemon/model_watch/recorded_drives.hpp"
 
 #include <filesystem>
 #include <fstream>

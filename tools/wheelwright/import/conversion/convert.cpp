@@ -104,13 +104,16 @@ void turn_headings_back(Conversion& conversion, const Mapping& mapping) {
 
 // The whole seconds of stamps go on while the parts of a second go back.
 bool are_nanoseconds_without_zeros(const Column& t_s) {
+  constexpr int min_seconds = 3;
+  int seconds = 0;
   double last = -std::numeric_limits<double>::infinity();
   for (const double t : t_s) {
     if (!std::isfinite(t)) continue;
     if (std::floor(t) < last) return false;
+    if (std::floor(t) > last) ++seconds;
     last = std::floor(t);
   }
-  return true;
+  return seconds >= min_seconds;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "config/load/printable_text.hpp"
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/body_motion.hpp"
+#include "tools/wheelwright/import/conversion/command_timeout.hpp"
 #include "tools/wheelwright/import/conversion/counts.hpp"
 #include "tools/wheelwright/import/conversion/join_streams.hpp"
 #include "tools/wheelwright/import/conversion/misread_counts.hpp"
@@ -67,6 +68,7 @@ class Gathering {
       subtract_neutral(columns_, mapping_.command->neutral);
       apply_directions(columns_, mapping_.command->forward);
       reverse_commands(columns_, *mapping_.command);
+      if (mapping_.command->timeout_s) stop_after_timeout(columns_, *mapping_.command->timeout_s);
     }
     return std::move(columns_);
   }

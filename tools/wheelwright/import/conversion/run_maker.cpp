@@ -95,10 +95,12 @@ class RunMaker {
 
   void name_command_holes(const RunRows& rows, const std::vector<double>& t_s,
                           std::vector<std::string>& remarks) const {
+    if (mapping_.command->timeout_s) return;
     for (const CommandHole& hole : command_holes(columns_, rows, t_s))
       remarks.push_back(
           columns_.place(rows[hole.row]) + ": no command for " + fixed_number(hole.duration_s, 1) +
-          " s behind it; it is taken to hold. If the robot stopped by itself, end the log there");
+          " s behind it; it is taken to hold. If the robot stopped by itself, say after what time: --set "
+          "command.timeout_s=0.5");
   }
 
   void make_even(const RunRows& rows, const WheelTravel& travel, std::vector<double>& t_s,

@@ -27,6 +27,7 @@
 #include "tools/wheelwright/import/inference/units/units_by_motion.hpp"
 #include "tools/wheelwright/import/inference/unknown_units.hpp"
 #include "tools/wheelwright/import/inference/unused_columns.hpp"
+#include "tools/wheelwright/import/inference/watchdog.hpp"
 #include "tools/wheelwright/import/mapping/mapping_file.hpp"
 
 namespace wheelwright::import {
@@ -132,6 +133,7 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
   if (mapping.command || mapping.wheels) {
     if (auto columns = gather_sample(recordings, mapping)) {
       infer_neutral(*columns, given, mapping, inference.findings);
+      infer_watchdog(*columns, given, mapping, inference.findings);
       infer_counters(*columns, given, mapping, inference.findings, inference.doubts);
       infer_steering(*columns, given, mapping, inference.findings, inference.doubts);
       set_duty(*columns, given, mapping);

@@ -66,6 +66,7 @@ void add_command(Entries& entries, const CommandMapping& command) {
   if (command.neutral != 0.0) entries.add("command.neutral", command.neutral);
   add_reversed(entries, "command.reversed", command.left_reversed, command.right_reversed);
   if (is_throttle) entries.add("command.steering_gain", command.steering_gain);
+  entries.add("command.timeout_s", command.timeout_s);
   if (command.is_duty()) {
     entries.add("command.full_scale", command.full_scale);
     entries.add("command.full_scale_m_s", command.full_scale_m_s);

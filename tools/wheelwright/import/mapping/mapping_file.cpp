@@ -101,6 +101,7 @@ std::optional<CommandMapping> read_command(YamlReader& from) {
   const auto [left_reversed, right_reversed] = read_reversed(from);
   command.left_reversed = left_reversed;
   command.right_reversed = right_reversed;
+  command.timeout_s = number(from, "timeout_s", {0.01, 60, "s"});
   command.neutral = from.number("neutral", {-1e6, 1e6}, command.neutral);
   command.steering_gain = from.number("steering_gain", {-1000, 1000}, command.steering_gain);
   command.unit =
