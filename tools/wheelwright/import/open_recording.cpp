@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "config/load/text_file.hpp"
+#include "tools/wheelwright/import/conversion/half_bridges.hpp"
 #include "tools/wheelwright/import/conversion/stamp_columns.hpp"
 #include "tools/wheelwright/import/formats/matlab/mat_file.hpp"
 #include "tools/wheelwright/import/formats/ros/ros_recording.hpp"
@@ -39,6 +40,9 @@ ReadResult read_text(std::string&& bytes, const std::string& name) {
   for (Stream& stream : recording->streams) {
     join_seconds_and_nanoseconds(stream);
     sum_steps_of_time(stream);
+    if (join_half_bridges(stream))
+      recording->remarks.emplace_back(
+          "in1 to in4 are the inputs of a motor driver: joined to pwm_1 and pwm_2, forward less backward");
   }
   return recording;
 }

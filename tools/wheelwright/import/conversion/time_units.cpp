@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -24,7 +25,7 @@ constexpr double wrap_steps = 20.0;     // in which a counter goes past its end
 struct Numbers {
   double size = 0.0;
   bool whole = true;
-  double step = 0.0;  // median of those that rise
+  double step = 0.0;  // median of those that rise; the mean of all where the clock is coarser than the rows
 };
 
 Numbers examine(const std::vector<double>& times) {
@@ -40,6 +41,9 @@ Numbers examine(const std::vector<double>& times) {
   }
   if (steps.empty()) return numbers;
   numbers.step = median(steps);
+  const auto finite = std::ranges::count_if(times, [](double t) { return std::isfinite(t); });
+  const double mean = std::accumulate(steps.begin(), steps.end(), 0.0) / static_cast<double>(finite);
+  if (numbers.whole && steps.size() < max_steps && 2.0 * mean < numbers.step) numbers.step = mean;
   return numbers;
 }
 

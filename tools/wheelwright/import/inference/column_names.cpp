@@ -75,6 +75,14 @@ NamedSide side_of(const NameWords& words, const Stream& stream) {
   return NamedSide::none;
 }
 
+// Of a table whose rows are those of one side each: "left", "motor right".
+NamedSide side_of_rows(const std::string& label, const Stream& stream) {
+  const NameWords words(label);
+  const bool is_side = words.words().size() == 1 ||
+                       (words.words().size() == 2 && words.has_any({"motor", "wheel", "encoder", "side"}));
+  return is_side ? side_of(words, stream) : NamedSide::none;
+}
+
 // "Sollgeschwindigkeit", "sollwert".
 bool begins_with_target(const NameWords& words) {
   return std::ranges::any_of(words.words(), [](const std::string& word) { return word.starts_with("soll"); });
@@ -125,7 +133,7 @@ Quantity of_wheel(const Name& name) {
                         find_unit(speed_units(), name.unit);
   if (words.has("direction") || (words.has("dir") && !name.dir_is_a_side)) return Quantity::direction;
   if (words.has_any({"pwm", "duty", "power", "throttle", "volt", "volts", "voltage", "effort", "dc", "rc",
-                     "servo", "esc"})) {
+                     "servo", "esc", "percent", "pct"})) {
     return Quantity::duty;
   }
   if (name.is_command) return Quantity::command;
@@ -142,6 +150,7 @@ Quantity of_wheel(const Name& name) {
   if (words.has_any({"angle", "ang", "phi", "rot", "rotation", "theta", "th", "position"}))
     return Quantity::angle;
   if (are_increments(words)) return Quantity::count;
+  if (words.has_any({"actual", "measured", "feedback", "meas", "ist"})) return Quantity::speed;
   if (words.has("motor") || words.has("wheel")) return Quantity::speed;
   return Quantity::unknown;
 }
@@ -152,6 +161,12 @@ bool is_other_axis(const NameWords& words) {
   if (words.has_any({"acc", "accel", "acceleration", "force", "torque", "mag", "covariance"})) return true;
   if (words.has("linear")) return last == "y" || last == "z";
   return words.has("angular") && (last == "x" || last == "y");
+}
+
+// "MotorA", "motor_1": what is written to it.
+bool is_motor_alone(const NameWords& words) {
+  return words.words().size() == 2 && words.has_any({"motor", "mot"}) &&
+         words.has_any({"a", "b", "0", "1", "2"});
 }
 
 Quantity of_body(const Name& name) {
@@ -185,10 +200,12 @@ Quantity of_body(const Name& name) {
                          (words.has_any({"vel", "velocity", "speed"}) && last != "y" && last != "z") ||
                          find_unit(speed_units(), name.unit);
   if (is_linear) return name.is_command ? Quantity::linear_command : Quantity::linear_speed;
-  if (words.has_any({"pwm", "duty", "throttle", "power"})) return Quantity::duty;
+  if (words.has_any({"pwm", "duty", "throttle", "power", "percent", "pct"})) return Quantity::duty;
+  if (is_motor_alone(words)) return Quantity::duty;
   if (words.has_any({"curvature", "kappa"})) return Quantity::curvature;
   if (words.has("radius") && !words.has_any({"wheel", "wheels"})) return Quantity::radius;
-  if (words.has_any({"encoder", "enc", "ticks", "counts", "tick", "count"})) return Quantity::count;
+  if (words.has_any({"encoder", "enc", "ticks", "counts", "tick", "count", "tachometer", "tacho"}))
+    return words.has_any({"abs", "diff"}) ? Quantity::unknown : Quantity::count;
   if (!name.is_command && words.has_any({"distance", "dist", "travel", "travelled", "odometer"}))
     return Quantity::travelled;
   if (!name.is_command && words.has_any({"angle", "turned"})) return Quantity::turned;
@@ -226,6 +243,12 @@ std::string unit_of_odrive(const NameWords& words, const Channel& channel) {
   if (!words.has_any({"axis", "odrv", "odrive"}) || !words.has_any({"estimate", "input"})) return {};
   if (words.has("pos") && !are_whole(channel.values)) return "turn";
   return words.has("vel") && largest(channel.values) < most_turns_s ? "turn/s" : std::string();
+}
+
+// "yaw_x10", "heading_x100": whole tenths or hundredths of a degree.
+std::string unit_of_tenths(const NameWords& words) {
+  if (words.words().size() < 3 || words.words()[words.words().size() - 2] != "x") return {};
+  return words.last() == "10" ? "0.1deg" : words.last() == "100" ? "0.01deg" : "";
 }
 
 // "data", "value", "data[0]": the topic is the name.
@@ -271,6 +294,7 @@ NameMeaning meaning_of(const Stream& stream, const Channel& channel) {
   if (const auto standard = unit_by_spelling(name.unit); !standard.empty()) name.unit = standard;
   if (name.unit.empty()) name.unit = unit_of_odrive(name.words, channel);
   name.side = side_of(name.words, stream);
+  if (name.side == NamedSide::none && stream.type.empty()) name.side = side_of_rows(topic, stream);
   name.is_command = is_command_name(name.words) || is_controller_reference(name.words, name.side) ||
                     channel.name.find('*') != std::string::npos || is_command_name(NameWords(topic));
   if (name.words.empty()) return {};
@@ -278,6 +302,8 @@ NameMeaning meaning_of(const Stream& stream, const Channel& channel) {
 
   NameMeaning meaning{Quantity::unknown, name.side, name.unit};
   meaning.quantity = quantity_of(name, stream);
+  if (meaning.quantity == Quantity::heading && meaning.unit.empty())
+    meaning.unit = unit_of_tenths(name.words);
   if (are_counts_of_a_wheel(stream, name, meaning)) meaning.quantity = Quantity::count;
   // The positions of joints are angles.
   if (meaning.quantity == Quantity::count && stream.type.find("JointState") != std::string::npos) {

@@ -11,11 +11,14 @@
 #include "tools/wheelwright/import/inference/command_rivals.hpp"
 #include "tools/wheelwright/import/inference/counter_kind.hpp"
 #include "tools/wheelwright/import/inference/gyro_scale.hpp"
+#include "tools/wheelwright/import/inference/idle_settings.hpp"
+#include "tools/wheelwright/import/inference/leading_speeds.hpp"
 #include "tools/wheelwright/import/inference/metadata_roles.hpp"
 #include "tools/wheelwright/import/inference/mirrored_side.hpp"
 #include "tools/wheelwright/import/inference/named_roles.hpp"
 #include "tools/wheelwright/import/inference/neutral_command.hpp"
 #include "tools/wheelwright/import/inference/numbered_roles.hpp"
+#include "tools/wheelwright/import/inference/one_wheel_doubt.hpp"
 #include "tools/wheelwright/import/inference/pixel_scale.hpp"
 #include "tools/wheelwright/import/inference/reference_frame.hpp"
 #include "tools/wheelwright/import/inference/response_rows.hpp"
@@ -116,6 +119,7 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
   choose_among_commands(recordings, given, mapping, inference.findings);
   map_metadata(recordings, mapping, inference.doubts);
   set_time_unit(recordings, given, mapping, inference.findings);
+  find_leading_speeds(recordings, given, mapping, inference.findings);
   find_stick_commands(recordings, mapping, inference.findings, inference.doubts);
   const bool had_wheels = mapping.wheels.has_value();
   map_by_numbers(recordings, given, mapping, inference.findings);
@@ -128,7 +132,7 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
   if (mapping.wheels) mapping.wheels->unit_assumed = unit_assumed;
   if (mapping.gyro) mapping.gyro->unit_is_stated = gyro_is_stated;
   infer_forward_bit(recordings, given, mapping, inference.findings, inference.doubts);
-  infer_hundredths(recordings, given, mapping, inference.findings, inference.doubts);
+  infer_unit_of_time(recordings, given, mapping, inference.findings, inference.doubts);
   infer_turning_unit(recordings, given, mapping, inference.findings);
   if (mapping.command || mapping.wheels) {
     if (auto columns = gather_sample(recordings, mapping)) {
@@ -158,6 +162,8 @@ Inference infer_mapping(std::span<const Recording> recordings, const GivenMappin
     }
   }
   doubt_unknown_units(recordings, mapping, inference.doubts);
+  doubt_idle_settings(given, mapping, inference.doubts);
+  if (!had_wheels) doubt_one_wheel(recordings, given, mapping, inference.doubts);
   if (auto unused = unused_columns(recordings, mapping)) inference.findings.push_back(*std::move(unused));
   inference.entries = overlaid(mapping, given);
   // Each of several roles may have been looked for in the same streams.

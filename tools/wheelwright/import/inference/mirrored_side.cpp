@@ -6,6 +6,7 @@
 #include <span>
 
 #include "config/load/text_format.hpp"
+#include "model/statistics/order_statistics.hpp"
 #include "tools/wheelwright/import/conversion/run_repair.hpp"
 #include "tools/wheelwright/import/conversion/value_range.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
@@ -23,6 +24,12 @@ struct Motion {
   Agreement as_read;
   Agreement mirrored;
   double right_is_mirrored = 0.0;  // above 0 where the right wheel is, and not the left one
+
+  void add_turn(double turn, double left, double right) {
+    as_read.add(std::abs(right - left), std::abs(turn));
+    mirrored.add(std::abs(right + left), std::abs(turn));
+    right_is_mirrored -= turn * (left + right);
+  }
 };
 
 // A heading starts again behind a turn if it stays within one.
@@ -43,12 +50,35 @@ void add_headings(const DriveColumns& columns, std::span<const std::size_t> rows
         std::isfinite(columns.theta_rad[rows[i]] + travel.values[0][i] + travel.values[1][i]) ? 1 : 0);
   for (const auto& [from, to] : windows_of(columns, rows, is_known)) {
     const double turn = turn_between(columns.theta_rad, rows[from], rows[to], stays_within_a_turn);
-    const double left = travel.values[0][to] - travel.values[0][from];
-    const double right = travel.values[1][to] - travel.values[1][from];
-    motion.as_read.add(std::abs(right - left), std::abs(turn));
-    motion.mirrored.add(std::abs(right + left), std::abs(turn));
-    motion.right_is_mirrored -= turn * (left + right);
+    motion.add_turn(turn, travel.values[0][to] - travel.values[0][from],
+                    travel.values[1][to] - travel.values[1][from]);
   }
+}
+
+// By the gyro, likewise; of a robot whose wheels stand it shows its offset.
+void add_turn_rates(const DriveColumns& columns, std::span<const std::size_t> rows, const WheelTravel& travel,
+                    Motion& motion) {
+  std::vector<char> is_known;
+  Column turn(rows.size(), 0.0);
+  Column resting;
+  is_known.reserve(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double rate = columns.gyro[rows[i]];
+    is_known.push_back(std::isfinite(rate + travel.values[0][i] + travel.values[1][i]) ? 1 : 0);
+    const bool rests = i > 0 && travel.values[0][i] == travel.values[0][i - 1] &&
+                       travel.values[1][i] == travel.values[1][i - 1];
+    if (rests && std::isfinite(rate)) resting.push_back(rate);
+  }
+  constexpr std::size_t enough_rows = 20;
+  const double offset = resting.size() >= enough_rows ? median(std::move(resting)) : 0.0;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const double rate = columns.gyro[rows[i]] - offset;
+    turn[i] =
+        turn[i - 1] + (std::isfinite(rate) ? rate * (columns.t_s[rows[i]] - columns.t_s[rows[i - 1]]) : 0.0);
+  }
+  for (const auto& [from, to] : windows_of(columns, rows, is_known))
+    motion.add_turn(turn[to] - turn[from], travel.values[0][to] - travel.values[0][from],
+                    travel.values[1][to] - travel.values[1][from]);
 }
 
 void add_places(const DriveColumns& columns, std::span<const std::size_t> rows, const WheelTravel& travel,
@@ -82,12 +112,15 @@ bool infer_mirrored_side(const DriveColumns& columns, const GivenMapping& given,
                          !mapping.command->right_reversed;
   const bool has_places = !columns.x.empty() && !columns.y.empty();
   if (!has_signs || given.says("wheels.reversed") || given.says("command.reversed") ||
-      (!has_places && columns.theta_rad.empty()) || !has_turning_wheels(columns, mapping))
+      (!has_places && columns.theta_rad.empty() && columns.gyro.empty()) ||
+      !has_turning_wheels(columns, mapping))
     return false;
   Motion motion;
   for (const auto& rows : repair_runs(columns, mapping).runs) {
     const WheelTravel travel = wheel_travel(columns, rows, mapping);
-    has_places ? add_places(columns, rows, travel, motion) : add_headings(columns, rows, travel, motion);
+    has_places                   ? add_places(columns, rows, travel, motion)
+    : !columns.theta_rad.empty() ? add_headings(columns, rows, travel, motion)
+                                 : add_turn_rates(columns, rows, travel, motion);
   }
   if (!motion.mirrored.holds() || motion.mirrored.correlation() < min_agreement ||
       motion.as_read.correlation() > max_agreement_as_read)
@@ -101,7 +134,7 @@ bool infer_mirrored_side(const DriveColumns& columns, const GivenMapping& given,
   const std::string side = is_right ? "right" : "left";
   findings.push_back(
       "the " + side + " motor is mounted the other way round: with its signs turned the wheels " +
-      (has_places ? "go as far as" : "turn as") + " the reference (correlation " +
+      (has_places ? "go as far as the reference" : "turn as the robot does") + " (correlation " +
       config::fixed_number(motion.mirrored.correlation(), 2) + "), as they stand they do not (" +
       config::fixed_number(motion.as_read.correlation(), 2) + ")");
   return true;

@@ -12,8 +12,9 @@
 namespace wheelwright::import {
 
 // Reverses command and counts of one side where the robot then goes as far as its reference says, or turns as
-// far where that has headings alone, and as they stand does not; a line in `findings`. Headings alone that
-// grow clockwise would show the other side. Signs that are given stay. Whether the mapping is another one.
+// far where that has headings alone, or there is but a gyro, and as they stand does not; a line in
+// `findings`. Headings alone that grow clockwise would show the other side. Signs that are given stay.
+// Whether the mapping is another one.
 bool infer_mirrored_side(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
                          std::vector<std::string>& findings);
 

@@ -102,19 +102,6 @@ double correlation(const std::vector<double>& speed, const std::vector<double>& 
   return variances > 0.0 ? std::abs(products - sum_s * sum_c / count) / std::sqrt(variances) : 0.0;
 }
 
-// By how many rows a speed, the mean since the row before, is behind a command: half a row of what is
-// measured at its row, one and more of what a robot does. At the peak of the correlation, by a parabola.
-double rows_behind(const std::vector<double>& speed, const std::vector<double>& command) {
-  constexpr int most = 20;
-  std::vector<double> at;
-  for (int rows = -2; rows <= most; ++rows) at.push_back(correlation(speed, command, rows));
-  const auto peak = std::ranges::max_element(at);
-  const double rows = static_cast<double>(peak - at.begin()) - 2.0;
-  if (peak == at.begin() || peak + 1 == at.end()) return rows;
-  const double bend = peak[-1] - 2.0 * peak[0] + peak[1];
-  return bend < 0.0 ? rows + 0.5 * (peak[-1] - peak[1]) / bend : rows;
-}
-
 class Assignments {
  public:
   Assignments(const std::vector<const Channel*>& commands, const std::vector<Candidate>& wheels,
@@ -220,6 +207,17 @@ class Assignments {
 
 }  // namespace
 
+double rows_behind(const std::vector<double>& speed, const std::vector<double>& command) {
+  constexpr int most = 20;
+  std::vector<double> at;
+  for (int rows = -2; rows <= most; ++rows) at.push_back(correlation(speed, command, rows));
+  const auto peak = std::ranges::max_element(at);
+  const double rows = static_cast<double>(peak - at.begin()) - 2.0;
+  if (peak == at.begin() || peak + 1 == at.end()) return rows;
+  const double bend = peak[-1] - 2.0 * peak[0] + peak[1];
+  return bend < 0.0 ? rows + 0.5 * (peak[-1] - peak[1]) / bend : rows;
+}
+
 std::vector<Assignment> possible_assignments(const std::vector<const Channel*>& commands,
                                              const std::vector<Candidate>& wheels,
                                              const std::vector<double>& t_s,
@@ -227,8 +225,7 @@ std::vector<Assignment> possible_assignments(const std::vector<const Channel*>& 
   return Assignments(commands, wheels, t_s, wheel_base_m).possible();
 }
 
-bool commands_lead(const Assignment& assignment, const std::vector<double>& t_s) {
-  constexpr double least_rows = 0.9;
+bool commands_lead(const Assignment& assignment, const std::vector<double>& t_s, double least_rows) {
   std::array<std::vector<double>, 2> motion;
   for (std::size_t k = 0; k < 2; ++k) {
     const Candidate& wheel = assignment.wheel[k];

@@ -15,8 +15,12 @@ std::vector<Assignment> possible_assignments(const std::vector<const Channel*>& 
                                              const std::vector<double>& t_s,
                                              std::optional<double> wheel_base_m);
 
-// Whether the motion comes after the commands, as it does of a robot: a measured speed beside counts goes
-// with them.
-bool commands_lead(const Assignment& assignment, const std::vector<double>& t_s);
+// By how many rows a speed, the mean since the row before, is behind a command: half a row of what is
+// measured at its row, one and more of what a robot does. At the peak of the correlation, by a parabola.
+double rows_behind(const std::vector<double>& speed, const std::vector<double>& command);
+
+// Whether the motion comes so many rows or more after the commands, as it does of a robot: a measured speed
+// beside counts goes with them.
+bool commands_lead(const Assignment& assignment, const std::vector<double>& t_s, double least_rows);
 
 }  // namespace wheelwright::import

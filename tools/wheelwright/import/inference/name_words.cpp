@@ -119,7 +119,14 @@ std::string NameWords::take_unit() {
       return ending;
     }
     const string_view unit = unit_by_spelling(ending);
-    if (unit.empty() || unit == "turn") continue;  // "joy_turn" is no unit
+    const bool is_measured = has_any({"pos", "position", "angle", "dist", "distance", "travel", "enc",
+                                      "encoder", "vel", "velocity", "speed", "x", "y", "odo"});
+    if (ending == "in" && is_measured) {
+      words_.resize(words_.size() - 1);
+      return "inch";
+    }
+    // "joy_turn" is no unit, and "left_rev" may be a direction.
+    if (unit.empty() || ending == "turn" || (ending == "rev" && !is_measured)) continue;
     if (unit == pixel_unit && !has_any({"x", "y", "cx", "cy", "pos", "width"})) continue;  // "pose_px"
     if (words_.size() > count) words_.resize(words_.size() - count);
     return std::string(unit);

@@ -1,8 +1,11 @@
 #include "tools/wheelwright/import/inference/named_channels.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <string_view>
 
 #include "config/load/ascii_text.hpp"
+#include "tools/wheelwright/import/conversion/value_range.hpp"
 #include "tools/wheelwright/import/inference/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/name_words.hpp"
 #include "tools/wheelwright/import/inference/units/gain_units.hpp"
@@ -22,6 +25,39 @@ std::string next_number(const std::string& name) {
     return next;
   }
   return {};
+}
+
+// "encB" of "encA", "pwm_b" of "pwm_a": motors that are called by letters; empty where the name has no such
+// word.
+std::string next_letter(const std::string& name) {
+  const auto count = [](const std::string& of, std::string_view word) {
+    const NameWords words(of);
+    return std::ranges::count(words.words(), word);
+  };
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    if (name[i] != 'a' && name[i] != 'A') continue;
+    std::string next = name;
+    ++next[i];
+    if (count(name, "a") == 1 && count(next, "a") == 0 && count(next, "b") == 1) return next;
+  }
+  return {};
+}
+
+// A speed along the x of the floor, beside one along y: a robot on two wheels does not slide sideways.
+bool is_of_the_floor(const Stream& stream, const Channel& channel) {
+  constexpr double sliding = 0.2;
+  std::string other = channel.name;
+  const auto at = other.find_last_of("xX");
+  if (at == std::string::npos) return false;
+  ++other[at];
+  const Channel* sideways = stream.find(other);
+  return sideways != nullptr && range_of(sideways->values).size() > sliding * range_of(channel.values).size();
+}
+
+// The two signals of one encoder, as levels.
+bool are_levels(const Channel& channel) {
+  return std::ranges::all_of(
+      channel.values, [](double value) { return !(value != 0.0) || value == 1.0 || !std::isfinite(value); });
 }
 
 // One of each list from two streams of one type, whose names differ by the side alone.
@@ -62,6 +98,7 @@ NamedChannels::NamedChannels(std::span<const Recording> recordings, const Mappin
         if (is_used(mapping, stream, channel) || std::ranges::all_of(channel.name, config::is_digit))
           continue;
         const NameMeaning meaning = meaning_of(stream, channel);
+        if (meaning.quantity == Quantity::linear_speed && is_of_the_floor(stream, channel)) continue;
         if (meaning.quantity != Quantity::unknown) named_.push_back({&stream, &channel, meaning});
       }
     }
@@ -118,9 +155,12 @@ std::optional<NamedPair> NamedChannels::numbered_pair(Quantity quantity,
   const auto candidates = all(quantity, NamedSide::none);
   for (const auto& first : candidates) {
     for (const auto& second : candidates) {
-      const std::string expected = next_number(first.channel->name);
-      if (expected.empty() || second.stream != first.stream || second.channel->name != expected) continue;
-      findings.push_back(first.channel->name + " is taken for the left wheel and " + expected +
+      const std::string& name = second.channel->name;
+      if (second.stream != first.stream || name.empty()) continue;
+      const bool is_next = name == next_number(first.channel->name) ||
+                           (name == next_letter(first.channel->name) && !are_levels(*first.channel));
+      if (!is_next) continue;
+      findings.push_back(first.channel->name + " is taken for the left wheel and " + name +
                          " for the right one; nothing says so");
       return NamedPair{first, second};
     }

@@ -47,7 +47,8 @@ class NamedChannels {
   std::optional<Named> single(Quantity quantity) const;
   // An x and a y.
   bool has_places() const;
-  // Two columns that differ by 1 and 2 alone, or 0 and 1: "m1_counts" and "m2_counts"; a line in `findings`.
+  // Two columns that differ by 1 and 2 alone, by 0 and 1, or by A and B: "m1_counts" and "m2_counts"; a line
+  // in `findings`.
   std::optional<NamedPair> numbered_pair(Quantity quantity, std::vector<std::string>& findings) const;
   // Of the stream of another, without a side; nullptr where there is none.
   const Named* beside(const Named& other, Quantity quantity) const;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "tools/wheelwright/import/inference/column_shapes.hpp"
+#include "tools/wheelwright/import/inference/name_words.hpp"
 #include "tools/wheelwright/import/inference/units/gain_units.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
@@ -26,30 +27,27 @@ class CommandFinder {
     if (take_radius() || take_curvature()) return;
     if (const auto found = named_.sides(Quantity::command, findings_))
       return take_signed(CommandKind::wheels, found->first, found->second);
+    if (const auto two = named_.numbered_pair(Quantity::command, findings_))
+      return take_signed(CommandKind::wheels, two->first, two->second);
+    // What a controller in the robot makes of a speed is no command to it.
+    if (take_twist()) return;
     if (const auto found = named_.sides(Quantity::duty, findings_))
       return take_signed(CommandKind::duty, found->first, found->second);
-    for (const auto& [quantity, kind] :
-         {std::pair{Quantity::command, CommandKind::wheels}, {Quantity::duty, CommandKind::duty}}) {
-      if (const auto two = named_.numbered_pair(quantity, findings_))
-        return take_signed(kind, two->first, two->second);
-    }
+    if (const auto two = named_.numbered_pair(Quantity::duty, findings_))
+      return take_signed(CommandKind::duty, two->first, two->second);
     if (take_throttle()) return;
     // "axis0.input_vel" and "axis1.input_vel" beside wheels that are called so.
     if (has_wheels_) {
       if (const auto two = named_.numbered_pair(Quantity::linear_command, findings_))
         return take_signed(CommandKind::wheels, two->first, two->second);
     }
-    const auto linear = named_.all(Quantity::linear_command, NamedSide::none);
-    auto angular = named_.all(Quantity::angular_command, NamedSide::none);
-    for (const auto& steering : named_.all(Quantity::steering, NamedSide::none)) angular.push_back(steering);
-    if (const auto found = NamedChannels::pair(linear, angular, findings_)) {
-      return take_command(CommandKind::twist, found->first, found->second);
-    }
-    // Speeds of the body beside wheels or places that were measured, and held: they are what was asked for.
+    // Speeds of the body beside places that were measured, and held: they are what was asked for. Beside
+    // wheels these show it (leading_speeds.hpp).
     const auto speeds = named_.all(Quantity::linear_speed, NamedSide::none);
     if (const auto found =
             NamedChannels::pair(speeds, named_.all(Quantity::angular_speed, NamedSide::none), findings_);
-        found && (has_wheels_ || named_.has_places()) && is_held(found->first.channel->values)) {
+        found && !has_wheels_ && named_.has_places() && is_held(found->first.channel->values) &&
+        !was_measured(*found->first.channel)) {
       findings_.push_back(found->first.name().text() + " and " + found->second.name().text() +
                           " are held for most rows and are taken for commands");
       return take_command(CommandKind::twist, found->first, found->second);
@@ -60,7 +58,23 @@ class CommandFinder {
     }
     if (const auto found = named_.single(Quantity::command))
       return take_command(CommandKind::wheels, *found, std::nullopt);
+    const auto linear = named_.all(Quantity::linear_command, NamedSide::none);
     if (!linear.empty()) take_command(CommandKind::wheels, linear.front(), std::nullopt);
+  }
+
+  bool take_twist() {
+    const auto linear = named_.all(Quantity::linear_command, NamedSide::none);
+    auto angular = named_.all(Quantity::angular_command, NamedSide::none);
+    for (const auto& steering : named_.all(Quantity::steering, NamedSide::none)) angular.push_back(steering);
+    const auto found = NamedChannels::pair(linear, angular, findings_);
+    if (found) take_command(CommandKind::twist, found->first, found->second);
+    return found.has_value();
+  }
+
+  static bool was_measured(const Channel& channel) {
+    return NameWords(channel.name)
+        .has_any({"odom", "odometry", "meas", "measured", "act", "actual", "est", "estimated", "fb",
+                  "feedback", "enc", "encoder", "filtered", "real", "current", "ist", "ekf", "state"});
   }
 
   // With the bits of direction beside it.

@@ -53,18 +53,37 @@ class ByNames {
                               {Quantity::distance, WheelKind::distance},
                               {Quantity::speed, WheelKind::speed}};
     for (const auto& [quantity, kind] : kinds) {
-      if (const auto found = named_.sides(quantity, findings_))
-        return take_wheels(kind, found->first, found->second);
+      if (const auto found = best_sides(quantity)) return take_wheels(kind, found->first, found->second);
     }
     for (const auto& [quantity, kind] : kinds) {
       if (const auto two = named_.numbered_pair(quantity, findings_))
         return take_wheels(kind, two->first, two->second);
+    }
+    // "Speed_A", "rpm2": of two motors, not of the body. "w1" before "V1", which may be volts.
+    for (const Quantity quantity : {Quantity::angular_speed, Quantity::linear_speed}) {
+      if (const auto two = named_.numbered_pair(quantity, findings_))
+        return take_wheels(WheelKind::speed, two->first, two->second);
     }
     for (const auto& [quantity, kind] : kinds) {
       // Of several without a side nobody knows which is which.
       if (named_.all(quantity, NamedSide::none).size() > 1) continue;
       if (const auto found = named_.single(quantity)) return take_wheels(kind, *found, std::nullopt);
     }
+  }
+
+  // Counters before what may be increments, or distances to a wall ("dL"); speeds with a unit before volts.
+  std::optional<NamedPair> best_sides(Quantity quantity) const {
+    const auto of_side = [&](NamedSide side) {
+      auto list = named_.all(quantity, side);
+      const auto is_second_choice = [&](const Named& named) {
+        return quantity == Quantity::count   ? NameWords(named.channel->name).words().front() == "d"
+               : quantity == Quantity::speed ? named.meaning.unit.empty()
+                                             : false;
+      };
+      std::ranges::stable_partition(list, [&](const Named& named) { return !is_second_choice(named); });
+      return list;
+    };
+    return NamedChannels::pair(of_side(NamedSide::left), of_side(NamedSide::right), findings_);
   }
 
   static bool is_per_row(const Named& named) {
@@ -124,7 +143,10 @@ class ByNames {
     if (!found) return;
     take_body_motion(WheelKind::distance, *found);
     WheelMapping& wheels = *mapping_.wheels;
-    if (wheels.unit_assumed && are_whole(found->first.channel->values)) wheels.unit = "mm";
+    if (wheels.unit_assumed && are_whole(found->first.channel->values)) {
+      wheels.unit = "mm";
+      wheels.unit_assumed = false;
+    }
     if (wheels.angular_unit.empty() && are_whole(found->second.channel->values)) wheels.angular_unit = "deg";
     findings_.push_back("no wheels: how far the robot went and turned, " + found->first.name().text() +
                         " and " + found->second.name().text() + ", stand in for them, in " + wheels.unit +

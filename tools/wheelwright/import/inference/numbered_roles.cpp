@@ -24,6 +24,9 @@ constexpr std::size_t min_stream_rows = 50;
 constexpr std::size_t max_columns = 40;
 constexpr std::size_t max_unheld_columns = 12;
 constexpr double as_even_as_time = 0.3;
+// By which wheels come behind a command; that which is held is one unless the wheels go before it.
+constexpr double least_rows_unheld = 0.9;
+constexpr double least_rows_held = 0.3;
 
 const Stream* longest_table(std::span<const Recording> recordings) {
   const Stream* longest = nullptr;
@@ -74,9 +77,13 @@ class ByNumbers {
     std::vector<Candidate> wheels;
     collect(commands, wheels);
     if (commands.size() > max_columns || wheels.size() > 2 * max_columns) return;
-    const auto possible = possible_assignments(commands, wheels, t_s, mapping_.wheel_base_m);
+    auto possible = possible_assignments(commands, wheels, t_s, mapping_.wheel_base_m);
+    std::erase_if(possible, [this](const Assignment& each) { return contradicts_names(each); });
     if (possible.empty()) return;
     const Assignment best = best_of(possible);
+    // Beside counters by name, a measured speed that is repeated in faster rows is held as a command is.
+    const bool are_counted = mapping_.wheels && mapping_.wheels->kind != WheelKind::speed;
+    if (are_counted && !mapping_.command && !commands_lead(best, t_s, least_rows_held)) return;
     take(best);
     if (best.wheel[1].channel == nullptr) note_still_counter(commands);
   }
@@ -92,10 +99,11 @@ class ByNumbers {
       if (may_be_wheel(*channel) && are_whole(channel->values)) wheels.push_back({channel, true});
     }
     if (commands.size() > max_unheld_columns) return;
-    const auto possible = possible_assignments(commands, wheels, t_s, mapping_.wheel_base_m);
+    auto possible = possible_assignments(commands, wheels, t_s, mapping_.wheel_base_m);
+    std::erase_if(possible, [this](const Assignment& each) { return contradicts_names(each); });
     if (possible.empty()) return;
     const Assignment best = best_of(possible);
-    if (!has_rival(best, possible) && commands_lead(best, t_s)) take(best);
+    if (!has_rival(best, possible) && commands_lead(best, t_s, least_rows_unheld)) take(best);
   }
 
   const std::vector<const Channel*>& unused() const { return unused_; }
@@ -118,7 +126,7 @@ class ByNumbers {
       if (!mapping_.command && may_command(*channel) && is_held(channel->values) &&
           !looks_counted(channel->values))
         commands.push_back(channel);
-      if (mapping_.wheels || !may_be_wheel(*channel)) continue;
+      if (mapping_.wheels || !may_be_wheel(*channel) || !std::isfinite(quantum(channel->values))) continue;
       wheels.push_back({channel, true});
       wheels.push_back({channel, false});
     }
@@ -149,6 +157,22 @@ class ByNumbers {
         std::ranges::any_of(unused_, [this](const Channel* other) { return is_command(*other); });
     return are_named ? is_command(channel) : !is_named(channel, {Quantity::count});
   }
+  // One wheel that is the speed of the body, or that follows the column of the other side; two wheels whose
+  // names are those of different things.
+  bool contradicts_names(const Assignment& each) const {
+    const auto meaning = [this](const Channel* channel) { return meaning_of(stream_, *channel); };
+    if (each.wheel[1].channel == nullptr) {
+      const NameMeaning wheel = meaning(each.wheel[0].channel);
+      const NamedSide commanded = meaning(each.command[0]).side;
+      const bool is_of_body =
+          is_named(*each.wheel[0].channel,
+                   {Quantity::linear_speed, Quantity::angular_speed, Quantity::travelled, Quantity::turned});
+      return is_of_body || (mapping_.command && mapping_.command->is_of_body()) ||
+             (wheel.side != NamedSide::none && commanded != NamedSide::none && wheel.side != commanded);
+    }
+    return meaning(each.wheel[0].channel).quantity != meaning(each.wheel[1].channel).quantity;
+  }
+
   // The input of a controller is what it measures, beside the setpoint that is the command.
   bool may_be_wheel(const Channel& channel) const {
     const bool is_input = mapping_.command.has_value() && NameWords(channel.name).has("input");
@@ -218,7 +242,9 @@ void map_by_numbers(std::span<const Recording> recordings, const GivenMapping& g
   if (t_s.empty() || (mapping.command && mapping.wheels)) return;
   const bool sides_are_known = mapping.command.has_value() || mapping.wheels.has_value();
   by_numbers.find_motion(t_s);
-  if (mapping.time.column || mapping.time.period_s)
+  const bool may_be_step =
+      !mapping.reference && (!mapping.command || !mapping.command->second) && !mapping.wheels;
+  if (may_be_step && (mapping.time.column || mapping.time.period_s))
     find_step(*stream, t_s, by_numbers.unused_and_no_pose(), given, mapping, findings);
   if (!mapping.command && !mapping.wheels) by_numbers.find_unheld_motion(t_s);
   if (!mapping.reference && mapping.command && mapping.wheels)

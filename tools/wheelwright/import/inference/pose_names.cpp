@@ -37,7 +37,8 @@ bool has_place_to_go(const Stream& stream) {
 }
 
 bool is_heading(const NameWords& words) {
-  return words.has_any({"theta", "yaw", "heading", "psi", "th", "orientation", "hdg", "compass", "bearing"});
+  return words.has_any(
+      {"theta", "yaw", "heading", "psi", "th", "orientation", "hdg", "compass", "bearing", "head"});
 }
 
 // A quaternion, or turns about the axes.

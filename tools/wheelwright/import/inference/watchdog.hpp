@@ -9,9 +9,9 @@
 
 namespace wheelwright::import {
 
-// Where commands that came all the time are missing (command_holes.hpp): sets `command.timeout_s`, with a line
-// in `findings`, to the time that people choose (0.1 to 3 s) by which commands explain the wheels best, if
-// that gains 50 in log-likelihood over commands that hold; puts the zeros into `columns`.
+// Where commands that came all the time are missing (command_holes.hpp): sets `command.timeout_s`, with a
+// line in `findings`, to the time that people choose (0.1 to 3 s) by which commands explain the wheels best,
+// if that gains 50 in log-likelihood over commands that hold; puts the zeros into `columns`.
 void infer_watchdog(DriveColumns& columns, const GivenMapping& given, Mapping& mapping,
                     std::vector<std::string>& findings);
 

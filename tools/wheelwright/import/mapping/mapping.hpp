@@ -51,7 +51,8 @@ struct CommandMapping {
   bool left_reversed = false;                             // a positive number drives the wheel backward
   bool right_reversed = false;
 
-  std::optional<double> timeout_s{};  // without a command for longer the robot stops; absent: it holds the last
+  std::optional<double>
+      timeout_s{};  // without a command for longer the robot stops; absent: it holds the last
 
   bool by_radius = false;     // the two channels are a velocity and the radius of the turn
   bool by_curvature = false;  // the same, with one over the radius

@@ -50,12 +50,41 @@ constexpr std::array angular_table{Unit{"rad/s", 1.0}, Unit{"deg/s", pi / 180.0}
 constexpr std::array distance_table{
     Unit{"m", 1.0},         Unit{"mm", 1e-3},         Unit{"cm", 1e-2},    Unit{"km", 1e3},
     imperial("ft", foot_m), imperial("inch", inch_m), uncommon("dm", 0.1), imperial("yd", 3.0 * foot_m)};
-constexpr std::array angle_table{Unit{"rad", 1.0}, Unit{"deg", pi / 180.0}, Unit{"turn", 2.0 * pi},
-                                 Unit{"mrad", 1e-3}};
+constexpr std::array angle_table{
+    Unit{"rad", 1.0},   Unit{"deg", pi / 180.0},     Unit{"turn", 2.0 * pi},
+    Unit{"mrad", 1e-3}, Unit{"0.1deg", pi / 1800.0}, Unit{"0.01deg", pi / 18000.0}};
 constexpr std::array voltage_table{Unit{"V", 1.0}, Unit{"mV", 1e-3}};
 
 // Lower case, without blanks; how a unit is written beside its standard form.
-constexpr std::array<Spelling, 109> spellings{{{"m/s", "m/s"},
+constexpr std::array<Spelling, 137> spellings{{{"m/s", "m/s"},
+                                               {"rotation", "turn"},
+                                               {"rotations", "turn"},
+                                               {"revs", "turn"},
+                                               {"rotation/s", "turn/s"},
+                                               {"rotations/s", "turn/s"},
+                                               {"turns/s", "turn/s"},
+                                               {"revs/s", "turn/s"},
+                                               {"rev_s", "turn/s"},
+                                               {"turn_s", "turn/s"},
+                                               {"turns_s", "turn/s"},
+                                               {"rotations_s", "turn/s"},
+                                               {"rotationspersecond", "turn/s"},
+                                               {"rotations_per_second", "turn/s"},
+                                               {"rev_per_s", "turn/s"},
+                                               {"turns_per_s", "turn/s"},
+                                               {"ips", "inch/s"},
+                                               {"in_s", "inch/s"},
+                                               {"tps", "counts/s"},
+                                               {"sps", "counts/s"},
+                                               {"steps/s", "counts/s"},
+                                               {"0.1deg", "0.1deg"},
+                                               {"ddeg", "0.1deg"},
+                                               {"decideg", "0.1deg"},
+                                               {"decidegrees", "0.1deg"},
+                                               {"0.01deg", "0.01deg"},
+                                               {"cdeg", "0.01deg"},
+                                               {"centideg", "0.01deg"},
+                                               {"centidegrees", "0.01deg"},
                                                {"mph", "mph"},
                                                {"mi/h", "mph"},
                                                {"dm/s", "dm/s"},

@@ -30,7 +30,7 @@ struct Unit {
 std::span<const Unit> speed_units();
 std::span<const Unit> angular_units();   // rad/s deg/s
 std::span<const Unit> distance_units();  // m mm cm km ft inch dm yd
-std::span<const Unit> angle_units();     // rad deg turn
+std::span<const Unit> angle_units();     // rad deg turn mrad 0.1deg 0.01deg
 std::span<const Unit> voltage_units();   // V mV
 
 // The unit of that name, spelled in any of the usual ways ("m_s", "mps", "meters", "degrees").

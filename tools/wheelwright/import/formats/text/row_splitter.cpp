@@ -1,5 +1,7 @@
 #include "tools/wheelwright/import/formats/text/row_splitter.hpp"
 
+#include <utility>
+
 #include "tools/wheelwright/import/formats/text/line_cursor.hpp"
 
 namespace wheelwright::import {
@@ -65,6 +67,19 @@ void split_at(std::string_view line, char separator, std::vector<std::string_vie
   }
 }
 
+// "[1, 2, 3]" and "(1, 2, 3),": a list or a tuple that was printed.
+std::string_view without_brackets(std::string_view line) {
+  std::string_view row = trim(line);
+  if (row.ends_with(',')) row.remove_suffix(1);
+  for (const auto& [open, close] : {std::pair{'[', ']'}, {'(', ')'}}) {
+    if (row.size() < 2 || row.front() != open || row.back() != close) continue;
+    const std::string_view inside = row.substr(1, row.size() - 2);
+    if (inside.find(open) == std::string_view::npos && inside.find(close) == std::string_view::npos)
+      return inside;
+  }
+  return line;
+}
+
 }  // namespace
 
 void split_row(std::string_view line, const Dialect& dialect, std::vector<std::string_view>& cells) {
@@ -82,6 +97,7 @@ void split_row(std::string_view line, const Dialect& dialect, std::vector<std::s
   if (dialect.separator != ';') {  // the end of a row in a script of MATLAB
     while (!line.empty() && (is_blank(line.back()) || line.back() == ';')) line.remove_suffix(1);
   }
+  line = without_brackets(line);
   if (dialect.separator == ' ') {
     split_at_blanks(line, cells);
   } else if (dialect.separator == '\0') {

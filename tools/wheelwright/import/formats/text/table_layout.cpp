@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "config/load/ascii_text.hpp"
 #include "config/load/printable_text.hpp"
 #include "tools/wheelwright/import/formats/text/header_text.hpp"
 #include "tools/wheelwright/import/formats/text/number_text.hpp"
@@ -111,14 +112,37 @@ class Head {
     std::vector<std::string> names = as_strings(cells);
     if (names.size() + 1 == table_.width && table_.width > 2)
       names.insert(rows_are_named() ? names.begin() : names.end(), std::string());
+    while (names.size() > table_.width && drop_name_without_column(names)) {
+    }
     return names.size() == table_.width ? names : std::vector<std::string>();
   }
 
-  // R leaves out the name above the names of its rows, which are texts or numbers from 1 on.
+  // R leaves out the name above the names of its rows, which are texts or numbers from 1 on; others that
+  // above an index from 0.
   bool rows_are_named() const {
+    if (kinds_.front() == ColumnKind::text) return true;
+    std::size_t row = 0;
     Cells cells;
-    split_row(sample_.head[first_row_].text, table_.dialect, cells);
-    return cells.front() == "1" || kinds_.front() == ColumnKind::text;
+    for (std::size_t i = first_row_; i < sample_.head.size() && row < 3; ++i, ++row) {
+      split_row(sample_.head[i].text, table_.dialect, cells);
+      if (row == 0 && !cells.empty() && cells.front() == "1") return true;
+      if (cells.empty() || cells.front() != std::to_string(row)) return false;
+    }
+    return row == 3;
+  }
+
+  // A note that the rows leave out ("Comment" of LabVIEW), and a version before the names ("v=1").
+  // Whether there was one.
+  static bool drop_name_without_column(std::vector<std::string>& names) {
+    constexpr std::array notes{"",       "comment", "comments", "note",  "notes",
+                               "remark", "remarks", "mark",     "event", "marker"};
+    if (names.front().find('=') != std::string::npos) {
+      names.erase(names.begin());
+      return true;
+    }
+    if (std::ranges::find(notes, config::lower_case(names.back())) == notes.end()) return false;
+    names.pop_back();
+    return true;
   }
 
   // "0.05 sec" in the first row.

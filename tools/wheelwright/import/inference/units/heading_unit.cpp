@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <string>
+#include <tuple>
 
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/conversion/run_repair.hpp"
@@ -25,17 +27,17 @@ void add_turns(const DriveColumns& columns, std::span<const std::size_t> rows, c
   }
 }
 
-// Headings that start again behind a whole turn of 360, and go on evenly elsewhere.
-bool wrap_at_360(const Column& headings) {
-  constexpr double wrap_deg = 300.0;
-  constexpr double even_deg = 60.0;
+// Headings that start again behind a whole turn, and go on evenly elsewhere.
+bool wrap_at(double turn, const Column& headings) {
+  const double wrap = 5.0 / 6.0 * turn;
+  const double even = 1.0 / 6.0 * turn;
   std::size_t wraps = 0;
   double last = nothing;
   for (const double heading : headings) {
     if (!std::isfinite(heading)) continue;
     const double step = std::abs(heading - last);
-    if (step > 360.0 || (step > even_deg && step < wrap_deg)) return false;
-    if (step >= wrap_deg) ++wraps;
+    if (step > turn || (step > even && step < wrap)) return false;
+    if (step >= wrap) ++wraps;
     last = heading;
   }
   return wraps > 0;
@@ -48,9 +50,13 @@ bool infer_heading_unit(const DriveColumns& columns, const GivenMapping& given, 
   if (!mapping.reference || !mapping.reference->theta || columns.theta_rad.empty() ||
       mapping.reference->angle_unit != "rad" || given.says("reference.angle_unit"))
     return false;
-  if (wrap_at_360(columns.theta_rad)) {
-    mapping.reference->angle_unit = "deg";
-    findings.push_back("headings are in degrees: they start again behind 360");
+  for (const auto& [unit, words, turn] : {std::tuple{"deg", "degrees", 360.0},
+                                          {"0.1deg", "tenths of a degree", 3600.0},
+                                          {"0.01deg", "hundredths of a degree", 36000.0}}) {
+    if (!wrap_at(turn, columns.theta_rad)) continue;
+    mapping.reference->angle_unit = unit;
+    findings.push_back(std::string("headings are in ") + words + ": they start again behind " +
+                       config::plain_number(turn));
     return true;
   }
   if (way_source(columns, mapping) != WayBy::commands) return false;

@@ -19,6 +19,17 @@ namespace {
 using config::fixed_number;
 using std::numbers::pi;
 
+struct HeadingUnit {
+  const char* name;
+  const char* words;
+  double degrees;
+};
+
+constexpr std::array heading_units{HeadingUnit{"deg", "degrees", 1.0},
+                                   HeadingUnit{"0.1deg", "tenths of a degree", 0.1},
+                                   HeadingUnit{"0.01deg", "hundredths of a degree", 0.01}};
+constexpr double largest_turn_deg = 150.0;  // between two rows: a larger one starts again behind a turn
+
 class ReferenceUnits {
  public:
   ReferenceUnits(const DriveColumns& columns, const GivenMapping& given,
@@ -30,8 +41,8 @@ class ReferenceUnits {
   void run() {
     const double scale = wheel_scale(*mapping_.wheels).value_or(0.0);
     if (!(scale > 0.0) || columns_.wheel[1].empty() || mapping_.wheels->kind == WheelKind::speed) return;
-    double turn_products = 0.0;
-    double turn_squares = 0.0;
+    std::array<double, 3> turn_products{};
+    std::array<double, 3> turn_squares{};
     double way = 0.0;
     double reference_way = 0.0;
     const TimeRepair time = repair_runs(columns_, mapping_);
@@ -48,9 +59,10 @@ class ReferenceUnits {
         const double turn = (right - left) / *mapping_.wheel_base_m;
         if (!columns_.theta_rad.empty() && std::abs(turn) < 2.0) {
           const double seen = columns_.theta_rad[rows[i]] - columns_.theta_rad[rows[before]];
-          if (std::abs(seen) < 150.0) {
-            turn_products += turn * seen;
-            turn_squares += turn * turn;
+          for (std::size_t k = 0; k < heading_units.size(); ++k) {
+            if (std::abs(seen) >= largest_turn_deg / heading_units[k].degrees) continue;
+            turn_products[k] += turn * seen;
+            turn_squares[k] += turn * turn;
           }
         }
         if (!columns_.x.empty()) {
@@ -61,7 +73,9 @@ class ReferenceUnits {
         before = i;
       }
     }
-    if (turn_squares > 0.0) heading_unit(turn_products / turn_squares);
+    for (std::size_t k = 0; k < heading_units.size(); ++k) {
+      if (turn_squares[k] > 0.0) heading_unit(heading_units[k], turn_products[k] / turn_squares[k]);
+    }
     if (way > 0.0) place_unit(reference_way / way);
   }
 
@@ -79,15 +93,15 @@ class ReferenceUnits {
     return stands(columns_.x) && stands(columns_.y) && stands(columns_.theta_rad);
   }
 
-  void heading_unit(double signed_slope) {
+  void heading_unit(const HeadingUnit& unit, double signed_slope) {
     const double slope = std::abs(signed_slope);
     ReferenceMapping& reference = *mapping_.reference;
     if (!reference.theta || given_.says("reference.angle_unit") || reference.angle_unit != "rad" ||
-        !is_near(slope, 180.0 / pi))
+        !is_near(slope, 180.0 / pi / unit.degrees))
       return;
-    reference.angle_unit = "deg";
-    findings_.push_back("headings are in degrees: they turn " + fixed_number(slope, 1) +
-                        " times as far as the counts in radians");
+    reference.angle_unit = unit.name;
+    findings_.push_back(std::string("headings are in ") + unit.words + ": they turn " +
+                        fixed_number(slope, 1) + " times as far as the counts in radians");
   }
 
   void place_unit(double ratio) {

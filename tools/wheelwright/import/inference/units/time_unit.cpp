@@ -58,6 +58,13 @@ std::optional<double> speed_ratio(std::span<const Recording> recordings, const G
   return std::abs(best.gain) * *scale / unit->in_si;
 }
 
+// Which unit is right if in another the wheels go so many times as fast as commanded.
+struct UnitByWheels {
+  TimeUnit taken;
+  double factor;
+  TimeUnit right;
+};
+
 }  // namespace
 
 void set_time_unit(std::span<const Recording> recordings, const GivenMapping& given, Mapping& mapping,
@@ -78,22 +85,28 @@ void set_time_unit(std::span<const Recording> recordings, const GivenMapping& gi
                      (stated ? ", not in " + std::string(in_words(*stated)) + " as its name says" : ""));
 }
 
-void infer_hundredths(std::span<const Recording> recordings, const GivenMapping& given, Mapping& mapping,
-                      std::vector<std::string>& findings, std::vector<std::string>& doubts) {
+void infer_unit_of_time(std::span<const Recording> recordings, const GivenMapping& given, Mapping& mapping,
+                        std::vector<std::string>& findings, std::vector<std::string>& doubts) {
+  constexpr double fastest_rows_ms = 5.0;  // a step of fewer is of a log that is rarely as fast
   const auto time = mapped_time(recordings, mapping);
-  if (!time || given.says("time.unit") || mapping.time.period_s || mapping.time.unit != TimeUnit::ms ||
+  if (!time || given.says("time.unit") || mapping.time.period_s ||
       time_unit_stated_for(*time->stream, *time->channel))
     return;
-  const double step = step_of_ms_or_cs(time->channel->values);
-  if (!(step > 0.0)) return;
   const double ratio = speed_ratio(recordings, given, mapping).value_or(0.0);
-  if (is_near(ratio, 1.0)) return;
-  if (is_near(ratio, 10.0)) {
-    mapping.time.unit = TimeUnit::cs;
-    findings.push_back("time is in hundredths of a second: in milliseconds the wheels would go " +
-                       plain_number(rounded_gain(ratio)) + " times as fast as commanded");
+  for (const auto& [taken, factor, right] : {UnitByWheels{TimeUnit::ms, 10.0, TimeUnit::cs},
+                                             {TimeUnit::ms, 1e3, TimeUnit::s},
+                                             {TimeUnit::us, 1e3, TimeUnit::ms},
+                                             {TimeUnit::ns, 1e3, TimeUnit::us}}) {
+    if (mapping.time.unit != taken || !is_near(ratio, factor)) continue;
+    mapping.time.unit = right;
+    findings.push_back("time is in " + std::string(in_words(right)) + ": in " + std::string(in_words(taken)) +
+                       " the wheels would go " + plain_number(rounded_gain(ratio)) +
+                       " times as fast as commanded");
     return;
   }
+  const double step = step_of_ms_or_cs(time->channel->values);
+  if (mapping.time.unit != TimeUnit::ms || !(step > 0.0) || step >= fastest_rows_ms || is_near(ratio, 1.0))
+    return;
   doubts.push_back("time goes by " + plain_number(step) +
                    ", which is taken for milliseconds and may be hundredths of a second; say which: --set "
                    "time.unit=ms or time.unit=cs");

@@ -14,9 +14,10 @@ namespace wheelwright::import {
 void set_time_unit(std::span<const Recording> recordings, const GivenMapping& given, Mapping& mapping,
                    std::vector<std::string>& findings);
 
-// Whole numbers of which the steps leave open whether they are milliseconds or hundredths of a second:
-// decided by the wheels, which go as fast as commanded in one of them; a doubt where those say nothing.
-void infer_hundredths(std::span<const Recording> recordings, const GivenMapping& given, Mapping& mapping,
-                      std::vector<std::string>& findings, std::vector<std::string>& doubts);
+// Numbers of which the steps leave open whether they are hundredths of a second, or a unit of a thousand
+// times as much: decided by the wheels, which go as fast as commanded in one of them; a doubt where those say
+// nothing and the rows would be more than 200 a second.
+void infer_unit_of_time(std::span<const Recording> recordings, const GivenMapping& given, Mapping& mapping,
+                        std::vector<std::string>& findings, std::vector<std::string>& doubts);
 
 }  // namespace wheelwright::import

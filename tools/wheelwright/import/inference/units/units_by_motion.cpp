@@ -223,7 +223,8 @@ class UnitFinder {
   void travel_unit() {
     WheelMapping& wheels = *mapping_.wheels;
     if (!wheels.unit_assumed || mapping_.command->is_duty()) return;
-    if (largest(columns_.command[0]) * command_in_si() > fastest_m_s) return angle_unit();
+    const bool may_turn = !wheels.body_motion;  // the way of a body is no angle
+    if (may_turn && largest(columns_.command[0]) * command_in_si() > fastest_m_s) return angle_unit();
     const double metres = command_in_si() / std::abs(gain_);  // of one unit
     for (const Unit& unit : angle_units()) {
       if (!wheels.wheel_radius_m || !is_near(metres, unit.in_si * *wheels.wheel_radius_m)) continue;
@@ -233,7 +234,8 @@ class UnitFinder {
       if (unit.is_found_by_motion() && is_near(metres, unit.in_si))
         return take_travel_unit(WheelKind::distance, unit);
     }
-    if (wheels.kind == WheelKind::distance) take_travel_unit(WheelKind::angle, angle_units().front());
+    if (may_turn && wheels.kind == WheelKind::distance)
+      take_travel_unit(WheelKind::angle, angle_units().front());
   }
 
   // Commands that are in no metres per second: the travel is an angle, and they may be its speed.
@@ -296,8 +298,9 @@ class UnitFinder {
     if (mapping_.wheel_base_m || mapping_.command->kind != CommandKind::twist) return;
     const auto scale = wheel_scale(*mapping_.wheels);
     if (!scale || fits_[1].explained < unit_explained) return;
+    const double angular = in_si(angular_units(), mapping_.command->angular_unit);
     findings_.push_back("turns suggest a wheel base of about " +
-                        fixed_number(std::abs(fits_[1].gain) * *scale, 3) + " m");
+                        fixed_number(std::abs(fits_[1].gain) * *scale / angular, 3) + " m");
   }
 
   const DriveColumns& columns_;

@@ -43,21 +43,24 @@ TEST_CASE("How far a robot went and turned in all, in millimetres and degrees, i
 
 TEST_CASE("A distance and an angle since the row before are summed, as a Create gives them") {
   const ForeignDrive drive = foreign_drive();
-  double last_mm = 0.0;
-  double last_deg = 0.0;
-  const auto outcome =
-      import_text(foreign_text(drive, "t,cmd_left_mm_s,cmd_right_mm_s,distance,angle",
-                               [&](const ForeignRow& row) {
-                                 // Parts of a millimetre or degree are left for the next packet.
-                                 const double mm = std::round(1e3 * forward_m(row) - last_mm);
-                                 const double deg = std::round(degrees * turned_rad(row) - last_deg);
-                                 last_mm += mm;
-                                 last_deg += deg;
-                                 return wheel_commands_of(row) + field(mm) + field(deg);
-                               }),
-                  {body_base});
-  check_same(outcome, drive);
-  CHECK(outcome.understood.mapping.wheels->per_row);
+  for (const char* names : {"cmd_left_mm_s,cmd_right_mm_s", "cmd_left,cmd_right"}) {
+    CAPTURE(names);
+    double last_mm = 0.0;
+    double last_deg = 0.0;
+    const auto outcome =
+        import_text(foreign_text(drive, std::string("t,") + names + ",distance,angle",
+                                 [&](const ForeignRow& row) {
+                                   // Parts of a millimetre or degree are left for the next packet.
+                                   const double mm = std::round(1e3 * forward_m(row) - last_mm);
+                                   const double deg = std::round(degrees * turned_rad(row) - last_deg);
+                                   last_mm += mm;
+                                   last_deg += deg;
+                                   return wheel_commands_of(row) + field(mm) + field(deg);
+                                 }),
+                    {body_base});
+    check_same(outcome, drive);
+    CHECK(outcome.understood.mapping.wheels->per_row);
+  }
 }
 
 TEST_CASE("A turning speed without a unit is in degrees where the robot then turns as commanded") {

@@ -40,3 +40,31 @@ TEST_CASE("Nanoseconds that lost their leading zeros are called so, and nobody i
   REQUIRE_FALSE(outcome.conversion);
   CHECK_THAT(outcome.conversion.error(), ContainsSubstring("without their leading zeros"));
 }
+
+TEST_CASE("Whole seconds that many rows share are seconds") {
+  const ForeignDrive drive = foreign_drive();
+  const auto outcome = import_text(foreign_text(drive, "time,cmd_left,cmd_right,enc_left,enc_right",
+                                                [](const ForeignRow& row) {
+                                                  return std::to_string(static_cast<long>(row.t_s + 1e-9)) +
+                                                         "," + number(row.command_left) + "," +
+                                                         number(row.command_right) + "," + counts(row);
+                                                }),
+                                   {"robot.wheel_base_m=0.3", "wheels.metres_per_count=0.0005"});
+  REQUIRE(outcome.conversion);
+  CHECK_THAT(outcome.conversion->runs.front().samples.back().t_s, WithinAbs(60.0, 1.1));
+}
+
+TEST_CASE("Milliseconds of slow rows are found by how fast the wheels would go otherwise") {
+  const ForeignDrive drive =
+      drive_by([](std::size_t k) { return 0.1 + 0.1 * static_cast<double>(k / 7 % 2); },
+               [](std::size_t k) { return 0.1 + 0.1 * static_cast<double>(k / 11 % 2); }, 400, 1.0);
+  const auto outcome = import_text(foreign_text(drive, "timestamp,cmd_left,cmd_right,enc_left,enc_right",
+                                                [](const ForeignRow& row) {
+                                                  return std::to_string(std::lround(1e3 * row.t_s)) + "," +
+                                                         number(row.command_left) + "," +
+                                                         number(row.command_right) + "," + counts(row);
+                                                }),
+                                   {"robot.wheel_base_m=0.3", "wheels.metres_per_count=0.0005"});
+  CHECK(outcome.understood.mapping.time.unit == import::TimeUnit::ms);
+  CHECK(outcome.found("time is in milliseconds"));
+}

@@ -52,3 +52,15 @@ TEST_CASE(
   const auto straight = import_seen(foreign_drive(), "other", [](const ForeignRow&) { return ",0"; });
   CHECK_FALSE(straight.doubts("opposite ways"));
 }
+
+TEST_CASE("A gyro alone shows it, too, whatever its offset at rest") {
+  const ForeignDrive drive = foreign_drive();
+  double last_rad = 0.0;
+  const auto outcome = import_mirrored(drive, true, ",gyro_z", [&](const ForeignRow& row) {
+    const double rate = (row.theta - last_rad) / 0.05;
+    last_rad = row.theta;
+    return field(rate + 0.03);
+  });
+  check_same(outcome, drive);
+  CHECK(outcome.understood.mapping.command->right_reversed);
+}

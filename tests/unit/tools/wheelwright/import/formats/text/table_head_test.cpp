@@ -103,3 +103,9 @@ TEST_CASE("A header without rows is refused") {
   CHECK_THAT(refusal_of("hello world\nthis is text\n"), ContainsSubstring("hello world"));
   CHECK_THAT(refusal_of("\n\n"), ContainsSubstring("holds nothing"));
 }
+
+TEST_CASE("A name too many is that of a note or a version, and one too few may be that of an index") {
+  CHECK(names_of("t,v,Comment\n1,2\n2,3\n3,4\n") == Names{"t", "v"});
+  CHECK(names_of("v=1,t,v,mark\n1,2\n2,3\n3,4\n") == Names{"t", "v"});
+  CHECK(names_of("t,v\n0,0.5,2\n1,0.6,3\n2,0.7,4\n") == Names{"t", "v"});
+}

@@ -106,3 +106,15 @@ TEST_CASE("Lines without numbers in number columns and endless widths take no me
   CHECK(recording.streams[0].channels.size() == 2);
   CHECK(recording.streams[0].find("v")->values.back() == 4.0);
 }
+
+TEST_CASE("Lists and tuples that were printed are rows") {
+  for (const char* text :
+       {"[0.5, 1, 2]\n[0.6, 2, 3]\n[0.7, 2, 3]\n", "(0.5, 1, 2)\n(0.6, 2, 3)\n(0.7, 2, 3)\n",
+        "[0.5, 1, 2],\n[0.6, 2, 3],\n[0.7, 2, 3],\n"}) {
+    CAPTURE(text);
+    const import::Stream stream = read_text(text).streams.at(0);
+    REQUIRE(stream.channels.size() == 3);
+    CHECK(stream.channels[0].values == std::vector<double>{0.5, 0.6, 0.7});
+    CHECK(stream.channels[2].values == std::vector<double>{2.0, 3.0, 3.0});
+  }
+}
