@@ -12,7 +12,9 @@ namespace wheelwright::gap {
 
 // Amplitude in rad of (right error - left error) / wheel base, with the period that was found in one of the
 // wheels (swing_amplitude.hpp). `at` holds where the readings of that wheel stand, `left` and `right` the
-// tracks of both in the order of the runs. 0 where the two have not been read together.
+// tracks of both in the order of the runs. 0 where the two have not been read together, and where it is no
+// more than the counts of both wheels are coarse, half a count each: at a steady speed their rounding
+// repeats.
 double heading_swing_rad(const FitProblem& problem, const PeriodicResidual& found,
                          std::span<const ResidualTrack* const> left,
                          std::span<const ResidualTrack* const> right,

@@ -134,15 +134,24 @@ std::vector<std::pair<double, double>> folded(std::span<const double> error, std
   return curve;
 }
 
-double shortest_period(std::span<const ResidualTrack* const> tracks, PeriodicResidual::Over over) {
-  if (over == PeriodicResidual::Over::travel) return shortest_period_m;
-  double shortest_s = shortest_period_s;
-  for (const ResidualTrack* track : tracks) {
-    const double readings = static_cast<double>(std::max<std::size_t>(track->time_s.size(), 2) - 1);
-    shortest_s =
-        std::max(shortest_s, shortest_readings * (track->time_s.back() - track->time_s.front()) / readings);
+// Between neighbouring readings, those at the same place left out; of the track that was read least often.
+double usual_step(std::span<const std::vector<double>> at) {
+  double longest = 0.0;
+  for (const auto& positions : at) {
+    std::vector<double> steps;
+    for (std::size_t k = 1; k < positions.size(); ++k) {
+      const double step = std::abs(positions[k] - positions[k - 1]);
+      if (step > 0.0) steps.push_back(step);
+    }
+    if (!steps.empty()) longest = std::max(longest, median(std::move(steps)));
   }
-  return shortest_s;
+  return longest;
+}
+
+// A shorter one would stand for another: coarse counts that are read seldom repeat at many periods.
+double shortest_period(std::span<const std::vector<double>> at, PeriodicResidual::Over over) {
+  return std::max(over == PeriodicResidual::Over::travel ? shortest_period_m : shortest_period_s,
+                  shortest_readings * usual_step(at));
 }
 
 }  // namespace
@@ -151,7 +160,7 @@ std::optional<PeriodicResidual> periodic_residual(std::span<const ResidualTrack*
                                                   std::span<const std::vector<double>> at,
                                                   PeriodicResidual::Over over) {
   if (tracks.empty()) return std::nullopt;
-  const Frequencies frequencies = frequencies_for(at, shortest_period(tracks, over));
+  const Frequencies frequencies = frequencies_for(at, shortest_period(at, over));
   if (frequencies.count == 0) return std::nullopt;
   std::vector<double> power(frequencies.count, 0.0);
   for (std::size_t t = 0; t < tracks.size(); ++t)

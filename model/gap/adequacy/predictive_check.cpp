@@ -35,6 +35,14 @@ std::vector<std::vector<double>> travel_of(const FitProblem& problem, const Trac
   return at;
 }
 
+// A swing of a wheel, from crest to trough, of no more than a count: at a steady speed its rounding repeats.
+bool is_rounding(const FitProblem& problem, const Tracks& tracks, const PeriodicResidual& found) {
+  return std::ranges::any_of(tracks, [&](const ResidualTrack* track) {
+    const WheelPair& tick_m = problem.metres_per_tick(track->run);
+    return 2.0 * found.amplitude <= (track->channel == Channel::left ? tick_m.left : tick_m.right);
+  });
+}
+
 // The residuals of one channel, those of all in `by_channel`.
 std::vector<CheckStatistic> statistics_of(const ChannelWords& of, const FitProblem& problem,
                                           const std::array<Tracks, channel_count>& by_channel,
@@ -51,6 +59,7 @@ std::vector<CheckStatistic> statistics_of(const ChannelWords& of, const FitProbl
     const double heading_rad =
         of_wheel ? heading_swing_rad(problem, *found, tracks_of(Channel::left), tracks_of(Channel::right), at)
                  : 0.0;
+    if (of_wheel && heading_rad == 0.0 && is_rounding(problem, tracks, *found)) return;
     all.push_back(statistic_of(of, *found, heading_rad));
   };
   add_periodic(times_of(tracks), PeriodicResidual::Over::time);

@@ -18,7 +18,6 @@ namespace {
 constexpr double over_usual = 8.0;
 constexpr double faster_m_s = 0.5;  // than the wheels ever turned: no floor moves a robot like that
 constexpr double faster_rad_s = 5.0;
-constexpr std::size_t least_steps = 2;
 
 // From one pose of the reference to the next.
 struct Motion {
@@ -66,6 +65,16 @@ double largest(const std::vector<Motion>& all, double Motion::*what) {
   return (*std::ranges::max_element(all, {}, what)).*what;
 }
 
+void restart_behind(GateState& gate, const Motion& step) {
+  gate.treated_fault(step.row,
+                     "the reference steps once, by " + in_digits(step.beyond_m, 2) + " m and " +
+                         in_digits(step.beyond_rad, 2) +
+                         " rad, where the wheels do not: the robot was pushed, or its reference was",
+                     "what follows starts from there");
+  gate.result.flags.restart[step.row] = 1;
+  gate.result.log.samples[step.row].counter_reset = true;
+}
+
 }  // namespace
 
 void say_reference_steps(GateState& gate) {
@@ -81,7 +90,8 @@ void say_reference_steps(GateState& gate) {
     return (each.beyond_m > large_m && each.speed_m_s > impossible_m_s) ||
            (each.beyond_rad > large_rad && each.turn_rate_rad_s > impossible_rad_s);
   });
-  if (steps.size() < least_steps) return;
+  if (steps.size() == 1) return restart_behind(gate, steps.front());
+  if (steps.empty()) return;
   gate.fault(steps.front().row, "the reference steps " + std::to_string(steps.size()) + " times by up to " +
                                     in_digits(largest(steps, &Motion::beyond_m), 2) + " m and " +
                                     in_digits(largest(steps, &Motion::beyond_rad), 2) +

@@ -40,6 +40,8 @@ class FitProblem {
   FitProblem(std::vector<GapRun> runs, std::vector<WheelPair> metres_per_tick, ParallelFor parallel_for);
 
   const std::vector<GapRun>& runs() const { return runs_; }
+  // Of a run; zero without counts.
+  const WheelPair& metres_per_tick(std::size_t run) const { return metres_per_tick_[run]; }
   bool has_counts() const;
   bool has_motion() const;  // references, near or far
   std::size_t readings() const { return size_; }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/inference/column_names.hpp"
@@ -22,6 +23,7 @@ class FrameFinder {
               Mapping& mapping, std::vector<std::string>& findings, std::vector<std::string>& doubts)
       : recordings_(recordings),
         columns_(columns),
+        given_(given),
         mapping_(mapping),
         reference_(*mapping.reference),
         findings_(findings),
@@ -82,18 +84,23 @@ class FrameFinder {
 
   bool judge_places_alone() {
     if (sense_.places > -sure) return false;
-    if (!is_mirrored()) {
-      doubt_sides("x and y", "y points right of x (--set reference.y_axis=right)");
-      return false;
-    }
+    if (!is_mirrored()) return judge_sides("x and y", "y points right of x (--set reference.y_axis=right)");
     reference_.y_points_right = true;
     findings_.push_back("the places are mirrored, so that y points right of x: they turn against " + robot_);
     return true;
   }
 
-  // Two that agree are right.
-  void doubt_sides(const std::string& what, const std::string& frame) {
+  // Two that agree are right. Sides that nobody names are exchanged.
+  bool judge_sides(const std::string& what, const std::string& frame) {
     const std::string turn = what + " turn right where " + robot_ + " turn left";
+    if (are_sides_open()) {
+      exchange_sides();
+      findings_.push_back(
+          "the right wheel stands first: " + turn +
+          "; or they are of a frame whose y points right, and left and right are exchanged in "
+          "all results");
+      return true;
+    }
     if (twist_sense() < 0.0) {
       doubts_.push_back(turn +
                         ", and so does the angular command: the left and the right wheel are exchanged; "
@@ -101,6 +108,34 @@ class FrameFinder {
     } else {
       doubts_.push_back(turn + ": " + frame + ", or left and right are exchanged");
     }
+    return false;
+  }
+
+  // Motors that are called 1 and 2, or A and B.
+  bool are_sides_open() const {
+    if (!mapping_.wheels || !mapping_.wheels->right || mapping_.wheels->body_motion ||
+        mapping_.wheels->metres_per_count_right || given_.says("wheels.left") || given_.says("command.left"))
+      return false;
+    return side_of(mapping_.wheels->left) == NamedSide::none &&
+           side_of(*mapping_.wheels->right) == NamedSide::none &&
+           (!mapping_.command || mapping_.command->is_of_body() ||
+            side_of(mapping_.command->first) == NamedSide::none);
+  }
+
+  NamedSide side_of(const ChannelName& name) const {
+    const FoundChannel found = find_channel(recordings_, name);
+    return found.channel == nullptr ? NamedSide::none : meaning_of(*found.stream, *found.channel).side;
+  }
+
+  void exchange_sides() {
+    WheelMapping& wheels = *mapping_.wheels;
+    std::swap(wheels.left, *wheels.right);
+    std::swap(wheels.left_reversed, wheels.right_reversed);
+    if (!mapping_.command || mapping_.command->is_of_body() || !mapping_.command->second) return;
+    CommandMapping& command = *mapping_.command;
+    std::swap(command.first, *command.second);
+    std::swap(command.left_reversed, command.right_reversed);
+    std::swap(command.direction[0], command.direction[1]);
   }
 
   bool judge_poses() {
@@ -128,12 +163,10 @@ class FrameFinder {
   }
 
   bool judge_frame_below() {
-    if (!is_mirrored()) {
-      doubt_sides("x, y and heading",
-                  "in a frame whose z points down, --set reference.heading=clockwise --set "
-                  "reference.y_axis=right");
-      return false;
-    }
+    if (!is_mirrored())
+      return judge_sides("x, y and heading",
+                         "in a frame whose z points down, --set reference.heading=clockwise --set "
+                         "reference.y_axis=right");
     reference_.y_points_right = true;
     reference_.clockwise = true;
     findings_.push_back(
@@ -167,6 +200,7 @@ class FrameFinder {
 
   std::span<const Recording> recordings_;
   const DriveColumns& columns_;
+  const GivenMapping& given_;
   Mapping& mapping_;
   ReferenceMapping& reference_;
   std::vector<std::string>& findings_;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,18 @@ TEST_CASE("A reference that steps to places where the wheels did not go is said,
   const auto said = steps_said(runs);
   REQUIRE(said.size() == 1);
   CHECK(said.front().find("steps 3 times by up to 0.04") != std::string::npos);
+}
+
+TEST_CASE("A robot that is pushed once while it drives is said, and the free run starts again behind it") {
+  auto runs = runs_hiding("clean");
+  constexpr std::size_t pushed_row = 900;
+  match_map_again(runs.front(), pushed_row, 0.06);
+  const auto said = steps_said(runs);
+  REQUIRE(said.size() == 1);
+  CHECK(said.front().find("once, by 0.0") != std::string::npos);
+  const auto gated = gate_together(runs);
+  CHECK(std::ranges::count(gated.front().flags.restart, 1) == 1);
+  CHECK(std::ranges::count(gated.back().flags.restart, 1) == 0);
 }
 
 TEST_CASE("No motion that a robot can make beyond its wheels is a step of its reference") {

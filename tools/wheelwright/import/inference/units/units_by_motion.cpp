@@ -282,7 +282,8 @@ class UnitFinder {
     }
     doubts_.push_back(
         turn < 0.0
-            ? std::string("the robot turns against its commands: its angular command is clockwise, or the "
+            ? std::string("the robot turns against its commands: its angular command is clockwise (--set "
+                          "command.reversed=right), or the "
                           "sides are swapped")
             : "the robot turns " + plain_number(rounded_gain(turn)) +
                   " times as far as commanded: check the unit of the angular command and the wheel base");

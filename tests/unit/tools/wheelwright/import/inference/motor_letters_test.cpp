@@ -79,3 +79,17 @@ TEST_CASE("One wheel that is found by its motion beside columns of another is do
                                    {});
   CHECK(outcome.doubts("one wheel alone is read"));
 }
+
+TEST_CASE("Of motors that no name tells apart the reference shows which is the left one") {
+  const ForeignDrive drive = foreign_drive();
+  const auto outcome = import_text(
+      foreign_text(drive, "t,pwmA,pwmB,encA,encB,x,y,theta",
+                   [](const ForeignRow& row) {
+                     return number(row.t_s) + percent(row.command_right) + percent(row.command_left) + "," +
+                            std::to_string(row.counts_right) + "," + std::to_string(row.counts_left) +
+                            field(row.x) + field(row.y) + field(row.theta);
+                   }),
+      motor_settings);
+  check_same(outcome, drive);
+  CHECK(outcome.found("the right wheel stands first"));
+}
