@@ -84,6 +84,13 @@ std::vector<double> unsteady_rows(const DriveLog& log) {
   return unsteady_periods(commands_m_s, duration_s / static_cast<double>(log.samples.size() - 1));
 }
 
+// How far from the middle of a count a run begins, in counts: nobody knows, and at worst it is its edge, as
+// of a simulation that counts whole steps from 0.
+double start_within_count(std::mt19937_64& random) {
+  constexpr double edge = 0.499;
+  return std::bernoulli_distribution(0.5)(random) ? edge : -edge;
+}
+
 // A log in which the model's own motion, with noise, stands in the place of what was measured.
 DriveLog with_noise(const std::vector<PredictedMotion>& motion, const DriveLog& log, const NoiseModel& noise,
                     std::mt19937_64& random) {
@@ -98,6 +105,7 @@ DriveLog with_noise(const std::vector<PredictedMotion>& motion, const DriveLog& 
   Tracker theta(of(noise, Channel::turn), random);
   const std::vector<double> unsteady = unsteady_rows(log);
   Pose pose = motion.front().pose;
+  const WheelPair start{start_within_count(random), start_within_count(random)};
   for (std::size_t i = 0; i < motion.size(); ++i) {
     if (i > 0) {
       const double duration = motion[i].t_s - motion[i - 1].t_s;
@@ -119,10 +127,10 @@ DriveLog with_noise(const std::vector<PredictedMotion>& motion, const DriveLog& 
     DriveSample& sample = noisy.samples[i];
     if (sample.ticks) {
       const WheelPair& tick = *log.metres_per_tick;
-      sample.ticks->left =
-          std::llround((motion[i].distance_m.left + left.at() + left.reading(tick.left)) / tick.left);
-      sample.ticks->right =
-          std::llround((motion[i].distance_m.right + right.at() + right.reading(tick.right)) / tick.right);
+      sample.ticks->left = std::llround(
+          (motion[i].distance_m.left + left.at() + left.reading(tick.left)) / tick.left + start.left);
+      sample.ticks->right = std::llround(
+          (motion[i].distance_m.right + right.at() + right.reading(tick.right)) / tick.right + start.right);
     }
     if (sample.reference_x_m) sample.reference_x_m = pose.x_m + x.error();
     if (sample.reference_y_m) sample.reference_y_m = pose.y_m + y.error();

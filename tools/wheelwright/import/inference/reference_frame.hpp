@@ -19,8 +19,9 @@ namespace wheelwright::import {
 // against the motion, stand beside a y axis that points right, or x and y that are exchanged. Headings and
 // motion against the robot may be either both, as in a frame whose z points down, or sides that are
 // exchanged. It is the former where two others agree (the wheels with an angular command or a gyro), and
-// where nothing says which of both the frame is (an image, a tracker whose y points up); else sides that no name
-// tells (motors 1 and 2) are exchanged, and others are a line in `doubts`. Places to the north and east are in a known frame: against the robot they are a doubt.
+// where nothing says which of both the frame is (an image, a tracker whose y points up); else sides that no
+// name tells (motors 1 and 2) are exchanged, and others are a line in `doubts`. Places to the north and east
+// are in a known frame: against the robot they are a doubt.
 bool infer_reference_frame(std::span<const Recording> recordings, const DriveColumns& columns,
                            const GivenMapping& given, Mapping& mapping, std::vector<std::string>& findings,
                            std::vector<std::string>& doubts);
