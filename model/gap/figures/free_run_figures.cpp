@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/gap/data_checks/encoder_dropout.hpp"
+#include "model/gap/figures/visible_error.hpp"
 #include "model/gap/noise/steadiness.hpp"
 #include "model/prediction/free_run.hpp"
 #include "model/prediction/open_loop_runs.hpp"
@@ -85,9 +86,11 @@ std::vector<double> unsteady_rows(const DriveLog& log) {
 }
 
 // How far from the middle of a count a run begins, in counts: nobody knows, and at worst it is its edge, as
-// of a simulation that counts whole steps from 0.
-double start_within_count(std::mt19937_64& random) {
+// of a simulation that counts whole steps from 0. Of counts that are finer than what is visible it does not
+// matter.
+double start_within_count(double tick_m, std::mt19937_64& random) {
   constexpr double edge = 0.499;
+  if (tick_m < visible_travel_m) return 0.0;
   return std::bernoulli_distribution(0.5)(random) ? edge : -edge;
 }
 
@@ -105,7 +108,8 @@ DriveLog with_noise(const std::vector<PredictedMotion>& motion, const DriveLog& 
   Tracker theta(of(noise, Channel::turn), random);
   const std::vector<double> unsteady = unsteady_rows(log);
   Pose pose = motion.front().pose;
-  const WheelPair start{start_within_count(random), start_within_count(random)};
+  const WheelPair count_m = log.metres_per_tick.value_or(WheelPair{});
+  const WheelPair start{start_within_count(count_m.left, random), start_within_count(count_m.right, random)};
   for (std::size_t i = 0; i < motion.size(); ++i) {
     if (i > 0) {
       const double duration = motion[i].t_s - motion[i - 1].t_s;

@@ -37,7 +37,8 @@ bool holds_bodies(const Recording& recording) {
 double agreement(std::vector<Recording> recordings, std::size_t at, std::size_t body,
                  const GivenMapping& given) {
   Stream only = std::move(recordings[at].streams[body]);
-  recordings[at].streams.assign(1, std::move(only));
+  recordings[at].streams.clear();
+  recordings[at].streams.push_back(std::move(only));
   const Inference inference = infer_mapping(recordings, given);
   const Mapping mapping = to_mapping(inference.entries, recordings[at].name);
   if (!mapping.reference || !mapping.reference->x || (!mapping.wheels && !mapping.command)) return 0.0;
@@ -65,7 +66,8 @@ std::optional<std::string> choose_among_bodies(std::vector<Recording>& recording
   std::string line = "of " + std::to_string(agreements.size()) + " bodies in " + found->name + ", '" +
                      config::excerpt(only.name) + "' moves as the robot does (correlation " +
                      config::fixed_number(*best, 2) + "; the next one " + config::fixed_number(next, 2) + ")";
-  found->streams.assign(1, std::move(only));
+  found->streams.clear();
+  found->streams.push_back(std::move(only));
   return line;
 }
 

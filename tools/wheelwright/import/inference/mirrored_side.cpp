@@ -142,7 +142,7 @@ bool infer_mirrored_side(const DriveColumns& columns, const GivenMapping& given,
 
 void doubt_mirrored_side(const DriveColumns& columns, const Mapping& mapping,
                          std::vector<std::string>& doubts) {
-  constexpr double turning_by_going = 4.0;
+  constexpr double turning_by_going = 2.0;
   if (!mapping.command || mapping.command->is_of_body() || mapping.reference || columns.command[1].empty() ||
       mapping.command->left_reversed || mapping.command->right_reversed)
     return;
@@ -157,7 +157,7 @@ void doubt_mirrored_side(const DriveColumns& columns, const Mapping& mapping,
   }
   if (turning <= turning_by_going * going) return;
   doubts.emplace_back(
-      "the wheels are sent opposite ways nearly all the time, so that the robot turns on the spot; if one "
+      "the wheels are sent opposite ways most of the time, so that the robot would turn on the spot; if one "
       "motor is mounted the other way round: --set command.reversed=right --set wheels.reversed=right");
 }
 

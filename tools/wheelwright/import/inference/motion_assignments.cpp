@@ -237,7 +237,8 @@ bool commands_lead(const Assignment& assignment, const std::vector<double>& t_s,
   if (assignment.kind == CommandKind::twist) motion = of_body(motion[0], motion[1]);
   for (std::size_t k = 0; k < 2; ++k) {
     const Channel* command = assignment.command[k] != nullptr ? assignment.command[k] : assignment.command[0];
-    if (!motion[k].empty() && rows_behind(motion[k], command->values) < least_rows) return false;
+    if (command != nullptr && !motion[k].empty() && rows_behind(motion[k], command->values) < least_rows)
+      return false;
   }
   return true;
 }

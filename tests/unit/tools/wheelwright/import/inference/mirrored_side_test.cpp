@@ -40,8 +40,7 @@ TEST_CASE("Headings alone show which motor is mounted the other way round, in de
   }
 }
 
-TEST_CASE(
-    "Without a reference a robot that is sent in circles nearly all the time is doubted, and not turned") {
+TEST_CASE("Without a reference a robot that is sent in circles most of the time is doubted, and not turned") {
   const auto nothing_seen = [](const ForeignRow&) { return std::string(); };
   const auto mirrored =
       import_mirrored(drive_by([](std::size_t k) { return 0.1 + 0.1 * static_cast<double>(k / 40 % 2); },
