@@ -80,7 +80,8 @@ class ByNames {
                : quantity == Quantity::speed ? named.meaning.unit.empty()
                                              : false;
       };
-      std::ranges::stable_partition(list, [&](const Named& named) { return !is_second_choice(named); });
+      std::stable_partition(list.begin(), list.end(),
+                            [&](const Named& named) { return !is_second_choice(named); });
       return list;
     };
     return NamedChannels::pair(of_side(NamedSide::left), of_side(NamedSide::right), findings_);

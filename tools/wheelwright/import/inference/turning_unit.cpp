@@ -10,6 +10,7 @@
 #include "tools/wheelwright/import/inference/response_fit.hpp"
 #include "tools/wheelwright/import/inference/response_rows.hpp"
 #include "tools/wheelwright/import/inference/units/gain_units.hpp"
+#include "tools/wheelwright/import/inference/wheel_directions.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {
