@@ -138,8 +138,24 @@ void LogThread::note_faults(const PoseRecord& record) {
 }
 
 void LogThread::tell(const roomba::Event& event) {
-  tell_of_link(event);
-  tell_of_drive(event);
+  using roomba::EventCode;
+  switch (event.code) {  // all of them, so that the compiler names one that is forgotten
+    case EventCode::port_opened:
+    case EventCode::robot_answers:
+    case EventCode::link_lost:
+    case EventCode::robot_text:
+    case EventCode::checksum_rule:
+    case EventCode::counts_stuck:
+    case EventCode::stream_period:
+      return tell_of_link(event);
+    case EventCode::armed:
+    case EventCode::arm_refused:
+    case EventCode::arm_needless:
+    case EventCode::stopped:
+    case EventCode::overrun:
+    case EventCode::moves_unarmed:
+      return tell_of_drive(event);
+  }
 }
 
 void LogThread::tell_of_link(const roomba::Event& event) {

@@ -275,7 +275,7 @@ std::vector<GatedLog> gate_together(std::span<const DriveLog> logs) {
     check_reference(state);
     check_gyro(state);
     mark_counter_reset(state.result);
-    say_reference_steps(state);
+    treat_reference_steps(state);
     gated.push_back(std::move(state.result));
   }
   note_smoothing(gated);

@@ -77,7 +77,7 @@ void restart_behind(GateState& gate, const Motion& step) {
 
 }  // namespace
 
-void say_reference_steps(GateState& gate) {
+void treat_reference_steps(GateState& gate) {
   if (!gate.result.log.has_ticks()) return;
   const std::vector<Motion> all = motions(gate.result.log);
   if (all.empty()) return;

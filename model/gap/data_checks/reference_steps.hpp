@@ -11,6 +11,6 @@ namespace wheelwright::gap {
 // in the run. Of several steps nothing is done about them: between them such a reference follows the counts,
 // so that they hold what the counts miss. Behind a single one, as where somebody runs into the robot, the
 // free run starts again.
-void say_reference_steps(GateState& gate);
+void treat_reference_steps(GateState& gate);
 
 }  // namespace wheelwright::gap

@@ -89,7 +89,7 @@ std::vector<double> unsteady_rows(const DriveLog& log) {
 // of a simulation that counts whole steps from 0. Of counts that are finer than what is visible it does not
 // matter.
 double start_within_count(double tick_m, std::mt19937_64& random) {
-  constexpr double edge = 0.499;
+  const double edge = std::nextafter(0.5, 0.0);  // the first count stays 0
   if (tick_m < visible_travel_m) return 0.0;
   return std::bernoulli_distribution(0.5)(random) ? edge : -edge;
 }

@@ -43,13 +43,21 @@ struct HalfBridge {
   Channel* size;
 };
 
-void join(const HalfBridge& bridge, const std::string& name) {
-  const bool has_size = bridge.size != nullptr && are_bits(*bridge.forward) && are_bits(*bridge.backward);
+bool has_size(const HalfBridge& bridge) {
+  return bridge.size != nullptr && are_bits(*bridge.forward) && are_bits(*bridge.backward);
+}
+
+// The names of the channels that are in the first one from then on.
+std::vector<std::string> join(const HalfBridge& bridge, const std::string& name) {
+  const Channel* size = has_size(bridge) ? bridge.size : nullptr;
   for (std::size_t row = 0; row < bridge.forward->values.size(); ++row) {
     const double sign = bridge.forward->values[row] - bridge.backward->values[row];
-    bridge.forward->values[row] = has_size ? sign * bridge.size->values[row] : sign;
+    bridge.forward->values[row] = size != nullptr ? sign * size->values[row] : sign;
   }
   bridge.forward->name = name;
+  std::vector<std::string> joined{bridge.backward->name};
+  if (size != nullptr) joined.push_back(size->name);
+  return joined;
 }
 
 }  // namespace
@@ -66,10 +74,8 @@ bool join_half_bridges(Stream& stream) {
   if (!are_there) return false;
   std::vector<std::string> joined;
   for (std::size_t motor = 0; motor < bridges.size(); ++motor) {
-    const HalfBridge& bridge = bridges[motor];
-    joined.push_back(bridge.backward->name);
-    if (bridge.size != nullptr && are_bits(*bridge.forward)) joined.push_back(bridge.size->name);
-    join(bridge, "pwm_" + std::to_string(motor + 1));
+    const auto names = join(bridges[motor], "pwm_" + std::to_string(motor + 1));
+    joined.insert(joined.end(), names.begin(), names.end());
   }
   std::erase_if(stream.channels, [&](const Channel& channel) {
     return std::ranges::find(joined, channel.name) != joined.end();

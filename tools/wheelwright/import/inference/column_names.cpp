@@ -169,6 +169,13 @@ bool is_motor_alone(const NameWords& words) {
          words.has_any({"a", "b", "0", "1", "2"});
 }
 
+// A distance to a wall, and the angle of what looks at it.
+bool is_of_a_sensor(const NameWords& words) {
+  return words.has_any({"sonar", "ultrasonic", "ultrasound", "us", "lidar", "laser", "range", "sensor",
+                        "scan", "servo", "obstacle", "wall", "tof", "ir", "steer", "steering", "front",
+                        "camera"});
+}
+
 Quantity of_body(const Name& name) {
   const NameWords& words = name.words;
   const auto last = words.last();
@@ -206,9 +213,10 @@ Quantity of_body(const Name& name) {
   if (words.has("radius") && !words.has_any({"wheel", "wheels"})) return Quantity::radius;
   if (words.has_any({"encoder", "enc", "ticks", "counts", "tick", "count", "tachometer", "tacho"}))
     return words.has_any({"abs", "diff"}) ? Quantity::unknown : Quantity::count;
-  if (!name.is_command && words.has_any({"distance", "dist", "travel", "travelled", "odometer"}))
-    return Quantity::travelled;
-  if (!name.is_command && words.has_any({"angle", "turned"})) return Quantity::turned;
+  if (!name.is_command && !is_of_a_sensor(words)) {
+    if (words.has_any({"distance", "dist", "travel", "travelled", "odometer"})) return Quantity::travelled;
+    if (words.has_any({"angle", "turned"})) return Quantity::turned;
+  }
   return name.is_command ? Quantity::command : Quantity::unknown;
 }
 

@@ -18,7 +18,8 @@ namespace {
 bool may_be_replaced(const GivenMapping& given, const Mapping& mapping) {
   if (!mapping.command) return true;
   return mapping.command->kind == CommandKind::duty && !given.says("command.left") &&
-         !given.says("command.kind") && !given.says("command.full_scale_m_s");
+         !given.says("command.kind") && !given.says("command.full_scale") &&
+         !given.says("command.full_scale_m_s");
 }
 
 // How much of way and turn is explained; 0 where they do not come behind the command. Commands stand at the

@@ -14,11 +14,24 @@ namespace {
 constexpr double coarse_period_s = 0.02;
 constexpr double wheel_base_m = 0.25;
 
-// A first-order lag of 0.15 s without any fault, counted in steps; speeds up to 0.4 m/s, held for seconds.
-DriveLog lagging_run(double tick_m, unsigned seed) {
-  std::mt19937 random(seed);
+using Draw = WheelPair (*)(std::mt19937&);
+
+WheelPair any_speeds(std::mt19937& random) {
   std::uniform_real_distribution<double> speed_m_s(-0.1, 0.4);
-  std::uniform_real_distribution<double> held_s(2.0, 5.0);
+  return {speed_m_s(random), speed_m_s(random)};
+}
+
+// Straight on and turns in place.
+WheelPair few_speeds(std::mt19937& random) {
+  constexpr double speeds_m_s[] = {0.36, 0.18, -0.36, 0.0};
+  const double speed_m_s = speeds_m_s[random() % 4];
+  return {speed_m_s, random() % 10 < 7 ? speed_m_s : -speed_m_s};
+}
+
+// A first-order lag of 0.15 s without any fault, counted in steps; speeds are held for seconds.
+DriveLog lagging_run(double tick_m, unsigned seed, Draw draw) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> held_s(3.0, 6.0);
   DriveLog log;
   log.name = "run" + std::to_string(seed);
   log.wheel_base_m = wheel_base_m;
@@ -30,7 +43,7 @@ DriveLog lagging_run(double tick_m, unsigned seed) {
   for (int k = 0; k < 3000; ++k) {
     const double t_s = coarse_period_s * k;
     if (t_s >= until_s) {
-      command = {speed_m_s(random), speed_m_s(random)};
+      command = draw(random);
       until_s = t_s + held_s(random);
     }
     DriveSample sample;
@@ -52,13 +65,18 @@ DriveLog lagging_run(double tick_m, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("Coarse counts of a sound robot swing at no period of travel") {
-  for (const double tick_m : {0.0003, 0.006, 0.01}) {
+TEST_CASE("Coarse counts of a sound robot are no gap, at speeds of any kind or at a few") {
+  struct Case {
+    double tick_m;
+    Draw draw;
+  };
+  for (const auto& [tick_m, draw] : {Case{0.0003, any_speeds}, Case{0.006, any_speeds},
+                                     Case{0.01, any_speeds}, Case{0.00578, few_speeds}}) {
     CAPTURE(tick_m);
     std::vector<DriveLog> train;
     std::vector<DriveLog> test;
     for (unsigned seed = 1; seed <= 5; ++seed)
-      (seed <= 3 ? train : test).push_back(lagging_run(tick_m, seed));
+      (seed <= 3 ? train : test).push_back(lagging_run(tick_m, seed, draw));
     const auto analysis = analyse_gap(train, test, {}, serial_for, [](const std::string&, double) {});
     REQUIRE(analysis);
     INFO(analysis->summary);

@@ -57,9 +57,8 @@ double variation(const std::vector<double>& values, const std::vector<double>* l
 
 // What a number may stand for: "tag_id", "robot", "id".
 bool names_a_thing(const std::string& name) {
-  constexpr std::array<std::string_view, 12> words{"id",    "tag",       "marker", "robot",
-                                                   "body",  "rigidbody", "track",  "object",
-                                                   "agent", "vehicle",   "target", "node"};
+  constexpr std::array<std::string_view, 10> words{"id",        "tag",   "marker", "robot", "body",
+                                                   "rigidbody", "track", "object", "agent", "vehicle"};
   const std::string lower = lower_case(name);
   return std::ranges::any_of(words, [&](std::string_view word) {
     return lower == word || lower.ends_with("_" + std::string(word)) ||

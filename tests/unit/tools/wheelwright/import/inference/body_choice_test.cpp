@@ -75,3 +75,19 @@ TEST_CASE(
       import_seen(drive, "track_id", [&k](const ForeignRow&) { return "," + std::to_string(k++ % 3); });
   check_same(one, drive);
 }
+
+TEST_CASE("Targets in whole numbers that change all the time part no rows, though what follows them jumps") {
+  const ForeignDrive drive = joystick_drive();
+  const auto outcome =
+      import_text(foreign_text(drive, "t,left_target,right_target,encL,encR,left_pwm",
+                               [](const ForeignRow& row) {
+                                 const double target = std::round(100.0 * row.command_left);
+                                 return number(row.t_s) + "," + std::to_string(std::lround(target)) + "," +
+                                        std::to_string(std::lround(100.0 * row.command_right)) + "," +
+                                        counts(row) + field(17.0 * target);
+                               }),
+                  {"robot.wheel_base_m=0.3", "wheels.metres_per_count=0.0005", "command.unit=cm/s"});
+  REQUIRE(outcome.conversion);
+  CHECK(outcome.conversion->runs.front().samples.size() == drive.rows.size());
+  CHECK(outcome.understood.recordings.front().streams.size() == 1);
+}

@@ -105,3 +105,16 @@ TEST_CASE("The unit of a turning motion can be stated") {
                    "wheels.angular_unit=mrad"});
   check_same(outcome, drive);
 }
+
+TEST_CASE("The distance to a wall and the angle of what looks at it are no motion of the body") {
+  const ForeignDrive drive = foreign_drive();
+  const auto outcome = import_text(foreign_text(drive, "t,cmd_v,cmd_w,sonar_distance_cm,servo_angle",
+                                                [](const ForeignRow& row) {
+                                                  return number(row.t_s) + field(row.linear()) +
+                                                         field(row.angular(ForeignDrive::base_m)) +
+                                                         field(std::round(80.0 + 40.0 * std::sin(row.t_s))) +
+                                                         field(std::round(90.0 + 80.0 * std::cos(row.t_s)));
+                                                }),
+                                   {body_base});
+  CHECK_FALSE(outcome.understood.mapping.wheels);
+}
