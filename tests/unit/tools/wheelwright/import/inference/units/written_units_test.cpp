@@ -33,8 +33,9 @@ ImportOutcome import_travel(const ForeignDrive& drive, const std::string& names,
 
 TEST_CASE("Turns of a wheel are turns by any of their names, and inches are inches") {
   const ForeignDrive drive = foreign_drive();
-  for (const char* names : {"leftPositionRotations,rightPositionRotations", "left_pos_rev,right_pos_rev",
-                            "left_revs,right_revs", "left_turns,right_turns"}) {
+  for (const char* names :
+       {"leftPositionRotations,rightPositionRotations", "left_pos_rev,right_pos_rev", "left_revs,right_revs",
+        "left_turns,right_turns", "axis0.encoder.pos_estimate,axis1.encoder.pos_estimate"}) {
     CAPTURE(names);
     check_same(import_travel(drive, names, turn_m, {"wheels.wheel_radius_m=0.04"}), drive);
   }
