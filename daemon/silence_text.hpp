@@ -5,7 +5,7 @@
 #include <string>
 
 #include "drivers/roomba/silence.hpp"
-#include "model/simulation/sensor_period.hpp"
+#include "model/geometry/sensor_period.hpp"
 
 namespace wheelwright::daemon {
 

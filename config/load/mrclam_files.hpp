@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "model/geometry/sensor_period.hpp"
 #include "model/log/drive_log.hpp"
-#include "model/simulation/sensor_period.hpp"
 
 namespace wheelwright::config {
 

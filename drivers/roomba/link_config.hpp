@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cstdint>
 
-#include "model/simulation/sensor_period.hpp"
+#include "model/geometry/sensor_period.hpp"
 
 namespace wheelwright::roomba {
 

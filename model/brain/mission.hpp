@@ -9,9 +9,9 @@
 #include "model/brain/commanded_drive.hpp"
 #include "model/calibration/encoder_scale_fit.hpp"
 #include "model/geometry/pose.hpp"
+#include "model/geometry/sensor_period.hpp"
 #include "model/route/route.hpp"
 #include "model/route/route_follower.hpp"
-#include "model/simulation/sensor_period.hpp"
 
 namespace wheelwright {
 

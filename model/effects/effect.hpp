@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "model/geometry/pose.hpp"
-#include "model/simulation/sensor_period.hpp"
+#include "model/geometry/sensor_period.hpp"
 
 namespace wheelwright {
 

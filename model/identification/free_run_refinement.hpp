@@ -18,13 +18,13 @@
 #include <optional>
 #include <span>
 
+#include "model/geometry/sensor_period.hpp"
 #include "model/geometry/wheel_side.hpp"
 #include "model/identification/arma_layout.hpp"
 #include "model/identification/least_squares_solution.hpp"
 #include "model/identification/response_prior.hpp"
 #include "model/identification/travel_runs.hpp"
 #include "model/identification/travel_whitener.hpp"
-#include "model/simulation/sensor_period.hpp"
 
 namespace wheelwright {
 

@@ -10,9 +10,9 @@
 #include <cstddef>
 
 #include "model/geometry/pose.hpp"
+#include "model/geometry/sensor_period.hpp"
 #include "model/route/route.hpp"
 #include "model/simulation/drive_limits.hpp"
-#include "model/simulation/sensor_period.hpp"
 
 namespace wheelwright {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tests/fuzz/fuzz_input.hpp"
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::fuzz {
 

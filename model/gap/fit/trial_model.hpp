@@ -9,10 +9,10 @@
 #include <Eigen/Core>
 
 #include "model/effects/effect.hpp"
+#include "model/geometry/sensor_period.hpp"
 #include "model/geometry/wheel_side.hpp"
 #include "model/simulation/linear_model.hpp"
 #include "model/simulation/model_simulation.hpp"
-#include "model/simulation/sensor_period.hpp"
 
 namespace wheelwright::gap {
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "config/load/text_format.hpp"
+#include "tools/wheelwright/import/columns/column_names.hpp"
 #include "tools/wheelwright/import/conversion/clock_shift.hpp"
 #include "tools/wheelwright/import/conversion/simulated_time.hpp"
 #include "tools/wheelwright/import/files_of_folder.hpp"
 #include "tools/wheelwright/import/inference/body_choice.hpp"
-#include "tools/wheelwright/import/inference/column_names.hpp"
 #include "tools/wheelwright/import/inference/metadata_roles.hpp"
 #include "tools/wheelwright/import/mapping/mapping_file.hpp"
 #include "tools/wheelwright/import/open_recording.hpp"

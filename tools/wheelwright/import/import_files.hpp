@@ -10,7 +10,7 @@
 #include "tools/wheelwright/import/conversion/convert.hpp"
 #include "tools/wheelwright/import/inference/infer_mapping.hpp"
 #include "tools/wheelwright/import/mapping/given_mapping.hpp"
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::import {
 

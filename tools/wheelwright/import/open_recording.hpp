@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::import {
 

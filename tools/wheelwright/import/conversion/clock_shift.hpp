@@ -6,7 +6,7 @@
 #include <tl/expected.hpp>
 
 #include "tools/wheelwright/import/mapping/mapping.hpp"
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::import {
 

@@ -22,7 +22,7 @@
 #include "tools/wheelwright/import/conversion/time_units.hpp"
 #include "tools/wheelwright/import/conversion/wheel_command.hpp"
 #include "tools/wheelwright/import/conversion/wrapped_angles.hpp"
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::import {
 namespace {

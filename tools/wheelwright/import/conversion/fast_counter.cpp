@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::import {
 namespace {

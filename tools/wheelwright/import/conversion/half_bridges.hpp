@@ -1,7 +1,7 @@
 // Commands of a motor driver with two inputs for each motor, one forward and one backward (L298N, TB6612).
 #pragma once
 
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::import {
 

@@ -6,7 +6,7 @@
 
 #include "model/statistics/order_statistics.hpp"
 #include "tools/wheelwright/import/conversion/clock_sessions.hpp"
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::import {
 namespace {

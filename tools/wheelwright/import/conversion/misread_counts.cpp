@@ -8,7 +8,7 @@
 #include "config/load/text_format.hpp"
 #include "model/statistics/order_statistics.hpp"
 #include "tools/wheelwright/import/conversion/counts.hpp"
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::import {
 namespace {

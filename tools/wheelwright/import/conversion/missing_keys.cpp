@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "config/load/ascii_text.hpp"
+#include "tools/wheelwright/import/columns/name_words.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
-#include "tools/wheelwright/import/inference/units/register_units.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {
@@ -13,7 +13,7 @@ namespace {
 
 void add_wheel_keys(const WheelMapping& wheels, std::vector<MissingKey>& missing) {
   if (wheels.kind == WheelKind::speed && wheels.unit.empty()) {
-    missing.push_back({"the unit of the wheel speeds", names_a_register(wheels.left)
+    missing.push_back({"the unit of the wheel speeds", names_a_register(wheels.left.channel)
                                                            ? "command.unit=0.229rpm wheels.unit=0.229rpm"
                                                            : "wheels.unit=mm/s"});
     return;

@@ -2,7 +2,7 @@
 // said by the stamps of the messages, and not by when they were recorded.
 #pragma once
 
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::import {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "tools/wheelwright/import/inference/column_names.hpp"
-#include "tools/wheelwright/import/inference/column_shapes.hpp"
-#include "tools/wheelwright/import/inference/name_words.hpp"
+#include "tools/wheelwright/import/columns/column_names.hpp"
+#include "tools/wheelwright/import/columns/column_shapes.hpp"
+#include "tools/wheelwright/import/columns/name_words.hpp"
 
 namespace wheelwright::import {
 namespace {

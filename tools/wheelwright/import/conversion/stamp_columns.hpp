@@ -1,7 +1,7 @@
 // Columns of a table that hold a time in parts.
 #pragma once
 
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::import {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tools/wheelwright/import/mapping/mapping.hpp"
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::import {
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "tools/wheelwright/import/conversion/value_range.hpp"
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::import {
 namespace {

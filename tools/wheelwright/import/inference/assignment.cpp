@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "config/load/text_format.hpp"
-#include "tools/wheelwright/import/inference/column_names.hpp"
-#include "tools/wheelwright/import/inference/column_shapes.hpp"
+#include "tools/wheelwright/import/columns/column_names.hpp"
+#include "tools/wheelwright/import/columns/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/units/gain_units.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 

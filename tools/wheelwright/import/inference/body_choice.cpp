@@ -6,8 +6,8 @@
 
 #include "config/load/printable_text.hpp"
 #include "config/load/text_format.hpp"
+#include "tools/wheelwright/import/columns/column_names.hpp"
 #include "tools/wheelwright/import/conversion/clock_shift.hpp"
-#include "tools/wheelwright/import/inference/column_names.hpp"
 #include "tools/wheelwright/import/inference/infer_mapping.hpp"
 #include "tools/wheelwright/import/mapping/mapping_file.hpp"
 

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "config/load/text_format.hpp"
+#include "tools/wheelwright/import/columns/column_names.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
-#include "tools/wheelwright/import/inference/column_names.hpp"
 #include "tools/wheelwright/import/inference/named_channels.hpp"
 #include "tools/wheelwright/import/inference/response_rows.hpp"
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "model/statistics/order_statistics.hpp"
+#include "tools/wheelwright/import/columns/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/units/gain_units.hpp"
 
 namespace wheelwright::import {

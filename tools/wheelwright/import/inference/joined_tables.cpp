@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "config/load/ascii_text.hpp"
+#include "tools/wheelwright/import/columns/column_names.hpp"
+#include "tools/wheelwright/import/columns/column_shapes.hpp"
 #include "tools/wheelwright/import/conversion/join_streams.hpp"
-#include "tools/wheelwright/import/inference/column_names.hpp"
-#include "tools/wheelwright/import/inference/column_shapes.hpp"
 
 namespace wheelwright::import {
 namespace {

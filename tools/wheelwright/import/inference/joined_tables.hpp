@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::import {
 

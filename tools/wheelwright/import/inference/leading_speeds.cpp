@@ -4,8 +4,8 @@
 #include <array>
 
 #include "config/load/text_format.hpp"
+#include "tools/wheelwright/import/columns/column_shapes.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
-#include "tools/wheelwright/import/inference/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/motion_assignments.hpp"
 #include "tools/wheelwright/import/inference/named_channels.hpp"
 #include "tools/wheelwright/import/inference/response_rows.hpp"

@@ -8,10 +8,10 @@
 #include <system_error>
 
 #include "config/load/text_format.hpp"
+#include "tools/wheelwright/import/columns/name_words.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/conversion/value_range.hpp"
-#include "tools/wheelwright/import/inference/name_words.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {

@@ -7,10 +7,10 @@
 #include <limits>
 #include <utility>
 
+#include "tools/wheelwright/import/columns/column_shapes.hpp"
+#include "tools/wheelwright/import/columns/name_words.hpp"
 #include "tools/wheelwright/import/conversion/counts.hpp"
 #include "tools/wheelwright/import/conversion/value_range.hpp"
-#include "tools/wheelwright/import/inference/column_shapes.hpp"
-#include "tools/wheelwright/import/inference/name_words.hpp"
 #include "tools/wheelwright/import/inference/response_fit.hpp"
 
 namespace wheelwright::import {

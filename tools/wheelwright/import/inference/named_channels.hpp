@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "tools/wheelwright/import/inference/column_names.hpp"
+#include "tools/wheelwright/import/columns/column_names.hpp"
 #include "tools/wheelwright/import/mapping/mapping.hpp"
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::import {
 

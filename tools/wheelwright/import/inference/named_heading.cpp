@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "tools/wheelwright/import/inference/column_names.hpp"
-#include "tools/wheelwright/import/inference/column_shapes.hpp"
+#include "tools/wheelwright/import/columns/column_names.hpp"
+#include "tools/wheelwright/import/columns/column_shapes.hpp"
+#include "tools/wheelwright/import/columns/name_words.hpp"
 #include "tools/wheelwright/import/inference/floor_plane.hpp"
-#include "tools/wheelwright/import/inference/name_words.hpp"
 #include "tools/wheelwright/import/inference/units/gain_units.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 

@@ -4,14 +4,14 @@
 #include <array>
 
 #include "config/load/ascii_text.hpp"
+#include "tools/wheelwright/import/columns/column_names.hpp"
+#include "tools/wheelwright/import/columns/column_shapes.hpp"
+#include "tools/wheelwright/import/columns/name_words.hpp"
+#include "tools/wheelwright/import/columns/pose_names.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/conversion/value_range.hpp"
-#include "tools/wheelwright/import/inference/column_names.hpp"
-#include "tools/wheelwright/import/inference/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/floor_plane.hpp"
-#include "tools/wheelwright/import/inference/name_words.hpp"
 #include "tools/wheelwright/import/inference/named_heading.hpp"
-#include "tools/wheelwright/import/inference/pose_names.hpp"
 #include "tools/wheelwright/import/inference/quaternion_columns.hpp"
 #include "tools/wheelwright/import/inference/units/gain_units.hpp"
 #include "tools/wheelwright/import/inference/wanted_path.hpp"

@@ -7,12 +7,12 @@
 #include <optional>
 
 #include "config/load/printable_text.hpp"
+#include "tools/wheelwright/import/columns/column_shapes.hpp"
+#include "tools/wheelwright/import/columns/name_words.hpp"
 #include "tools/wheelwright/import/conversion/body_motion.hpp"
 #include "tools/wheelwright/import/conversion/counts.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
-#include "tools/wheelwright/import/inference/column_shapes.hpp"
-#include "tools/wheelwright/import/inference/name_words.hpp"
 #include "tools/wheelwright/import/inference/named_channels.hpp"
 #include "tools/wheelwright/import/inference/named_commands.hpp"
 #include "tools/wheelwright/import/inference/named_reference.hpp"

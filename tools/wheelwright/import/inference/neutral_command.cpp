@@ -8,9 +8,9 @@
 #include <span>
 
 #include "config/load/text_format.hpp"
+#include "tools/wheelwright/import/columns/column_shapes.hpp"
 #include "tools/wheelwright/import/conversion/value_range.hpp"
 #include "tools/wheelwright/import/conversion/wheel_command.hpp"
-#include "tools/wheelwright/import/inference/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/response_fit.hpp"
 #include "tools/wheelwright/import/inference/response_rows.hpp"
 

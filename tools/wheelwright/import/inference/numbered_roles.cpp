@@ -6,13 +6,13 @@
 #include <initializer_list>
 #include <iterator>
 
+#include "tools/wheelwright/import/columns/column_names.hpp"
+#include "tools/wheelwright/import/columns/column_shapes.hpp"
+#include "tools/wheelwright/import/columns/name_words.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/inference/assignment.hpp"
-#include "tools/wheelwright/import/inference/column_names.hpp"
-#include "tools/wheelwright/import/inference/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/joined_tables.hpp"
 #include "tools/wheelwright/import/inference/motion_assignments.hpp"
-#include "tools/wheelwright/import/inference/name_words.hpp"
 #include "tools/wheelwright/import/inference/pose_columns.hpp"
 #include "tools/wheelwright/import/inference/step_response.hpp"
 #include "tools/wheelwright/import/inference/unused_columns.hpp"

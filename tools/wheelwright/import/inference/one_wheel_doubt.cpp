@@ -5,9 +5,9 @@
 #include <cstddef>
 
 #include "config/load/printable_text.hpp"
+#include "tools/wheelwright/import/columns/column_shapes.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
 #include "tools/wheelwright/import/conversion/missing_keys.hpp"
-#include "tools/wheelwright/import/inference/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/unused_columns.hpp"
 
 namespace wheelwright::import {

@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "config/load/text_format.hpp"
+#include "tools/wheelwright/import/columns/column_names.hpp"
+#include "tools/wheelwright/import/columns/column_shapes.hpp"
 #include "tools/wheelwright/import/conversion/run_repair.hpp"
-#include "tools/wheelwright/import/inference/column_names.hpp"
 #include "tools/wheelwright/import/inference/robot_ways.hpp"
 #include "tools/wheelwright/import/inference/units/gain_units.hpp"
 #include "tools/wheelwright/import/inference/units/reference_units.hpp"

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::import {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "tools/wheelwright/import/columns/column_names.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
-#include "tools/wheelwright/import/inference/column_names.hpp"
 #include "tools/wheelwright/import/inference/response_fit.hpp"
 #include "tools/wheelwright/import/inference/response_rows.hpp"
 #include "tools/wheelwright/import/inference/turning_sense.hpp"

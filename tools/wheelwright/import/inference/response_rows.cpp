@@ -10,7 +10,7 @@
 #include "tools/wheelwright/import/conversion/run_repair.hpp"
 #include "tools/wheelwright/import/conversion/stamps.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::import {
 namespace {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "config/load/text_format.hpp"
+#include "tools/wheelwright/import/columns/column_shapes.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
 #include "tools/wheelwright/import/inference/assignment.hpp"
 #include "tools/wheelwright/import/inference/response_rows.hpp"

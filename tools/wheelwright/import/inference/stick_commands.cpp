@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <optional>
 
+#include "tools/wheelwright/import/columns/name_words.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
 #include "tools/wheelwright/import/conversion/value_range.hpp"
-#include "tools/wheelwright/import/inference/name_words.hpp"
 #include "tools/wheelwright/import/inference/named_channels.hpp"
 #include "tools/wheelwright/import/inference/response_fit.hpp"
 #include "tools/wheelwright/import/inference/response_rows.hpp"

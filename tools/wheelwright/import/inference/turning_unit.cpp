@@ -5,8 +5,8 @@
 #include <numbers>
 #include <optional>
 
+#include "tools/wheelwright/import/columns/column_names.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
-#include "tools/wheelwright/import/inference/column_names.hpp"
 #include "tools/wheelwright/import/inference/response_fit.hpp"
 #include "tools/wheelwright/import/inference/response_rows.hpp"
 #include "tools/wheelwright/import/inference/units/gain_units.hpp"

@@ -7,7 +7,7 @@
 
 #include "tools/wheelwright/import/mapping/given_mapping.hpp"
 #include "tools/wheelwright/import/mapping/mapping.hpp"
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::import {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <vector>
 
+#include "tools/wheelwright/import/columns/column_shapes.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/inference/assignment.hpp"
-#include "tools/wheelwright/import/inference/column_shapes.hpp"
 
 namespace wheelwright::import {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "model/statistics/order_statistics.hpp"
-#include "tools/wheelwright/import/inference/column_shapes.hpp"
+#include "tools/wheelwright/import/columns/column_shapes.hpp"
 
 namespace wheelwright::import {
 namespace {

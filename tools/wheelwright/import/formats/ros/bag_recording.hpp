@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "tools/wheelwright/import/formats/ros/messages/topic_stream.hpp"
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::import::ros {
 

@@ -10,7 +10,7 @@
 
 #include "tools/wheelwright/import/formats/text/line_tally.hpp"
 #include "tools/wheelwright/import/formats/text/python_literal.hpp"
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::import {
 namespace {

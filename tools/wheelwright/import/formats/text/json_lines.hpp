@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tools/wheelwright/import/formats/text/text_sample.hpp"
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::import {
 

@@ -11,7 +11,7 @@
 #include "tools/wheelwright/import/formats/text/number_text.hpp"
 #include "tools/wheelwright/import/formats/text/time_text.hpp"
 #include "tools/wheelwright/import/formats/text/unit_text.hpp"
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::import {
 namespace {

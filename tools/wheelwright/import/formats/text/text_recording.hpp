@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "tools/wheelwright/import/formats/text/text_encoding.hpp"  // is_text
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::import {
 

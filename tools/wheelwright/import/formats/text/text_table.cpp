@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "tools/wheelwright/import/formats/text/number_text.hpp"
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::import {
 namespace {

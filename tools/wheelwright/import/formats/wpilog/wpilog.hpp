@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::import {
 

@@ -1,8 +1,8 @@
 #include "tools/wheelwright/import/inference/units/battery_unit.hpp"
 
 #include "config/load/text_format.hpp"
+#include "tools/wheelwright/import/columns/column_shapes.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
-#include "tools/wheelwright/import/inference/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/units/gain_units.hpp"
 
 namespace wheelwright::import {

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include "tools/wheelwright/import/columns/column_shapes.hpp"
 
 namespace wheelwright::import {
 bool is_near(double gain, double unit) {
@@ -17,14 +18,6 @@ double rounded_gain(double value) {
   double rounded = value;
   std::from_chars(text.data(), end, rounded);
   return rounded;
-}
-
-double largest(const Column& column) {
-  double result = 0.0;
-  for (const double value : column) {
-    if (std::isfinite(value)) result = std::max(result, std::abs(value));
-  }
-  return result;
 }
 
 double full_scale_of(double largest_duty) {

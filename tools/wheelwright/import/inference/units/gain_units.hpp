@@ -21,9 +21,6 @@ double full_scale_of(double largest_duty);
 // The same of numbers about the one at which the wheels rest: 500 us of a pulse, else all that is below it.
 double full_scale_about(double neutral, double largest_beyond);
 
-// Largest size of the values of a column; 0 where it has none.
-double largest(const Column& column);
-
 // Of commands that are a duty, by the largest of them, unless it is given.
 void set_full_scale(const DriveColumns& columns, const GivenMapping& given, CommandMapping& command);
 

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "tools/wheelwright/import/columns/column_shapes.hpp"
+#include "tools/wheelwright/import/columns/name_words.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
-#include "tools/wheelwright/import/inference/column_shapes.hpp"
-#include "tools/wheelwright/import/inference/name_words.hpp"
 #include "tools/wheelwright/import/inference/units/gain_units.hpp"
 
 namespace wheelwright::import {
@@ -15,11 +15,6 @@ std::optional<Unit> unit_of_gain(double gain, const std::optional<WheelMapping>&
     if (m_s && unit.name != "km/h" && unit.is_found_by_motion() && is_near(gain, *m_s)) return unit;
   }
   return std::nullopt;
-}
-
-bool names_a_register(const ChannelName& channel) {
-  const NameWords words(channel.channel);
-  return words.has_any({"goal", "present", "moving"}) && words.has_any({"velocity", "speed"});
 }
 
 std::optional<Unit> register_unit(double gain, const std::optional<WheelMapping>& wheels) {
@@ -35,7 +30,8 @@ bool are_registers(const DriveColumns& columns, const GivenMapping& given, Mappi
                    std::vector<std::string>& findings) {
   const ChannelName& command = mapping.command->first;
   WheelMapping& wheels = *mapping.wheels;
-  if (!names_a_register(command) || !names_a_register(wheels.left) || !are_whole(columns.command[0]))
+  if (!names_a_register(command.channel) || !names_a_register(wheels.left.channel) ||
+      !are_whole(columns.command[0]))
     return false;
   if (!wheels.unit_assumed || given.says("wheels.unit")) return true;
   wheels.unit.clear();

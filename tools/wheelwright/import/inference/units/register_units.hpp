@@ -18,9 +18,6 @@ std::optional<Unit> unit_of_gain(double gain, const std::optional<WheelMapping>&
 // Among those of the registers of a servo, within a tenth, because other units are near them.
 std::optional<Unit> register_unit(double gain, const std::optional<WheelMapping>& wheels);
 
-// Whether a name is that of such a register: "goal_velocity", "present_speed".
-bool names_a_register(const ChannelName& channel);
-
 // Whether commands and wheel speeds are both such registers. Their unit is that of the servo, which nothing
 // in the log shows: unless it is given it becomes unknown, with a line in `findings`.
 bool are_registers(const DriveColumns& columns, const GivenMapping& given, Mapping& mapping,

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "tools/wheelwright/import/columns/column_shapes.hpp"
 #include "tools/wheelwright/import/conversion/time_repair.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
-#include "tools/wheelwright/import/inference/column_shapes.hpp"
 
 namespace wheelwright::import {
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "config/load/text_format.hpp"
+#include "tools/wheelwright/import/columns/column_shapes.hpp"
 #include "tools/wheelwright/import/conversion/drive_columns.hpp"
 #include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/conversion/time_units.hpp"

@@ -8,8 +8,9 @@
 
 #include "config/load/ascii_text.hpp"
 #include "config/load/text_format.hpp"
+#include "tools/wheelwright/import/columns/column_shapes.hpp"
+#include "tools/wheelwright/import/columns/name_words.hpp"
 #include "tools/wheelwright/import/conversion/wheel_travel.hpp"
-#include "tools/wheelwright/import/inference/column_shapes.hpp"
 #include "tools/wheelwright/import/inference/response_rows.hpp"
 #include "tools/wheelwright/import/inference/units/gain_units.hpp"
 #include "tools/wheelwright/import/inference/units/reference_units.hpp"
@@ -123,7 +124,7 @@ class UnitFinder {
     if (largest(columns_.command[0]) * command_in_si() <= fastest_m_s && gain_m_s > command_in_si() / 3.0 &&
         gain_m_s < command_in_si() * 3.0)
       return;
-    const bool is_register = names_a_register(command.first) && are_whole(columns_.command[0]);
+    const bool is_register = names_a_register(command.first.channel) && are_whole(columns_.command[0]);
     if (const auto unit = is_register ? register_unit(gain_m_s, mapping_.wheels)
                                       : unit_of_gain(gain_m_s, mapping_.wheels)) {
       if (unit->name == command.unit) return;

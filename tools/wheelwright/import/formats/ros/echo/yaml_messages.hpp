@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::import::ros {
 

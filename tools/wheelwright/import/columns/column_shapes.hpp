@@ -25,4 +25,7 @@ bool looks_counted(const std::vector<double>& values);
 // The step between the values of a channel, where it has one: speeds that were counted.
 double quantum(const std::vector<double>& values);
 
+// Largest size of the values; 0 where there are none.
+double largest(const std::vector<double>& values);
+
 }  // namespace wheelwright::import

@@ -1,4 +1,4 @@
-#include "tools/wheelwright/import/inference/name_words.hpp"
+#include "tools/wheelwright/import/columns/name_words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -137,6 +137,11 @@ std::string NameWords::take_unit() {
     if (has(word)) return std::string(unit_by_spelling(word));
   }
   return {};
+}
+
+bool names_a_register(std::string_view name) {
+  const NameWords words(name);
+  return words.has_any({"goal", "present", "moving"}) && words.has_any({"velocity", "speed"});
 }
 
 }  // namespace wheelwright::import

@@ -1,4 +1,4 @@
-#include "tools/wheelwright/import/inference/column_shapes.hpp"
+#include "tools/wheelwright/import/columns/column_shapes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -78,6 +78,14 @@ bool is_held(const std::vector<double>& values) {
     ++count;
   }
   return changes > 0 && static_cast<double>(changes) < max_changes * static_cast<double>(count);
+}
+
+double largest(const std::vector<double>& values) {
+  double result = 0.0;
+  for (const double value : values) {
+    if (std::isfinite(value)) result = std::max(result, std::abs(value));
+  }
+  return result;
 }
 
 }  // namespace wheelwright::import

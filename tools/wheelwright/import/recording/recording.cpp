@@ -1,4 +1,4 @@
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 #include <algorithm>
 

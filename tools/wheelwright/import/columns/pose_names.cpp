@@ -1,4 +1,4 @@
-#include "tools/wheelwright/import/inference/pose_names.hpp"
+#include "tools/wheelwright/import/columns/pose_names.hpp"
 
 #include <algorithm>
 #include <initializer_list>

@@ -1,4 +1,4 @@
-#include "tools/wheelwright/import/inference/column_names.hpp"
+#include "tools/wheelwright/import/columns/column_names.hpp"
 
 #include <algorithm>
 #include <initializer_list>
@@ -7,10 +7,9 @@
 #include <string_view>
 
 #include "config/load/ascii_text.hpp"
-#include "tools/wheelwright/import/inference/column_shapes.hpp"
-#include "tools/wheelwright/import/inference/name_words.hpp"
-#include "tools/wheelwright/import/inference/pose_names.hpp"
-#include "tools/wheelwright/import/inference/units/gain_units.hpp"
+#include "tools/wheelwright/import/columns/column_shapes.hpp"
+#include "tools/wheelwright/import/columns/name_words.hpp"
+#include "tools/wheelwright/import/columns/pose_names.hpp"
 #include "tools/wheelwright/import/mapping/units.hpp"
 
 namespace wheelwright::import {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "tools/wheelwright/import/recording.hpp"
+#include "tools/wheelwright/import/recording/recording.hpp"
 
 namespace wheelwright::import {
 

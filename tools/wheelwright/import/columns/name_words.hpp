@@ -25,4 +25,7 @@ class NameWords {
   std::vector<std::string> words_;
 };
 
+// Whether a name is that of a register of a servo: "goal_velocity", "present_speed".
+bool names_a_register(std::string_view name);
+
 }  // namespace wheelwright::import

@@ -1,4 +1,4 @@
-#include "tools/wheelwright/import/inference/column_names.hpp"
+#include "tools/wheelwright/import/columns/column_names.hpp"
 
 #include "tests/support/catch.hpp"
 

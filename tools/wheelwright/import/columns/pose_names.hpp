@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "tools/wheelwright/import/inference/column_names.hpp"
-#include "tools/wheelwright/import/inference/name_words.hpp"
+#include "tools/wheelwright/import/columns/column_names.hpp"
+#include "tools/wheelwright/import/columns/name_words.hpp"
 
 namespace wheelwright::import {
 
