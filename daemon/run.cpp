@@ -71,6 +71,10 @@ std::thread start_thread(const char* name, Wiring& wiring, std::function<void()>
   });
 }
 
+bool are_all_short(const open_interface::ReplyCounts& replies) {
+  return replies.sound == 0 && replies.incomplete > replies.asked / 2;
+}
+
 std::string ending_of(const RunOutcome& outcome) {
   if (outcome.finished()) return finished;
   return outcome.reload ? "the configuration is loaded again" : "stopped, " + outcome.stopped;
@@ -119,11 +123,23 @@ RunOutcome Run::drive(const sigset_t& signals) {
   if (const auto& silence = sensor_loop_.silence(); silence && outcome.cause == EndCause::robot_silent) {
     outcome.stopped += "; " + explain(*silence, {config_.link.period_s, machine_load()});
   }
-  end_threads(ending_of(outcome));
+  if (const auto& replies = sensor_loop_.link().reply_counts();
+      outcome.cause == EndCause::robot_silent && !wiring_->robot_answers.load() && are_all_short(replies)) {
+    outcome.stopped += fmt::format(
+        "; {} of {} replies came, but too short: the robot lacks sensors that are asked for (encoders, "
+        "light bumper, motor currents), or its replies come later than a period",
+        replies.incomplete, replies.asked);
+  }
   const bool is_there = sensor_loop_.link().state() == roomba::LinkState::running;
   outcome.interrupted = outcome.interrupted || !is_there;
+  end_threads(ending_of(outcome));
+  if (!is_there && outcome.cause == EndCause::robot_silent && log_.report().logged_ticks > 0)
+    outcome.stopped +=
+        "; it could not be told to stand: lift it, plug it in, and run wheelwrightd with --rest";
   outcome.left_at_rest = is_there && outcome.cause != EndCause::internal;
 
+  if (calibrator_.report().route_refusal && wiring_->stop.load() == StopReason::refused)
+    outcome.stopped = "route refused";
   LogReport logs = log_.report();
   logs.errors.insert(logs.errors.end(), inputs_lost_.begin(), inputs_lost_.end());
   write_lateness(logs);

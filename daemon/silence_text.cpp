@@ -29,15 +29,14 @@ constexpr std::string_view relieve =
 MachineLoad machine_load() {
   MachineLoad load;
   if (::getloadavg(&load.processes, 1) != 1) load.processes = 0.0;
-  load.linear_parts = static_cast<int>(std::max(1L, ::sysconf(_SC_NPROCESSORS_ONLN)));
+  load.cores = static_cast<int>(std::max(1L, ::sysconf(_SC_NPROCESSORS_ONLN)));
   return load;
 }
 
 std::string explain(const roomba::Silence& silence, const SilenceContext& context) {
   const double late_ms = milliseconds(silence.largest_lateness);
   const std::string loop = fmt::format("the loop woke up at most {:.1f} ms late", late_ms);
-  const std::string load =
-      fmt::format("load {:.1f} on {} cores", context.load.processes, context.load.linear_parts);
+  const std::string load = fmt::format("load {:.1f} on {} cores", context.load.processes, context.load.cores);
   if (silence.skipped_periods > 0 || late_ms > 500.0 * context.period_s) {
     return fmt::format("the machine was too busy ({}): {} and skipped {} periods; {}", load, loop,
                        silence.skipped_periods, relieve);

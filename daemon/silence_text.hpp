@@ -12,9 +12,9 @@ namespace wheelwright::daemon {
 // How busy the machine was.
 struct MachineLoad {
   double processes = 0.0;  // that ran or waited to, mean of the last minute
-  int linear_parts = 1;
+  int cores = 1;
 
-  bool is_busy() const { return processes > linear_parts; }
+  bool is_busy() const { return processes > cores; }
 };
 MachineLoad machine_load();
 

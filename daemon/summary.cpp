@@ -71,6 +71,12 @@ std::string steered_by(PoseSource source) {
 
 void add_faults(Table& table, const CalibrationReport& calibration, const LogReport& log) {
   if (log.faults > 0) table.row("wheel and encoder faults", "{}", log.faults);
+  if (log.apart_m)
+    table.row(
+        "model against encoders",
+        "{:.3f} m apart at the end, more than both may err: a wheel or an encoder is not as it was when "
+        "calibrated",
+        *log.apart_m);
   if (!calibration.adapted.empty()) {
     table.row("models adapted", "{}", calibration.adapted.size());
   }
@@ -197,6 +203,8 @@ std::string summary(const config::DaemonConfig& config, const RunOutcome& outcom
   Table table;
   table.title(outcome.finished() ? "Result: finished" : "Result: stopped, " + outcome.stopped);
   if (calibration.refusal) table.row("calibration refused", "{}", *calibration.refusal);
+  if (calibration.route_refusal) table.row("route refused", "{}", *calibration.route_refusal);
+  for (const std::string& remark : calibration.remarks) table.row("look at", "{}", remark);
   add_calibration(table, calibration);
   add_route(table, config, log);
   add_commanded_drive(table, config, log);

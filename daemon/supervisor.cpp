@@ -14,7 +14,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto answer_patience = 15s;
-constexpr auto linger_after_end = 500ms;  // the robot comes to rest, and the log gets to see it
+constexpr auto linger_after_end = 500ms;   // the robot comes to rest, and the log gets to see it
+constexpr auto lost_robot_patience = 60s;  // for it to be plugged in again
 constexpr auto report_interval = 1s;
 constexpr auto long_enough = 60s;  // for a process to be no part of a row of failures
 constexpr long look_every_ns = 50'000'000;
@@ -34,6 +35,7 @@ RunOutcome Supervisor::run(const sigset_t& signals) {
     const int signal = ::sigtimedwait(&awaited, nullptr, &patience);
     if (auto end = obey(signal)) return *end;
     arm_when_ready();
+    if (auto end = next_run()) return *end;
     if (auto end = end_of_run()) return *end;
     report_status(Clock::now());
   }
@@ -49,6 +51,7 @@ std::optional<RunOutcome> Supervisor::obey(int signal) {
     case SIGUSR1:
       return arm_or_begin_next_run();
     case SIGUSR2:
+      stop_asked_ = armed_once_;
       parts_.sensor_loop.request_stop(StopReason::requested);
       return std::nullopt;
     case SIGHUP:
@@ -66,18 +69,27 @@ bool Supervisor::moves() const {
 }
 
 // Of a run that ended, the logs are whole: the next one has files of its own. A robot that was lost has to
-// answer first.
+// answer first, and one that was told to stand to do so.
 std::optional<RunOutcome> Supervisor::arm_or_begin_next_run() {
-  const bool has_ended = parts_.wiring.finished.load() || parts_.wiring.stop.load() != StopReason::none;
-  if (has_ended && !moves() && parts_.wiring.robot_is_connected.load() && parts_.board.latest()) {
-    RunOutcome outcome = parts_.wiring.finished.load() ? RunOutcome{} : ended_early();
-    outcome.reload = parts_.config;
-    outcome.arms_next_run = true;
-    return outcome;
+  const bool has_ended =
+      stop_asked_ || parts_.wiring.finished.load() || parts_.wiring.stop.load() != StopReason::none;
+  if (has_ended && parts_.wiring.robot_is_connected.load() && parts_.board.latest()) {
+    next_run_wanted_ = true;
+    return next_run();
   }
   armed_once_ = true;
   arm();
   return std::nullopt;
+}
+
+std::optional<RunOutcome> Supervisor::next_run() {
+  const bool has_ended = parts_.wiring.finished.load() || parts_.wiring.stop.load() != StopReason::none;
+  if (!next_run_wanted_ || !has_ended || moves() || !parts_.wiring.robot_is_connected.load())
+    return std::nullopt;
+  RunOutcome outcome = parts_.wiring.finished.load() ? RunOutcome{} : ended_early();
+  outcome.reload = parts_.config;
+  outcome.arms_next_run = true;
+  return outcome;
 }
 
 // All of a configuration may change, since all is built again from it; but not under a robot that drives.
@@ -103,6 +115,7 @@ RunOutcome Supervisor::ended_early() const {
 }
 
 RunOutcome Supervisor::ended_by_signal(const std::string& why) const {
+  if (lost_since_) return ended_early();
   if (parts_.wiring.finished.load() && !moves()) return {};
   return {EndCause::asked, why, {}, moves()};
 }
@@ -119,7 +132,8 @@ std::optional<RunOutcome> Supervisor::end_of_run() {
   const bool finished = parts_.wiring.finished.load();
   const bool over = finished || parts_.wiring.stop.load() != StopReason::none;
   if (!over) not_over_ = now;
-  if (over && now - not_over_ >= linger_after_end) return finished ? RunOutcome{} : ended_early();
+  if (over && now - not_over_ >= linger_after_end && !waits_for_lost_robot(now))
+    return finished ? RunOutcome{} : ended_early();
   // As a service it is waited for; the status line says so.
   if (!parts_.options.as_service && now - started_ > answer_patience && !parts_.wiring.robot_answers.load()) {
     return RunOutcome{
@@ -129,6 +143,32 @@ std::optional<RunOutcome> Supervisor::end_of_run() {
         true};
   }
   return std::nullopt;
+}
+
+// A robot whose cable is out drives on by its last command. The link goes on looking for it, and tells it to
+// stand as soon as it answers; a process that ended could not. A service is started again for that.
+bool Supervisor::waits_for_lost_robot(Clock::time_point now) {
+  if (parts_.options.as_service || !armed_once_ || ended_early().cause != EndCause::robot_silent)
+    return false;
+  const auto latest = parts_.board.latest();
+  if (latest && latest->frame.valid) {
+    if (lost_since_) spdlog::info("the robot answers again, and its wheels are told to stand");
+    lost_since_.reset();
+    return false;
+  }
+  if (parts_.wiring.robot_is_connected.load()) {  // as far as the link knows by now
+    const auto decided =
+        std::chrono::duration<double>(parts_.config.link.lost_after_s) + 2 * linger_after_end;
+    return now - not_over_ < decided;
+  }
+  if (!lost_since_) {
+    lost_since_ = now;
+    spdlog::error(
+        "the robot may still drive: lift it or plug it in again. Its wheels are told to stand as soon as it "
+        "answers; that is tried for {} s, Ctrl-C ends it at once",
+        lost_robot_patience.count());
+  }
+  return now - *lost_since_ < lost_robot_patience;
 }
 
 void Supervisor::arm_when_ready() {

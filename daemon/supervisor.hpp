@@ -60,11 +60,13 @@ class Supervisor {
   std::optional<RunOutcome> end_of_run();
   std::optional<RunOutcome> reload();
   std::optional<RunOutcome> arm_or_begin_next_run();
+  std::optional<RunOutcome> next_run();
   RunOutcome ended_early() const;
   RunOutcome ended_by_signal(const std::string& why) const;
   void arm();
   bool moves() const;
   void arm_when_ready();
+  bool waits_for_lost_robot(Clock::time_point now);
   void report_status(Clock::time_point now);
   void watch_model();
 
@@ -73,7 +75,10 @@ class Supervisor {
   Clock::time_point started_ = Clock::now();
   Clock::time_point not_over_ = started_;
   Clock::time_point last_report_{};
+  std::optional<Clock::time_point> lost_since_{};  // a robot that drove, and is looked for
   bool armed_once_ = false;
+  bool stop_asked_ = false;       // of the run
+  bool next_run_wanted_ = false;  // as soon as this one has ended
   bool status_failed_ = false;
   bool moved_ = false;  // when it was looked at last
 };

@@ -1,6 +1,7 @@
 // The configuration of the daemon: one YAML file, validated whole before anything moves.
 //
-// config/wheelwright.yaml is the file with every key, its default, its unit and its meaning.
+// config/wheelwright.yaml is the file with every key, its default (but for run.route), its unit and its
+// meaning.
 #pragma once
 
 #include <cstdint>

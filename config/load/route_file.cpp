@@ -38,7 +38,7 @@ Route read_route(YamlReader& file) {
   route.name = one_line_text(file, "name");
   route.speed_m_s = file.number("speed", {0.03, 0.5, "m/s"}, route.speed_m_s);
   route.tolerance_m = file.number("tolerance", {0.002, 0.5, "m"}, route.tolerance_m);
-  for (const auto& row : file.rows("checkpoints", 2, {-1000.0, 1000.0, "m"})) {
+  for (const auto& row : file.rows("checkpoints", 2, {-100.0, 100.0, "m"})) {
     route.checkpoints.push_back({row[0], row[1]});
   }
   check(file, route.checkpoints);

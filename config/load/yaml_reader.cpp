@@ -167,6 +167,8 @@ std::string YamlReader::text(std::string_view key, std::string default_value) {
 std::filesystem::path YamlReader::existing_file(std::string_view key) {
   const YAML::Node value = node_->require(key);
   const std::filesystem::path named = text(key);
+  if (named.empty())
+    node_->fail_at(value.Mark(), "'" + std::string(key) + "' is empty, but must name a file");
   std::filesystem::path path =
       named.is_absolute() ? named : std::filesystem::path(node_->file).parent_path() / named;
   std::error_code ignored;

@@ -3,9 +3,13 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
 #include "config/load/text_file.hpp"
+#include "model/effects/library/each_wheel_variants.hpp"
 #include "model/effects/library/effect_library.hpp"
 
 namespace wheelwright::daemon {
@@ -46,20 +50,51 @@ bool moved(const AddedEffect& before, const Change& change) {
   return value < interval.lower || value > interval.upper;
 }
 
+// With a size for each wheel, where one has one size for both wheels and the other has not.
+AddedEffect with_size_for_each_wheel(const AddedEffect& effect) {
+  AddedEffect parted = effect;
+  parted.setting = of_each_wheel(effect.setting);
+  if (effect.intervals.size() == effect.setting.parameters.size())
+    parted.intervals = values_of_each_wheel(parted.setting, effect.intervals);
+  return parted;
+}
+
+std::pair<std::optional<AddedEffect>, AddedEffect> comparable(const AddedEffect* before,
+                                                              const AddedEffect& after) {
+  if (before == nullptr) return {std::nullopt, after};
+  const bool parted = is_of_each_wheel(before->setting);
+  if (parted == is_of_each_wheel(after.setting)) return {*before, after};
+  return parted ? std::pair(std::optional(*before), with_size_for_each_wheel(after))
+                : std::pair(std::optional(with_size_for_each_wheel(*before)), after);
+}
+
+bool would_have_shown(const AddedEffect& effect, const GapAnswer& answer) {
+  const EffectSetting setting = as_at(WheelSide::left, effect.setting);
+  const auto seen = std::ranges::find(answer.detectable, setting.name, &GapAnswer::Detectable::effect);
+  if (seen == answer.detectable.end()) return false;
+  const auto parameters = parameters_of(setting);
+  const auto parameter = std::ranges::find(parameters, seen->parameter, &ParameterInfo::name);
+  if (parameter == parameters.end()) return false;
+  const double size = std::abs(setting.parameters[static_cast<std::size_t>(parameter - parameters.begin())]);
+  const bool is_limit = parameter->lower > 0.0;  // the lower, the more of it
+  return is_limit ? size <= seen->size : size >= seen->size;
+}
+
 }  // namespace
 
 std::vector<std::string> effect_changes(const RobotModel& before, const RobotModel& after,
-                                        const std::string& since) {
+                                        const GapAnswer& answer, const std::string& since) {
   std::vector<std::string> sentences;
-  for (const AddedEffect& effect : after.effects) {
-    const EffectInfo* info = find_effect(effect.setting.name);
+  for (const AddedEffect& found : after.effects) {
+    const EffectInfo* info = find_effect(found.setting.name);
     if (info == nullptr) continue;
-    const AddedEffect* former = effect_in(before, effect.setting.name);
+    const AddedEffect* as_before = effect_in(before, found.setting.name);
+    const auto [former, effect] = comparable(as_before, found);
     const auto& parameters = info->parameters_of(variant_index(*info, effect.setting.variant));
     for (std::size_t i = 0; i < effect.setting.parameters.size(); ++i) {
       if (!parameters[i].scales_effect) continue;
       const Change change{effect, parameters[i], i};
-      if (former == nullptr) {
+      if (!former) {
         sentences.push_back(value_in_words(change, "is new,", since));
         break;
       }
@@ -71,7 +106,7 @@ std::vector<std::string> effect_changes(const RobotModel& before, const RobotMod
     }
   }
   for (const AddedEffect& effect : before.effects) {
-    if (effect_in(after, effect.setting.name) == nullptr)
+    if (effect_in(after, effect.setting.name) == nullptr && would_have_shown(effect, answer))
       sentences.push_back(effect.setting.name + ": is not seen any more" +
                           (since.empty() ? "" : " since " + since));
   }
@@ -91,6 +126,11 @@ tl::expected<GapAnswer, std::string> read_gap_answer(const std::filesystem::path
   answer.verdict = gap.value("verdict", "");
   answer.summary = gap.value("summary", answer.verdict);
   answer.differs = !part(gap, "added").empty() || !part(gap, "linear_changes").empty();
+  const json detectable = part(gap, "detectable");
+  for (const json& one : detectable) {
+    if (one.is_object() && part(one, "size").is_number())
+      answer.detectable.push_back({one.value("effect", ""), one.value("parameter", ""), one.at("size")});
+  }
   const json untouched = part(part(gap, "data"), "untouched");
   const json passed = part(part(gap, "check"), "passed");
   const json travel = part(part(part(gap, "gap"), "distance_rms_m"), "test");

@@ -12,12 +12,6 @@
 
 namespace wheelwright::daemon {
 
-// Sentences such as "coulomb_friction: speed_loss rose from 0.005 to 0.011 m/s since 2026-11-26T14:02Z (95 %:
-// 0.009 to 0.013)". An effect that both have counts only where the new interval does not hold the former
-// value.
-std::vector<std::string> effect_changes(const RobotModel& before, const RobotModel& after,
-                                        const std::string& since);
-
 // The answer of `wheelwright gap`, as far as the watch needs it.
 struct GapAnswer {
   std::string verdict;
@@ -28,7 +22,19 @@ struct GapAnswer {
   bool proven = false;
   double untouched_before_m = 0.0;  // error of travel on them
   double untouched_after_m = 0.0;
+  struct Detectable {
+    std::string effect;
+    std::string parameter;
+    double size = 0.0;
+  };
+  std::vector<Detectable> detectable;  // effects that are not there, with the size that would have shown
 };
+
+// Sentences such as "coulomb_friction: speed_loss rose from 0.005 to 0.011 m/s since 2026-11-26T14:02Z (95 %:
+// 0.009 to 0.013)". An effect that both have counts only where the new interval does not hold the former
+// value; one that is gone only where the drives would have shown it.
+std::vector<std::string> effect_changes(const RobotModel& before, const RobotModel& after,
+                                        const GapAnswer& answer, const std::string& since);
 
 // Reads gap.json; or why it cannot be read.
 tl::expected<GapAnswer, std::string> read_gap_answer(const std::filesystem::path& file);

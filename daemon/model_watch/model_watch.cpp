@@ -98,12 +98,13 @@ void ModelWatch::report(const RobotModel& before) {
                    ? "the model holds on " + std::to_string(drives_.size()) + " drives"
                    : answer->summary);
   }
-  const auto after = model_in(folder / "model.yaml");
+  auto after = model_in(folder / "model.yaml");
+  if (after && config_.pose_source == PoseSource::fir) after->linear_part = as_fir(after->linear_part);
   std::string since = run_time(drives_.front().parent_path());
   if (!since.empty()) since = since.substr(0, 16) + "Z";
   std::string sentences;
   if (after) {
-    for (const std::string& change : effect_changes(before, *after, since))
+    for (const std::string& change : effect_changes(before, *after, *answer, since))
       sentences += (sentences.empty() ? "" : "; ") + change;
   }
   say(sentences.empty() ? answer->summary : sentences);

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -37,6 +38,7 @@ bool GrowingFile::add(std::string_view piece) {
 }
 
 void GrowingFile::add_line(const std::string& line) {
+  holds_lines_ = true;
   if (!add(line + '\n')) ++lost_lines_;
 }
 
@@ -48,9 +50,20 @@ bool GrowingFile::write_pending() {
       if (!error_) error_ = path_.string() + ": cannot be written: " + std::strerror(errno);
       return false;
     }
+    const auto end = pending_.rfind('\n', static_cast<std::size_t>(written) - 1);
+    if (end != std::string::npos) whole_lines_bytes_ = written_bytes_ + static_cast<std::int64_t>(end) + 1;
+    written_bytes_ += written;
     pending_.erase(0, static_cast<std::size_t>(written));
   }
   return true;
+}
+
+// Whoever reads it later would refuse a line that ends in the middle, and the file with it.
+void GrowingFile::leave_out_cut_line() {
+  lost_lines_ += static_cast<std::uint64_t>(std::count(pending_.begin(), pending_.end(), '\n'));
+  pending_.clear();
+  if (::ftruncate(descriptor_, whole_lines_bytes_) != 0 && !error_)
+    error_ = path_.string() + ": ends in the middle of a line: " + std::strerror(errno);
 }
 
 void GrowingFile::flush(std::chrono::steady_clock::time_point now) {
@@ -61,7 +74,7 @@ void GrowingFile::flush(std::chrono::steady_clock::time_point now) {
 
 void GrowingFile::close() {
   if (descriptor_ < 0) return;
-  write_pending();
+  if (!write_pending() && holds_lines_) leave_out_cut_line();
   ::fdatasync(descriptor_);
   ::close(descriptor_);
   descriptor_ = -1;

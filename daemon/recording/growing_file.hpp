@@ -30,6 +30,7 @@ class GrowingFile {
 
   // Hands what was added to the disk. Call it several times a second.
   void flush(std::chrono::steady_clock::time_point now);
+  // Of lines that the disk does not take any more, none is left there in part.
   void close();
 
   const std::filesystem::path& path() const { return path_; }
@@ -38,11 +39,15 @@ class GrowingFile {
 
  private:
   bool write_pending();
+  void leave_out_cut_line();
 
   std::filesystem::path path_;
   int descriptor_ = -1;
   std::string pending_;
   std::chrono::steady_clock::time_point next_sync_{};
+  std::int64_t written_bytes_ = 0;
+  std::int64_t whole_lines_bytes_ = 0;
+  bool holds_lines_ = false;
   std::uint64_t lost_lines_ = 0;
   std::optional<std::string> error_;
 };

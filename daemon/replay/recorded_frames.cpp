@@ -141,7 +141,7 @@ double RecordedFrames::amperes(std::size_t row, const ExtraColumn& column) const
 }
 
 StopReason RecordedFrames::stop_reason(std::size_t row) const {
-  for (int code = 0; code <= static_cast<int>(StopReason::lost_count); ++code) {
+  for (int code = 0; code <= static_cast<int>(last_stop_reason); ++code) {
     const auto reason = static_cast<StopReason>(code);
     if (name_of(reason) == stop_.texts[row]) return reason;
   }

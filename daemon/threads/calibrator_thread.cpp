@@ -9,6 +9,7 @@
 
 #include "config/load/model_file.hpp"
 #include "config/load/utc_now.hpp"
+#include "daemon/recording/calibration_remarks.hpp"
 
 namespace wheelwright::daemon {
 namespace {
@@ -49,7 +50,7 @@ void CalibratorThread::deliver(CalibrationOutcome& outcome) {
   }
   if (outcome.route_refusal) {
     spdlog::error("{}", outcome.route_refusal->reason);
-    report_.refusal = outcome.route_refusal->reason;
+    report_.route_refusal = outcome.route_refusal->reason;
     sensor_loop_.request_stop(StopReason::refused);
     wiring_.push(wiring_.deliveries, Delivery{});
   }
@@ -65,6 +66,7 @@ void CalibratorThread::deliver(CalibrationOutcome& outcome) {
       const EncoderScaleFit& fit = *outcome.encoder_scale;
       spdlog::info("encoder scale: {:.4f} mm per tick, one turn is {:.1f} ticks +- {:.2f} %",
                    1e3 * fit.metres_per_tick.left, fit.ticks_per_turn, 100.0 * fit.relative_standard_error);
+      note(remark_on_scale(fit, config_));
       wiring_.push(wiring_.deliveries,
                    Delivery{.kind = outcome.kind, .metres_per_tick = fit.metres_per_tick});
       report_.encoder_scale = std::move(outcome.encoder_scale);
@@ -108,7 +110,10 @@ void CalibratorThread::deliver_response(CalibrationOutcome& outcome) {
                fit.model.left.from_left.size(), fit.left.gain.from_left, fit.right.gain.from_right,
                1e3 * fit.left.position_noise_m);
   // Where a random drive follows, this model only steers it.
-  if (!mission_.random_drive) keep_model(*outcome.model);
+  if (!mission_.random_drive) {
+    note(remark_on_wheels(*outcome.model));
+    keep_model(*outcome.model);
+  }
   hand_over({.kind = outcome.kind}, *outcome.model);
 }
 
@@ -117,8 +122,15 @@ void CalibratorThread::deliver_arma(CalibrationOutcome& outcome) {
   spdlog::info("arma: order {}, gain {:.3f} / {:.3f} (left / right), free run {:.1f} mm off the encoders",
                fit.model.left.from_own_past.size(), fit.left.quality.gain.from_left,
                fit.right.quality.gain.from_right, 1e3 * fit.free_run_distance_rms_m);
+  note(remark_on_wheels(*outcome.model));
   keep_model(*outcome.model);
   hand_over({.kind = outcome.kind}, *outcome.model);
+}
+
+void CalibratorThread::note(std::optional<std::string> remark) {
+  if (!remark) return;
+  spdlog::warn("{}", *remark);
+  report_.remarks.push_back(*std::move(remark));
 }
 
 void CalibratorThread::deliver_adaptation(CalibrationOutcome& outcome) {

@@ -19,6 +19,8 @@ struct CalibrationReport {
   std::optional<EncoderScaleFit> encoder_scale;
   std::optional<RobotModel> model;
   std::optional<std::string> refusal;
+  std::optional<std::string> route_refusal;    // of the model that was made
+  std::vector<std::string> remarks;            // for a person to look at
   std::optional<std::string> late_readings;    // of the last response or random drive
   std::optional<std::string> file_error;       // the model could not be written
   std::vector<std::filesystem::path> adapted;  // models made while driving, in order
@@ -42,6 +44,7 @@ class CalibratorThread {
   void deliver_response(CalibrationOutcome& outcome);
   void deliver_arma(CalibrationOutcome& outcome);
   void deliver_adaptation(CalibrationOutcome& outcome);
+  void note(std::optional<std::string> remark);
   void keep_model(RobotModel model);
   void write_model(const RobotModel& model, const std::filesystem::path& path);
   void hand_over(Delivery delivery, const RobotModel& model);

@@ -9,6 +9,7 @@
 #include "config/load/atomic_file.hpp"
 #include "daemon/recording/fault_text.hpp"
 #include "daemon/recording/log_format.hpp"
+#include "model/uncertainty/pose_uncertainty.hpp"
 
 namespace wheelwright::daemon {
 namespace {
@@ -103,6 +104,7 @@ void LogThread::take(const LogEntry& entry) {
   const Activity activity = entry.frame.command.activity;
   if (activity == Activity::route || activity == Activity::commanded_drive) {
     report_.last_driven_record = entry.record;
+    note_disagreement(entry.record);
   }
   if (entry.frame.stop != last_stop_) {
     last_stop_ = entry.frame.stop;
@@ -117,6 +119,27 @@ void LogThread::note_activity(const LogEntry& entry) {
   const bool repeats = activity == Activity::left_on && entry.frame.command.repetition > 0;
   if (const auto title = title_of(activity); !title.empty() && !repeats) spdlog::info("{}", title);
   last_activity_ = activity;
+}
+
+// From encoders nobody can tell which of both is wrong; that one of them is, can be said. Of a model that is
+// due for a calibration it has been.
+void LogThread::note_disagreement(const PoseRecord& record) {
+  constexpr double lasting_s = 2.0;
+  if (!record.hybrid || !record.has_prediction || record.predicted_covariance.trace() <= 0.0) return;
+  const HybridOutput& filter = *record.hybrid;
+  const bool apart =
+      !filter.recalibration_due &&
+      exclude_each_other(record.predicted, record.predicted_covariance, filter.pose, filter.covariance);
+  apart_ticks_ = apart ? apart_ticks_ + 1 : 0;
+  if (!apart || apart_ticks_ * config_.link.period_s < lasting_s) return report_.apart_m.reset();
+  const bool is_known = report_.apart_m.has_value();
+  report_.apart_m = distance_between_m(record.predicted, filter.pose);
+  if (is_known) return;
+  spdlog::warn(
+      "{:.2f} s: model and encoders put the robot {:.2f} m apart, which is more than both may err: a wheel "
+      "or an "
+      "encoder is not as it was when calibrated; look at them, then calibrate again",
+      record.t_s, *report_.apart_m);
 }
 
 void LogThread::note_faults(const PoseRecord& record) {
@@ -183,7 +206,8 @@ void LogThread::tell_of_link(const roomba::Event& event) {
     case EventCode::stream_period:
       spdlog::info("the robot streams every {:.3f} ms", 1e3 * event.value);
       if (std::abs(event.value / config_.link.period_s - 1.0) > 0.01)
-        spdlog::warn("link.period_s is {} ms: set it to {:.6f}", 1e3 * config_.link.period_s, event.value);
+        spdlog::warn("link.period_s is {:.3f} ms: set it to {:.6f}", 1e3 * config_.link.period_s,
+                     event.value);
       return;
     default:
       return;

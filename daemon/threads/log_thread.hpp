@@ -1,5 +1,5 @@
 // The thread that writes: drive log, pose log, the same as MCAP where it is wanted, the daemon's messages,
-// and after a fault the last 250 ticks.
+// and after a stop that nobody asked for the last 250 ticks.
 #pragma once
 
 #include <array>
@@ -26,6 +26,8 @@ struct LogReport {
   std::uint64_t faults = 0;        // that the hybrid filter found
   bool recalibration_due = false;  // as it said at last
   double route_length_m = 0.0;     // as predicted
+  // How far the model and the filter put the robot apart at last, where their uncertainties exclude that.
+  std::optional<double> apart_m;
 };
 
 class LogThread {
@@ -50,6 +52,7 @@ class LogThread {
   void tell_of_drive(const roomba::Event& event);
   void note_activity(const LogEntry& entry);
   void note_faults(const PoseRecord& record);
+  void note_disagreement(const PoseRecord& record);
   void note_file_errors();
   void write_flight_recorder(StopReason reason);
   void finish();
@@ -66,6 +69,7 @@ class LogThread {
   std::size_t recorder_next_ = 0;
   StopReason last_stop_ = StopReason::none;
   Activity last_activity_ = Activity::idle;
+  int apart_ticks_ = 0;  // in a row
   LogReport report_;
 };
 

@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "config/load/text_format.hpp"
+#include "drivers/open_interface/query_reader.hpp"
 #include "model/brain/route_forecast.hpp"
 
 namespace wheelwright::daemon {
@@ -26,10 +28,28 @@ void check_type(const config::DaemonConfig& config, ModelType type, const std::s
                     std::string(name_of(wanted)) + " (calibration.type, wheelwright fit --type)");
 }
 
+// A reply has to come whole within its period.
+void check_baud(const config::DaemonConfig& config) {
+  constexpr double bits_per_byte = 10.0;
+  const auto bytes = static_cast<double>(open_interface::QueryReader().reply_bytes());
+  const double reply_ms = 1e3 * bytes * bits_per_byte / config.baud;
+  if (reply_ms < 1e3 * config.link.period_s) return;
+  throw ConfigError(config.file.string() + ": link.baud is too slow: the sensors of one period take " +
+                    config::fixed_number(reply_ms, 1) + " ms, but link.period_s is " +
+                    config::fixed_number(1e3 * config.link.period_s, 1) +
+                    " ms; set it to 115200, or give a longer period");
+}
+
 void check_model(const config::DaemonConfig& config, const RobotModel& model) {
   const std::string file = config.model_file.string();
   if (std::abs(model.linear_part.period_s / config.link.period_s - 1.0) > 0.005) {
     throw ConfigError(file + ": was made for another period than link.period_s; calibrate again");
+  }
+  const double base_m = model.linear_part.wheel_base_m;
+  if (std::abs(base_m / config.limits.wheel_base_m - 1.0) > 0.001) {
+    throw ConfigError(file + ": was made with a wheel base of " + config::plain_number(base_m) +
+                      " m, but robot.wheel_base_m is " + config::plain_number(config.limits.wheel_base_m) +
+                      " m; calibrate again, or set it to that of the model");
   }
   check_type(config, model.linear_part.type, file + ": holds");
   if (!config.commanded_drive && config.pose_source == PoseSource::hybrid && !model.encoder_scale) {
@@ -43,6 +63,7 @@ void check_model(const config::DaemonConfig& config, const RobotModel& model) {
 }  // namespace
 
 Plan make_plan(const config::DaemonConfig& config, std::optional<RobotModel> model) {
+  check_baud(config);
   Plan plan;
   plan.limits = config.limits;
   const bool calibrate =

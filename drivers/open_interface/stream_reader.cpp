@@ -24,6 +24,7 @@ std::optional<Reading> StreamReader::take(std::uint8_t byte) {
   if (size_ < frame_bytes_) return std::nullopt;
   const auto reading = checksum_passes() ? decode() : std::nullopt;
   if (reading) {
+    note_damage();
     ++counts_.frames;
     size_ = 0;
     return reading;
@@ -73,8 +74,16 @@ std::optional<Reading> StreamReader::decode() const {
   return reading;
 }
 
+void StreamReader::note_damage() {
+  constexpr int most = 10;
+  const auto damaged = static_cast<int>((stray_since_frame_ + frame_bytes_ / 2) / frame_bytes_);
+  damaged_before_ = counts_.frames > 0 && damaged <= most ? damaged : 0;
+  stray_since_frame_ = 0;
+}
+
 void StreamReader::drop_first_byte() {
   ++counts_.stray_bytes;
+  ++stray_since_frame_;
   stray_text_.take(buffer_[0]);
   std::shift_left(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(size_), 1);
   --size_;

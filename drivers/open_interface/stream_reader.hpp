@@ -41,6 +41,10 @@ class StreamReader {
   // Takes a byte; the reading where it completes a sound frame.
   std::optional<Reading> take(std::uint8_t byte);
 
+  // How many frames came damaged between the last sound one and the one before it, by the bytes between them.
+  // 0 for the first, and where so much came that it was no frames.
+  int damaged_before() const { return damaged_before_; }
+
   ChecksumRule rule() const { return rule_; }
   const StreamCounts& counts() const { return counts_; }
   StrayText& stray_text() { return stray_text_; }
@@ -54,6 +58,7 @@ class StreamReader {
   bool checksum_passes();
   std::optional<Reading> decode() const;
   void drop_first_byte();
+  void note_damage();
 
   std::array<PacketId, max_packets> list_{};
   std::size_t list_size_ = 0;
@@ -62,6 +67,8 @@ class StreamReader {
   std::size_t size_ = 0;
   ChecksumRule rule_ = ChecksumRule::unknown;
   std::array<std::uint32_t, 2> passes_{};  // header included, header excluded
+  std::size_t stray_since_frame_ = 0;
+  int damaged_before_ = 0;
   StreamCounts counts_;
   StrayText stray_text_;
 };

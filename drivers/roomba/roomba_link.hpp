@@ -85,6 +85,7 @@ class RoombaLink {
   bool stands() const;
   const LinkCounts& counts() const { return counts_; }
   const open_interface::ReplyCounts& reply_counts() const { return query_.counts(); }
+  int damaged_frames_before() const { return stream_.damaged_before(); }
   const open_interface::StreamCounts& stream_counts() const { return stream_.counts(); }
   open_interface::ChecksumRule checksum_rule() const { return stream_.rule(); }
   open_interface::StrayText& stray_text();

@@ -22,7 +22,6 @@ using std::chrono::steady_clock;
 // The timer wakes so much before a deadline, and the rest is slept to the nanosecond: Asio's own way to a
 // deadline costs some 40 us more (a timerfd in whole microseconds, behind epoll).
 constexpr auto wake_ahead = std::chrono::microseconds(300);
-constexpr std::int64_t frames_to_measure = 200;
 
 void sleep_until(steady_clock::time_point deadline) {
   const auto since = deadline.time_since_epoch();
@@ -106,7 +105,10 @@ void SensorLoop::on_timer() {
   tick_due_ = deadline_;
   begun_late_ = steady_clock::now() - tick_due_;
   tick();
-  if (tick_open_ && config_.link.transport == Transport::stream) finish_tick(nullptr);
+  if (config_.link.transport == Transport::stream) {
+    stream_clock_.silence();
+    if (tick_open_) finish_tick(nullptr);
+  }
   deadline_ += period_;
   if (!ending_) wait_for_tick();
 }
@@ -240,7 +242,8 @@ void SensorLoop::on_reading(const open_interface::Reading& reading) {
     if (tick_open_) finish_tick(&reading);
     return;
   }
-  measure_stream_period();
+  make_up_for_damage();
+  if (ending_) return;
   note_lateness(std::max(steady_clock::now() - deadline_, steady_clock::duration::zero()));
   tick();
   if (ending_) return;
@@ -248,11 +251,18 @@ void SensorLoop::on_reading(const open_interface::Reading& reading) {
   deadline_ = steady_clock::now() + period_;
 }
 
-void SensorLoop::measure_stream_period() {
-  if (++stream_frames_ == 1) first_stream_frame_s_ = now_s();
-  if (stream_frames_ != frames_to_measure + 1) return;
-  report(EventCode::stream_period,
-         (now_s() - first_stream_frame_s_) / static_cast<double>(frames_to_measure));
+// A damaged frame is a period without a reading.
+void SensorLoop::make_up_for_damage() {
+  const bool was_measured = stream_clock_.period_s().has_value();
+  const auto missing = stream_clock_.frame(now_s(), link_.damaged_frames_before());
+  for (std::int64_t i = 0; i < missing && !ending_; ++i) {
+    tick();
+    if (!ending_) finish_tick(nullptr);
+  }
+  if (const auto measured_s = stream_clock_.period_s(); measured_s && !was_measured) {
+    report(EventCode::stream_period, *measured_s);
+    if (is_another_period(*measured_s, config_.link.period_s)) link_.stop(StopReason::other_period);
+  }
 }
 
 bool SensorLoop::flush_held_up() {
@@ -288,7 +298,7 @@ void SensorLoop::write(std::span<const std::uint8_t> bytes) {
 void SensorLoop::adopt(const serial::OpenPort& port) {
   io_->port.assign(port.descriptor);
   held_up_size_ = 0;
-  stream_frames_ = 0;
+  stream_clock_ = {};
   held_by_adapter_ = std::chrono::milliseconds(port.latency_timer_ms.value_or(0));
   link_.port_opened();
   if (guard_ != nullptr) guard_->port_opened(port.descriptor);

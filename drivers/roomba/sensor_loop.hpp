@@ -18,6 +18,7 @@
 #include "drivers/roomba/reopen_schedule.hpp"
 #include "drivers/roomba/roomba_link.hpp"
 #include "drivers/roomba/silence.hpp"
+#include "drivers/roomba/stream_clock.hpp"
 #include "drivers/serial/serial_port.hpp"
 
 namespace wheelwright::roomba {
@@ -128,7 +129,7 @@ class SensorLoop {
   void reopen_if_due();
   void report_changes();
   void report(EventCode code, double value, std::string_view text = {});
-  void measure_stream_period();
+  void make_up_for_damage();
   double now_s() const;
 
   SensorLoopConfig config_;
@@ -161,8 +162,7 @@ class SensorLoop {
   bool reported_rule_ = false;
   std::uint64_t reported_unarmed_motion_ = 0;
   unsigned reported_stuck_bits_ = 0;
-  std::int64_t stream_frames_ = 0;
-  double first_stream_frame_s_ = 0.0;
+  StreamClock stream_clock_;
 
   struct {
     LoopCount ticks, overruns, skipped_periods, writes_held_up, commands_late, sound_readings;

@@ -30,7 +30,6 @@ class DriveUnit {
   double rolling_radius_m() const;
   double speed_rad_s() const { return wheel_speed_rad_s_; }
   double encoder_angle_rad() const { return motor_angle_rad_; }
-  double encoder_speed_rad_s() const { return motor_speed_rad_s_; }
   double current_a() const { return current_a_; }  // through the winding, signed
   double kinetic_energy_j() const;
 

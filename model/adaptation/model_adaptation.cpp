@@ -5,8 +5,8 @@
 
 #include "model/adaptation/adaptation_fit.hpp"
 #include "model/adaptation/free_run_start.hpp"
-#include "model/adaptation/known_scale.hpp"
 #include "model/filter/filter_noise.hpp"
+#include "model/simulation/known_scale.hpp"
 #include "model/simulation/model_simulation.hpp"
 
 namespace wheelwright {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "model/adaptation/free_run_start.hpp"
-#include "model/adaptation/known_scale.hpp"
+#include "model/simulation/known_scale.hpp"
 
 namespace wheelwright {
 namespace {
@@ -34,6 +34,7 @@ void ModelTrial::begin_block(const SensorFrame& frame) {
   for (Runner* runner : {&present_, &candidate_}) {
     runner->travel_m = {};
     runner->block_squares = 0.0;
+    runner->block_turn_squares = 0.0;
   }
 }
 
@@ -41,6 +42,7 @@ void ModelTrial::compare(Runner& runner, const WheelPair& counted_m) {
   const double left = runner.travel_m.left - counted_m.left;
   const double right = runner.travel_m.right - counted_m.right;
   runner.block_squares += 0.5 * (left * left + right * right);
+  runner.block_turn_squares += (right - left) * (right - left);
 }
 
 void ModelTrial::end_block() {
@@ -49,8 +51,8 @@ void ModelTrial::end_block() {
   const double candidate = candidate_.block_squares / block_ticks_;
   present_.square_sum += present;
   candidate_.square_sum += candidate;
-  difference_sum_ += present - candidate;
-  difference_squares_ += (present - candidate) * (present - candidate);
+  in_travel_.add(present - candidate);
+  in_turns_.add((present_.block_turn_squares - candidate_.block_turn_squares) / block_ticks_);
   ++blocks_;
 }
 
@@ -83,10 +85,14 @@ void ModelTrial::take(const SensorFrame& frame, bool sound) {
 
 bool ModelTrial::is_better() const {
   if (blocks_ < 2) return false;
-  const double n = blocks_;
-  const double mean = difference_sum_ / n;
-  const double variance = std::max(0.0, difference_squares_ / n - mean * mean) / (n - 1.0);
-  return mean > std::sqrt(variance);
+  return in_travel_.mean(blocks_) > in_travel_.standard_error(blocks_) &&
+         in_turns_.mean(blocks_) > -in_turns_.standard_error(blocks_);
+}
+
+double ModelTrial::Advantage::standard_error(int blocks) const {
+  const double n = blocks;
+  const double variance = std::max(0.0, squares / n - mean(blocks) * mean(blocks)) / (n - 1.0);
+  return std::sqrt(variance);
 }
 
 std::optional<double> ModelTrial::rms(double square_sum) const {

@@ -1,5 +1,7 @@
 // Is one model better than another on driving that neither has seen? Both run free, from commands alone;
-// judged is the travel of each wheel since the start of a block against the encoders.
+// judged are the travel of each wheel and the turn of the robot since the start of a block, against the
+// encoders. The turn by itself, since half a percent between the wheels leads a route farther astray than two
+// percent of both.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +28,8 @@ class ModelTrial {
 
   // Blocks of 2 s so far in which the robot drove.
   int blocks() const { return blocks_; }
-  // The candidate is better by more than one standard error of the difference over the blocks.
+  // The candidate is better in travel by more than one standard error of the difference over the blocks, and
+  // not worse by as much in turns.
   bool is_better() const;
   // Root mean square of the travel error within a block, in metres; nothing before the first block.
   std::optional<double> present_error_m() const { return rms(present_.square_sum); }
@@ -38,7 +41,19 @@ class ModelTrial {
     ModelSimulation simulation;
     WheelPair travel_m;  // since the start of the block
     double block_squares = 0.0;
+    double block_turn_squares = 0.0;
     double square_sum = 0.0;  // of the mean squares of all blocks
+  };
+  // Of the present model's mean squares less the candidate's, over the blocks.
+  struct Advantage {
+    double sum = 0.0;
+    double squares = 0.0;
+    void add(double difference) {
+      sum += difference;
+      squares += difference * difference;
+    }
+    double mean(int blocks) const { return sum / blocks; }
+    double standard_error(int blocks) const;
   };
 
   std::optional<double> rms(double square_sum) const;
@@ -59,8 +74,8 @@ class ModelTrial {
   double commanded_m_ = 0.0;  // within the block
   WheelTicks start_;
   int blocks_ = 0;
-  double difference_sum_ = 0.0;
-  double difference_squares_ = 0.0;
+  Advantage in_travel_;
+  Advantage in_turns_;
 };
 
 }  // namespace wheelwright

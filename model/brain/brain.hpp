@@ -81,7 +81,6 @@ class Brain {
   StopReason wanted_stop() const;
   // Why the run ended early.
   StopReason stop_reason() const { return stop_; }
-  const Pose& final_predicted_pose() const { return last_record_.predicted; }
   const PoseRecord& last_record() const { return last_record_; }
 
  private:

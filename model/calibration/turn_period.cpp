@@ -192,7 +192,9 @@ std::optional<double> find_period(const TurnSignal& signal, Span plausible,
 std::optional<Refusal> doubt_of_period(double period, double correlation, Span plausible) {
   if (correlation < min_correlation)
     return Refusal{"the light-bumper signal has no clear period: its best repetition matches by " +
-                   rounded(correlation, 2) + " of 1; do things move around the robot, or does it slip?"};
+                   rounded(correlation, 2) +
+                   " of 1; do things move around the robot, does it slip, or are robot.wheel_base_m or "
+                   "expected_ticks_per_turn those of another robot, so that it turned by another angle?"};
   if (period < plausible.from + 1.0 || period > plausible.to - 1.0)
     return Refusal{"the best repetition lies at the edge of what is plausible (" +
                    rounded(period * step_ticks, 0) + " ticks per turn); check expected_ticks_per_turn"};

@@ -61,40 +61,43 @@ class Backlash final : public EffectOf<Backlash> {
 }  // namespace
 
 EffectInfo backlash() {
-  return {"backlash",
-          "motion is lost on reversal",
-          "Play between motor and wheel: after each change of direction the motor runs a fixed distance "
-          "before the wheel follows. A wheel that little brakes crosses the gap while it slows down, and the "
-          "loss comes when the motor speeds up again. 'wheel': the motor answers slowly, and wheel and robot "
-          "follow it at once; the encoder sits on the wheel and sees the loss. 'floor': the same, but the "
-          "encoder sits on the motor and does not see it. 'command': a light motor crosses the gap at once, "
-          "and the mass of the robot behind it answers slowly.",
-          {{"wheel", EffectStage::wheel}, {"floor", EffectStage::floor}, {"command", EffectStage::command}},
-          {{"gap",
-            "m",
-            "distance lost at each reversal, at the wheel's rim",
-            0.0,
-            0.05,
-            {0.0005, 0.001, 0.002, 0.004, 0.007, 0.012},
-            0.0003},
-           {"damping",
-            "1/s",
-            "rate at which a wheel that no tooth touches loses its speed",
-            0.0,
-            300.0,
-            {0.5, 2.0, 6.0, 25.0, 300.0},
-            0.0,
-            false},
-           {"start",
-            "1",
-            "where in the gap runs begin, from its middle to 1, the teeth in contact for forward motion",
-            0.5,
-            1.0,
-            {0.5},
-            0.0,
-            false}},
-          {.reversal = true},
-          [](const EffectArguments& arguments) { return std::make_unique<Backlash>(arguments); }};
+  EffectInfo info{
+      "backlash",
+      "motion is lost on reversal",
+      "Play between motor and wheel: after each change of direction the motor runs a fixed distance "
+      "before the wheel follows. A wheel that little brakes crosses the gap while it slows down, and the "
+      "loss comes when the motor speeds up again. 'wheel': the motor answers slowly, and wheel and robot "
+      "follow it at once; the encoder sits on the wheel and sees the loss. 'floor': the same, but the "
+      "encoder sits on the motor and does not see it. 'command': a light motor crosses the gap at once, "
+      "and the mass of the robot behind it answers slowly.",
+      {{"wheel", EffectStage::wheel}, {"floor", EffectStage::floor}, {"command", EffectStage::command}},
+      {{"gap",
+        "m",
+        "distance lost at each reversal, at the wheel's rim",
+        0.0,
+        0.05,
+        {0.0005, 0.001, 0.002, 0.004, 0.007, 0.012},
+        0.0003},
+       {"damping",
+        "1/s",
+        "rate at which a wheel that no tooth touches loses its speed",
+        0.0,
+        300.0,
+        {0.5, 2.0, 6.0, 25.0, 300.0},
+        0.0,
+        false},
+       {"start",
+        "1",
+        "where in the gap runs begin, from its middle to 1, the teeth in contact for forward motion",
+        0.5,
+        1.0,
+        {0.5},
+        0.0,
+        false}},
+      {.reversal = true},
+      [](const EffectArguments& arguments) { return std::make_unique<Backlash>(arguments); }};
+  info.by_wheel = true;
+  return info;
 }
 
 }  // namespace wheelwright::effects

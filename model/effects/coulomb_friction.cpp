@@ -17,18 +17,13 @@ class CoulombFriction final : public EffectOf<CoulombFriction> {
   }
 
   void wheel(WheelPair& speed_m_s, const StepContext& context) override {
-    speed_m_s = {left_.step(speed_m_s.left, levels_, context.period_s),
-                 right_.step(speed_m_s.right, levels_, context.period_s)};
+    friction_.step(speed_m_s, levels_, context.period_s);
   }
-  void reset() override {
-    left_.reset();
-    right_.reset();
-  }
+  void reset() override { friction_.reset(); }
 
  private:
   FrictionLevels levels_;
-  DryFriction left_;
-  DryFriction right_;
+  DryFrictionPair friction_;
 };
 
 std::vector<ParameterInfo> free_parameters() {
@@ -62,7 +57,7 @@ std::vector<ParameterInfo> controlled_parameters() {
 }  // namespace
 
 EffectInfo coulomb_friction() {
-  return {
+  EffectInfo info{
       "coulomb_friction",
       "speed loss that opposes motion, constant in size",
       "Dry friction in gear and bearing. Coasting to a stop is a straight line instead of an exponential; "
@@ -72,6 +67,8 @@ EffectInfo coulomb_friction() {
       free_parameters(),
       {.variety = true},
       [](const EffectArguments& arguments) { return std::make_unique<CoulombFriction>(arguments); }};
+  info.by_wheel = true;
+  return info;
 }
 
 }  // namespace wheelwright::effects

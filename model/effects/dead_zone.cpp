@@ -27,7 +27,7 @@ class DeadZone final : public EffectOf<DeadZone> {
 }  // namespace
 
 EffectInfo dead_zone() {
-  return {
+  EffectInfo info{
       "dead_zone",
       "commands below a threshold move nothing",
       "Firmware or motor driver ignores small commands; a static map, the same for starting and stopping. "
@@ -53,6 +53,8 @@ EffectInfo dead_zone() {
         false}},
       {.variety = true},
       [](const EffectArguments& arguments) { return std::make_unique<DeadZone>(arguments); }};
+  info.by_wheel = true;
+  return info;
 }
 
 }  // namespace wheelwright::effects

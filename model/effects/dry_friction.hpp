@@ -10,6 +10,7 @@
 // friction changes its direction, a way of 2 f / recovery_per_s is lost for good.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -38,24 +39,37 @@ struct FrictionLevels {
 
 class DryFriction {
  public:
-  // The wheel's speed over the period; `frictionless_m_s` is what the linear part says.
+  // The wheel's mean speed over the period; `frictionless_m_s` is what the linear part says. A long period is
+  // gone through in steps, since friction sets in and turns around at a moment within it.
   double step(double frictionless_m_s, const FrictionLevels& levels, double period_s) {
-    const double drive =
-        frictionless_m_s + levels.lag_s / period_s * (frictionless_m_s - frictionless_before_) + added_;
-    const double before = frictionless_before_;
+    constexpr double longest_step_s = 0.02;
+    const double steps = std::max(1.0, std::round(period_s / longest_step_s));
+    const double change = (frictionless_m_s - frictionless_before_) / steps;
+    const double first = frictionless_m_s - 0.5 * (steps - 1.0) * change;
+    double sum = 0.0;
+    for (double k = 0.0; k < steps; k += 1.0)
+      sum += small_step(first + k * change, change, levels, period_s / steps);
     frictionless_before_ = frictionless_m_s;
-    const double share = period_s / (period_s + levels.lag_s);
+    return sum / steps;
+  }
+  void reset() { *this = {}; }
+
+ private:
+  // `change` of the frictionless speed since the step before.
+  double small_step(double frictionless_m_s, double change, const FrictionLevels& levels, double step_s) {
+    const double drive = frictionless_m_s + levels.lag_s / step_s * change + added_;
+    const double share = step_s / (step_s + levels.lag_s);
     if (rests_) {
       if (std::abs(drive) <= levels.breakaway_m_s) {
-        added_ += period_s * levels.recovery_per_s * frictionless_m_s;
+        added_ += step_s * levels.recovery_per_s * frictionless_m_s;
         return 0.0;
       }
       rests_ = false;
       direction_ = std::copysign(1.0, drive);
-      taken_ = before;  // all of it, while the wheel stood
+      taken_ = frictionless_m_s - change;  // all of it, while the wheel stood
     }
     taken_ += share * (levels.sliding_m_s * direction_ - added_ - taken_);
-    added_ += period_s * levels.recovery_per_s * taken_;
+    added_ += step_s * levels.recovery_per_s * taken_;
     const double speed = frictionless_m_s - taken_;
     const bool stopped = speed * direction_ <= 0.0 || std::abs(speed) < levels.sticking_m_s;
     if (stopped && std::abs(drive) <= levels.breakaway_m_s) {
@@ -65,14 +79,26 @@ class DryFriction {
     if (speed * direction_ < 0.0) direction_ = -direction_;
     return speed;
   }
+
+  double frictionless_before_ = 0.0;  // in the period before
+  double taken_ = 0.0;                // from the frictionless speed, by now
+  double added_ = 0.0;                // drive, by a controller
+  double direction_ = 1.0;
+  bool rests_ = true;
+};
+
+// Of both wheels alike.
+class DryFrictionPair {
+ public:
+  void step(WheelPair& speed_m_s, const FrictionLevels& levels, double period_s) {
+    speed_m_s = {left_.step(speed_m_s.left, levels, period_s),
+                 right_.step(speed_m_s.right, levels, period_s)};
+  }
   void reset() { *this = {}; }
 
  private:
-  double frictionless_before_ = 0.0;
-  double taken_ = 0.0;  // from the frictionless speed, by now
-  double added_ = 0.0;  // drive, by a controller
-  double direction_ = 1.0;
-  bool rests_ = true;
+  DryFriction left_;
+  DryFriction right_;
 };
 
 }  // namespace wheelwright::effects

@@ -130,6 +130,8 @@ struct EffectVariant {
   EffectStage stage;
   std::vector<ParameterInfo> parameters{};  // of its own, in the place of the effect's
   bool acts_first = false;                  // before the others of its stage
+  // Of one with a size for each wheel: the variant whose wheels are alike (library/each_wheel_variants.hpp).
+  std::optional<std::size_t> alike{};
 };
 
 // What the data must hold for the effect to be seen at all.
@@ -169,6 +171,7 @@ struct EffectInfo {
   // Parameters with which nothing but a linear lag is left of it; what this explains as well, its linear part
   // lacks.
   std::function<std::vector<double>(const EffectArguments&)> linear_part{};
+  bool by_wheel = false;  // each wheel has its own, which may differ: library/each_wheel_variants.hpp
 
   const std::vector<ParameterInfo>& parameters_of(std::size_t variant) const {
     const std::vector<ParameterInfo>& own = variants[variant].parameters;

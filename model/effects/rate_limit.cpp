@@ -81,6 +81,7 @@ EffectInfo rate_limit() {
         false}},
       {.variety = true},
       [](const EffectArguments& arguments) { return std::make_unique<RateLimit>(arguments); }};
+  info.by_wheel = true;
   info.in_character = leaves_speed_free;
   return info;
 }

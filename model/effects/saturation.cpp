@@ -99,6 +99,7 @@ EffectInfo saturation() {
         false}},
       {.variety = true},
       [](const EffectArguments& arguments) { return std::make_unique<Saturation>(arguments); }};
+  info.by_wheel = true;
   info.in_character = is_reached;
   return info;
 }

@@ -18,18 +18,13 @@ class Stiction final : public EffectOf<Stiction> {
   }
 
   void wheel(WheelPair& speed_m_s, const StepContext& context) override {
-    speed_m_s = {left_.step(speed_m_s.left, levels_, context.period_s),
-                 right_.step(speed_m_s.right, levels_, context.period_s)};
+    friction_.step(speed_m_s, levels_, context.period_s);
   }
-  void reset() override {
-    left_.reset();
-    right_.reset();
-  }
+  void reset() override { friction_.reset(); }
 
  private:
   FrictionLevels levels_;
-  DryFriction left_;
-  DryFriction right_;
+  DryFrictionPair friction_;
 };
 
 std::vector<ParameterInfo> stiction_parameters() {

@@ -24,6 +24,26 @@ enum class FaultKind : std::uint8_t {
 };
 std::string_view name_of(FaultKind kind);
 
+// Whether it is the counts that are wrong, and not how the wheel turns.
+constexpr bool is_of_encoder(FaultKind kind) {
+  switch (kind) {
+    case FaultKind::dropped:
+    case FaultKind::frozen:
+    case FaultKind::spike:
+    case FaultKind::stuck_at:
+    case FaultKind::swapped:
+    case FaultKind::drifting:
+      return true;
+    case FaultKind::none:
+    case FaultKind::misfit:
+    case FaultKind::stalled:
+    case FaultKind::lifted:
+    case FaultKind::slipping:
+      break;
+  }
+  return false;
+}
+
 enum class FaultyWheel : std::uint8_t { left, right, both };
 
 struct FaultEvent {

@@ -41,7 +41,6 @@ class FaultClassifier {
 
   void add(const Step& step);
   bool jumped() const;
-  bool lost_whole_ticks_only() const;
 
   double period_s_;
   std::array<Step, hindsight> before_{};  // newest first

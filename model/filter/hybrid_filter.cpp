@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
+
+#include "model/simulation/known_scale.hpp"
 
 namespace wheelwright {
 namespace {
@@ -23,13 +24,6 @@ constexpr unsigned left_overcurrent = 16U;
 // A link takes so long to see that a counter's jump is lasting; after a longer silence it was the link.
 constexpr std::int64_t longest_jump_ticks = 8;
 
-WheelPair scale_of(const RobotModel& model) {
-  if (!model.encoder_scale) {
-    throw std::invalid_argument("the model has no encoder scale: calibrate it, or give metres per tick");
-  }
-  return model.encoder_scale->metres_per_tick;
-}
-
 WheelNoise wheel_noise(const FilterNoise& noise, double position_noise_m, double drift_m_per_sqrt_s) {
   WheelNoise wheel;
   wheel.refresh_period_s = noise.refresh_period_s;
@@ -41,7 +35,7 @@ WheelNoise wheel_noise(const FilterNoise& noise, double position_noise_m, double
 }  // namespace
 
 HybridFilter::HybridFilter(const RobotModel& model)
-    : HybridFilter(model.linear_part, scale_of(model), filter_noise_of(model), effect_settings(model)) {
+    : HybridFilter(model.linear_part, known_scale(model), filter_noise_of(model), effect_settings(model)) {
   doubt_ = ModelDoubt(model);
 }
 
@@ -125,6 +119,8 @@ void HybridFilter::step_wheel(Side& side, const SensorFrame& frame, std::int64_t
   reading.new_origin = frame.after_gap;
   reading.believed =
       frame.tick - last_not_driven_tick_ < believed_after_rest_ticks || side.stalled || model_is_off_;
+  reading.counts_are_faulty =
+      is_of_encoder(detector_.fault(&side == &right_ ? WheelSide::right : WheelSide::left));
   reading.distrusted = side.distrusted && !model_is_off_;
   if (frame.valid) reading.counted_m = side.metres_per_tick * static_cast<double>(ticks);
   const WheelEstimate estimate = side.filter.step(reading);

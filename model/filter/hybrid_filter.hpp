@@ -95,10 +95,6 @@ class HybridFilter {
   const EnvironmentMonitor& environment() const { return environment_; }
   // The model in motion, where the filter has the robot.
   const ModelSimulation& simulation() const { return simulation_; }
-  const GainMisfit& gain_misfit() const { return misfit_; }
-  const ScaleDriftDetector& drift_test(WheelSide wheel) const {
-    return wheel == WheelSide::right ? right_.drift : left_.drift;
-  }
 
  private:
   struct Side {

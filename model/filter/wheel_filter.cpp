@@ -186,6 +186,14 @@ void WheelFilter::resynchronise(const WheelReading& reading, WheelEstimate& esti
   estimate.kept_out_m = found_m;
 }
 
+// From where it stands now, whatever it counted before.
+void WheelFilter::keep_out(WheelEstimate& estimate) {
+  origin_m_ += estimate.innovation_m;
+  estimate.kept_out_m = estimate.innovation_m;
+  estimate.resynchronised = true;
+  estimate.innovation_m = 0.0;
+}
+
 void WheelFilter::judge(const WheelReading& reading, double counted_step_m, WheelEstimate& estimate) {
   const double residual_m = *reading.counted_m - origin_m_ - model_m_;
   const double reading_m2 = estimate.reading_sd_m * estimate.reading_sd_m;
@@ -199,9 +207,13 @@ void WheelFilter::judge(const WheelReading& reading, double counted_step_m, Whee
   if (reading.distrusted) {
     suspended_ = true;
   } else if (reading.believed) {
+    if (suspended_ && reading.counts_are_faulty) {
+      keep_out(estimate);
+    } else {
+      weigh(estimate.innovation_m, reading_m2);
+    }
     suspended_ = false;
     estimate.accepted = true;
-    weigh(estimate.innovation_m, reading_m2);
     undone_m_ = {};
     innovations_ = 0;
   } else if (suspended_) {

@@ -40,6 +40,7 @@ struct WheelReading {
   bool new_origin = false;          // counts have nothing to do with those before
   bool distrusted = false;          // discard whatever it says
   bool believed = false;            // the model does not hold (not driven, stalled): no gate
+  bool counts_are_faulty = false;   // those so far, of an encoder that is suspended: they stay out for good
 };
 
 struct WheelEstimate {
@@ -92,6 +93,7 @@ class WheelFilter {
   void discard_first();
   bool proves_sound(double counted_less_model_m, double reading_sd_m, double predicted_m);
   void resynchronise(const WheelReading& reading, WheelEstimate& estimate);
+  void keep_out(WheelEstimate& estimate);
 
   WheelNoise noise_;
   double period_s_;

@@ -76,6 +76,8 @@ std::string_view name_of(StopReason reason) {
       return "a wheel is held though its motor pulls";
     case StopReason::lost_count:
       return "an encoder that steers the route counts no more";
+    case StopReason::other_period:
+      return "the robot streams at another period than link.period_s";
   }
   return "unknown";
 }

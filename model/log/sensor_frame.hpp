@@ -50,7 +50,9 @@ enum class StopReason : std::uint8_t {
   requested,     // by the user
   held,          // a wheel does not turn although its motor pulls
   lost_count,    // an encoder that the route is steered by counts no more
+  other_period,  // the robot streams at another period than is configured
 };
+inline constexpr StopReason last_stop_reason = StopReason::other_period;
 std::string_view name_of(StopReason reason);
 
 constexpr std::int32_t largest_late_us = 10'000'000;  // that a frame states

@@ -70,6 +70,37 @@ TwistResponse twist_response(const LinearModel& model, std::size_t length) {
   return result;
 }
 
+LinearModel as_fir(const LinearModel& model) {
+  if (model.type == ModelType::fir) return model;
+  constexpr double negligible = 1e-5;
+  constexpr std::size_t longest = 200;
+  const double pole = std::max(largest_pole(model.left), largest_pole(model.right));
+  const auto given = std::max({model.left.from_left.size(), model.left.from_right.size(),
+                               model.right.from_left.size(), model.right.from_right.size()});
+  std::size_t length = given;
+  for (double left = 1.0; left > negligible && length < longest; left *= pole) ++length;
+  LinearModel fir{ModelType::fir, model.period_s, model.wheel_base_m, {}, {}};
+  const auto excite = [&](const WheelPair& impulse, std::vector<double>& of_left,
+                          std::vector<double>& of_right) {
+    LinearPredictor predictor(model);
+    for (std::size_t k = 0; k < length; ++k) {
+      const WheelPair speed = predictor.step(k == 0 ? impulse : WheelPair{});
+      of_left.push_back(speed.left);
+      of_right.push_back(speed.right);
+    }
+  };
+  excite({1.0, 0.0}, fir.left.from_left, fir.right.from_left);
+  excite({0.0, 1.0}, fir.left.from_right, fir.right.from_right);
+  const auto keep_gain = [](WheelResponse& response, const DcGain& gain) {
+    const DcGain cut = dc_gain(response);
+    response.from_left.back() += gain.from_left - cut.from_left;
+    response.from_right.back() += gain.from_right - cut.from_right;
+  };
+  keep_gain(fir.left, dc_gain(model.left));
+  keep_gain(fir.right, dc_gain(model.right));
+  return fir;
+}
+
 double largest_pole(const WheelResponse& response) {
   double largest = 0.0;
   for (const auto& pole : poles(response)) largest = std::max(largest, std::abs(pole));

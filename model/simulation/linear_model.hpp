@@ -55,6 +55,10 @@ struct TwistResponse {
 };
 TwistResponse twist_response(const LinearModel& model, std::size_t length);
 
+// The same answers as impulse responses (type fir). A tail that decays beyond 200 periods is cut there; the
+// gain stays.
+LinearModel as_fir(const LinearModel& model);
+
 // Size of the largest pole of one wheel's recursion; 0 for FIR. Below 1 is stable.
 double largest_pole(const WheelResponse& response);
 

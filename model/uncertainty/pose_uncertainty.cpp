@@ -121,4 +121,12 @@ double position_radius95_m(const Eigen::Matrix3d& covariance) {
   return factor * std::sqrt(variances.major_m2);
 }
 
+bool exclude_each_other(const Pose& one, const Eigen::Matrix3d& covariance_of_one, const Pose& other,
+                        const Eigen::Matrix3d& covariance_of_other) {
+  constexpr double far = 2.0;
+  const double radius_m =
+      std::hypot(position_radius95_m(covariance_of_one), position_radius95_m(covariance_of_other));
+  return distance_between_m(one, other) > far * radius_m;
+}
+
 }  // namespace wheelwright

@@ -75,4 +75,9 @@ std::vector<Pose> ellipse95_outline(const Pose& pose, const Eigen::Matrix3d& cov
 // 16-28).
 double position_radius95_m(const Eigen::Matrix3d& covariance);
 
+// Whether two estimates of where a robot is exclude each other: they are further apart than twice what both
+// radii together allow. Of a sound pair fewer than one in 10 000 does.
+bool exclude_each_other(const Pose& one, const Eigen::Matrix3d& covariance_of_one, const Pose& other,
+                        const Eigen::Matrix3d& covariance_of_other);
+
 }  // namespace wheelwright

@@ -67,6 +67,7 @@ CallsWhileDriving drive_a_route(roomba::Transport transport) {
   daemon::RingClient client(*wiring);
   roomba::LinkConfig link;
   link.transport = transport;
+  if (transport == roomba::Transport::stream) link.period_s = 0.015625;  // the robot's own
   link.late_commands_held = 50;  // the machine may be busy; that is not what is tested
   link.blind_limit_s = 0.9;
   roomba::SensorLoop sensor_loop({link, robot.path(), 115200}, *port, client);

@@ -1,6 +1,10 @@
 // The disk under the logs is full: the robot stays under control, and the loss is told.
 #include <sys/mount.h>
 
+#include <fstream>
+#include <iterator>
+#include <string>
+
 #include "tests/loopback/bench/bench.hpp"
 #include "tests/support/catch.hpp"
 
@@ -40,6 +44,10 @@ TEST_CASE("On a full disk the route is driven to its end, the file is named, and
   CHECK_THAT(daemon->out(), ContainsSubstring("Result: finished"));
   CHECK_THAT(daemon->out(), ContainsSubstring("drive_log.csv: cannot be written: No space left on device"));
   CHECK_THAT(daemon->err(), ContainsSubstring("drive_log.csv: cannot be written: No space left on device"));
+  std::ifstream log(bench.runs().back() / "drive_log.csv");
+  const std::string text{std::istreambuf_iterator<char>(log), {}};
+  REQUIRE(text.size() > 1000);
+  CHECK(text.back() == '\n');
   robot->end();
   const Table truth = bench.truth();
   CHECK_THAT(truth.number(truth.rows() - 1, "x"), WithinAbs(0.25, 0.03));

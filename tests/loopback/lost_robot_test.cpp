@@ -109,7 +109,30 @@ TEST_CASE("Without run.at_end 'stay' a robot that falls silent ends the run with
   REQUIRE(daemon->says("route: driving", 10s));
   std::this_thread::sleep_for(300ms);
   robot->signal(SIGUSR1);
-  CHECK(daemon->wait(10s) == 1);
+  REQUIRE(daemon->says("the robot may still drive: lift it or plug it in again", 5s));
+  CHECK(daemon->end() == 1);
   CHECK_THAT(daemon->out(), ContainsSubstring("Result: stopped, no valid sensor reading for too long"));
+  CHECK_THAT(daemon->out(), ContainsSubstring("it could not be told to stand: lift it"));
   CHECK(Table::load(bench.runs().back() / "flight_recorder.csv").rows() > 20);
+}
+
+TEST_CASE(
+    "Without run.at_end 'stay' a robot that is plugged in again is told to stand before the daemon ends") {
+  Bench bench;
+  const auto robot = bench.start_robot("perfect");
+  LineTap tap(bench.device(), bench.folder() / "tapped");
+  const auto daemon = bench.start_daemon(bench.configure({.device = "tapped", .route = "[[3, 0]]"}));
+  REQUIRE(daemon->says("route: driving", 10s));
+  std::this_thread::sleep_for(700ms);
+  tap.pull_out();
+  REQUIRE(daemon->says("the robot may still drive", 5s));
+  std::this_thread::sleep_for(1s);
+  tap.put_in();
+  CHECK(daemon->wait(15s) == 1);
+  CHECK_THAT(daemon->err(), ContainsSubstring("the robot answers again"));
+  CHECK_THAT(daemon->out(), !ContainsSubstring("could not be told to stand"));
+  std::this_thread::sleep_for(500ms);
+  robot->end();
+  const Table truth = bench.truth();
+  CHECK(std::abs(truth.number(truth.rows() - 1, "speed_left")) < 0.001);
 }

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "model/effects/library/each_wheel_variants.hpp"
 #include "model/effects/library/wheel_load_variants.hpp"
 
 namespace wheelwright {
@@ -46,6 +47,7 @@ std::span<const EffectInfo> effect_library() {
     std::vector<EffectInfo> all = effects::all();
     for (auto& info : all) {
       if (info.may_load_wheels) info = with_wheel_load_variants(std::move(info));
+      if (info.by_wheel) info = with_each_wheel_variants(std::move(info));
     }
     return all;
   }();

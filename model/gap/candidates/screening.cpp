@@ -217,12 +217,18 @@ std::vector<Judgement> judge_all(const std::vector<Probe>& probes, const Respons
   return judgements;
 }
 
+// That of its wheels alike, where it has a size for each.
+std::size_t alike_variant(const TrialEffect& effect) {
+  return effect.info->variants[effect.variant].alike.value_or(effect.variant);
+}
+
 std::vector<Screened> best_of_each_variant(const std::vector<Judgement>& judgements) {
   std::vector<Screened> best;
   for (const Judgement& judgement : judgements) {
     const Screened& screened = judgement.screened;
     const auto same = std::ranges::find_if(best, [&](const Screened& other) {
-      return other.start.info == screened.start.info && other.start.variant == screened.start.variant;
+      return other.start.info == screened.start.info &&
+             alike_variant(other.start) == alike_variant(screened.start);
     });
     if (same == best.end()) {
       best.push_back(screened);
@@ -244,6 +250,7 @@ Screening screen(const FitProblem& problem, const Fit& fit,
 
   Screening result;
   for (std::size_t p = 0; p < probes.size(); ++p) {
+    if (probes[p].info->variants[probes[p].variant].alike) continue;  // as visible as with both wheels alike
     result.visibility.push_back(
         {{probes[p].info, probes[p].variant, probes[p].points[0]}, judgements[p].nats});
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/gap/candidates/region_scale.hpp"
+#include "model/gap/candidates/screening_pairs.hpp"
 
 namespace wheelwright::gap {
 namespace {
@@ -116,6 +117,30 @@ void add_probes(const EffectInfo& info, std::size_t variant, const Floor& floor,
   }
 }
 
+// Of an effect with a size for each wheel: every other size at one wheel alone, with the first and the last
+// shape. Where both wheels have it, the variant whose wheels are alike shows it as well.
+void add_probes_of_one_wheel(const EffectInfo& info, std::size_t variant, const Floor& floor,
+                             std::vector<Probe>& probes) {
+  const std::vector<ParameterInfo>& parameters = info.parameters_of(variant);
+  Points shapes = shapes_of(parameters, floor);
+  for (auto& shape : shapes) {
+    for (std::size_t i = 0; i < parameters.size(); ++i) {  // none of it, as no limit is a high one
+      if (parameters[i].scales_effect && !vanishes_at_zero(parameters[i])) shape[i] = parameters[i].upper;
+    }
+  }
+  for (std::size_t wheel = 0; wheel < parameters.size(); ++wheel) {
+    if (!parameters[wheel].scales_effect) continue;
+    for (std::size_t size = 1; size < parameters[wheel].sizes.size(); size += 2) {
+      for (std::size_t shape = 0; shape < shapes.size();
+           shape += std::max<std::size_t>(1, shapes.size() - 1)) {
+        std::vector<double> point = shapes[shape];
+        point[wheel] = parameters[wheel].sizes[size];
+        probes.push_back({&info, variant, {std::move(point)}});
+      }
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Probe> probes_of(std::span<const EffectInfo* const> candidate_effects, const FitProblem& problem,
@@ -125,7 +150,11 @@ std::vector<Probe> probes_of(std::span<const EffectInfo* const> candidate_effect
   const Floor floor{visited_places(problem, model, scale), scale};
   for (const EffectInfo* info : candidate_effects) {
     for (std::size_t variant = 0; variant < info->variants.size(); ++variant) {
-      if (told_apart(*info, variant, problem.has_counts())) add_probes(*info, variant, floor, probes);
+      if (info->variants[variant].alike) {
+        add_probes_of_one_wheel(*info, variant, floor, probes);
+      } else if (told_apart(*info, variant, problem.has_counts())) {
+        add_probes(*info, variant, floor, probes);
+      }
     }
   }
   return probes;

@@ -12,10 +12,6 @@ namespace {
 constexpr std::string_view dead_zone = "dead_zone";
 constexpr std::string_view stiction = "stiction";
 
-// Of dead_zone.
-constexpr std::size_t threshold = 0;
-constexpr std::size_t taper = 1;
-
 // Of stiction.
 constexpr std::size_t breakaway = 0;
 constexpr std::size_t sticking_speed = 3;
@@ -99,19 +95,24 @@ class Tuning {
   double min_;
 };
 
-// Firmware passes commands above its threshold whole, an output stage less: each threshold is tried with the
-// taper as it is, and as a step.
-void tune_dead_zone(const FitProblem& train, const TrialModel& model, std::size_t effect, Tuning& tuning) {
+// Of the wheels, or of one of them. Firmware passes commands above its threshold whole, an output stage less:
+// each threshold is tried with the taper, the last parameter, as it is, and as a step.
+void tune_dead_zone(const FitProblem& train, const TrialModel& model, std::size_t effect,
+                    std::size_t threshold, Tuning& tuning) {
   constexpr double max_times = 3.0;  // of the threshold as it is
   const auto parameters = [&] { return model.effects[effect].parameters; };
+  const std::size_t taper = parameters().size() - 1;
   const double step = model.effects[effect].parameter_info(taper).lower;
   const std::vector<double> sizes = command_sizes_m_s(train, max_times * parameters()[threshold]);
   const std::size_t stride = 1 + sizes.size() / max_tried;
   const auto with_tapers = [&](const std::vector<double>& thresholds) {
     std::vector<std::vector<double>> tried;
     for (const double value : thresholds) {
-      tried.push_back({value, parameters()[taper]});
-      tried.push_back({value, step});
+      for (const double shape : {parameters()[taper], step}) {
+        tried.push_back(parameters());
+        tried.back()[threshold] = value;
+        tried.back()[taper] = shape;
+      }
     }
     return tried;
   };
@@ -134,7 +135,8 @@ TrialModel with_thresholds_tuned(const FitProblem& train, TrialModel model) {
   for (std::size_t i = 0; i < model.effects.size(); ++i) {
     const auto value = [&](std::size_t parameter) { return model.effects[i].parameters[parameter]; };
     if (model.effects[i].info->name == dead_zone) {
-      tune_dead_zone(train, model, i, tuning);
+      for (std::size_t threshold = 0; threshold + 1 < model.effects[i].parameters.size(); ++threshold)
+        tune_dead_zone(train, model, i, threshold, tuning);
     } else if (model.effects[i].info->name == stiction) {
       for (const double most : {1.3, 1.04}) {
         tuning.choose(i, breakaway, context(value(breakaway), most, 12));

@@ -64,10 +64,6 @@ bool FitProblem::has_counts() const {
   return std::ranges::any_of(runs_, [](const GapRun& run) { return run.has_counts; });
 }
 
-bool FitProblem::has_motion() const {
-  return std::ranges::any_of(runs_, [](const GapRun& run) { return run.references.size() >= 2; });
-}
-
 double FitProblem::smallest_reading(std::size_t channel) const {
   if (channel > static_cast<std::size_t>(Channel::right)) return 1e-5;
   double largest_tick = 0.0;

@@ -43,7 +43,6 @@ class FitProblem {
   // Of a run; zero without counts.
   const WheelPair& metres_per_tick(std::size_t run) const { return metres_per_tick_[run]; }
   bool has_counts() const;
-  bool has_motion() const;  // references, near or far
   std::size_t readings() const { return size_; }
 
   // The noise under which the errors of a model are most likely. Only readings that lie at least

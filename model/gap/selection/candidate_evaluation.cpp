@@ -11,6 +11,7 @@
 #include "model/gap/candidates/region_search.hpp"
 #include "model/gap/candidates/threshold_search.hpp"
 #include "model/gap/selection/default_linear_part.hpp"
+#include "model/gap/selection/unequal_wheels.hpp"
 
 namespace wheelwright::gap {
 
@@ -265,6 +266,7 @@ SelectionStep CandidateEvaluation::evaluate(const Fit& without, const std::vecto
     selection_step.candidates[i].fit.model = tried.singles[i];
   fit_all(steps_of_a_fit, with_region_found);
   shape_forks(selection_step, steps_of_a_fit);
+  size_each_wheel(train_, comparison_, limits_, selection_step, parallel_for_);
   const bool by_pair =
       selection_step.pair && (comparison_.pair_worth_adding(*selection_step.pair, selection_step) ||
                               pair_stands_out_of_its_own_noise(selection_step));

@@ -6,6 +6,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "model/effects/library/each_wheel_variants.hpp"
 #include "model/effects/library/effect_library.hpp"
 
 namespace wheelwright::gap {
@@ -53,7 +54,21 @@ EffectDifference of_one(const Finding& found, bool of_robot, DifferenceKind kind
   return difference;
 }
 
+// As one whose wheels differ, where they are alike.
+Finding with_size_for_each_wheel(const Finding& found) {
+  Finding parted = found;
+  parted.setting = of_each_wheel(found.setting);
+  if (found.intervals.size() == found.setting.parameters.size())
+    parted.intervals = values_of_each_wheel(parted.setting, found.intervals);
+  return parted;
+}
+
 EffectDifference of_both(const Finding& simulation, const Finding& robot) {
+  const bool parted = is_of_each_wheel(simulation.setting);
+  if (parted != is_of_each_wheel(robot.setting)) {
+    return parted ? of_both(simulation, with_size_for_each_wheel(robot))
+                  : of_both(with_size_for_each_wheel(simulation), robot);
+  }
   EffectDifference difference{simulation.setting.name, DifferenceKind::same, simulation.setting.variant,
                               robot.setting.variant, parameters_of_one(robot, true)};
   const auto of_simulation = parameters_of_one(simulation, false);
@@ -68,15 +83,17 @@ EffectDifference of_both(const Finding& simulation, const Finding& robot) {
 }
 
 // Whether the robot's runs would have shown an effect of this size.
-bool would_show(const Finding& of_simulation, const GapAnalysis& robot) {
-  const auto detectable =
-      std::ranges::find(robot.detectable, of_simulation.setting.name, &Detectable::effect);
+bool would_show(const EffectSetting& of_simulation, const GapAnalysis& robot) {
+  if (is_of_each_wheel(of_simulation))
+    return would_show(as_at(WheelSide::left, of_simulation), robot) ||
+           would_show(as_at(WheelSide::right, of_simulation), robot);
+  const auto detectable = std::ranges::find(robot.detectable, of_simulation.name, &Detectable::effect);
   if (detectable == robot.detectable.end()) return false;
-  const auto infos = parameters_of(of_simulation.setting);
+  const auto infos = parameters_of(of_simulation);
   const auto parameter = std::ranges::find(infos, detectable->parameter, &ParameterInfo::name);
   if (parameter == infos.end()) return false;
   const auto i = static_cast<std::size_t>(parameter - infos.begin());
-  const double size = std::abs(of_simulation.setting.parameters[i]);
+  const double size = std::abs(of_simulation.parameters[i]);
   const bool grows_with_size = parameter->lower <= 0.0;  // else, as of a limit, the smaller the more of it
   return grows_with_size ? size >= detectable->size : size <= detectable->size;
 }
@@ -161,9 +178,9 @@ std::vector<EffectDifference> effect_differences(const GapAnalysis& simulation, 
   }
   for (const Finding& of_simulation : simulation.found) {
     if (find(robot.found, of_simulation.setting.name) != nullptr) continue;
-    differences.push_back(
-        of_one(of_simulation, false,
-               would_show(of_simulation, robot) ? DifferenceKind::surplus : DifferenceKind::not_shown));
+    differences.push_back(of_one(
+        of_simulation, false,
+        would_show(of_simulation.setting, robot) ? DifferenceKind::surplus : DifferenceKind::not_shown));
   }
   leave_out_needless(differences, robot);
   return differences;

@@ -100,10 +100,10 @@ void keep_freed_memory() {
 
 gap::ParallelFor parallel_for() {
   keep_freed_memory();
-  const std::size_t linear_parts = std::max(1U, std::thread::hardware_concurrency());
-  const auto pool = std::make_shared<ThreadPool>(linear_parts - 1);
-  return [pool, linear_parts](std::size_t count, const std::function<void(std::size_t)>& job) {
-    if (linear_parts < 2 || count < 2) return gap::serial_for(count, job);
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  const auto pool = std::make_shared<ThreadPool>(cores - 1);
+  return [pool, cores](std::size_t count, const std::function<void(std::size_t)>& job) {
+    if (cores < 2 || count < 2) return gap::serial_for(count, job);
     pool->run(count, job);
   };
 }

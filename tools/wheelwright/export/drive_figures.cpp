@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "config/load/printable_text.hpp"
+#include "model/effects/library/each_wheel_variants.hpp"
 #include "model/effects/library/effect_library.hpp"
 #include "model/statistics/confidence.hpp"
 
@@ -77,30 +78,39 @@ void add_scale(const RobotModel& model, const AddedEffect& effect, DriveFigures&
 
 // What a controller of the wheels' speed makes up for costs no speed in the end, and no command is too small.
 bool is_made_up_for(const AddedEffect& friction) {
-  return friction.setting.variant == "controlled";
+  return as_at(WheelSide::left, friction.setting).variant == "controlled";
 }
 
-void add_limit(const RobotModel& model, const AddedEffect& effect, DriveFigures& figures) {
+// Of one wheel; of both together the tighter limit.
+void add_limit(const RobotModel& model, const AddedEffect& effect, WheelSide wheel, DriveFigures& figures) {
+  const EffectSetting own = as_at(wheel, effect.setting);
+  const std::vector<std::size_t> places = places_at(wheel, effect.setting);
+  WheelLimits& limits = wheel == WheelSide::left ? figures.left_limits : figures.right_limits;
   const double gain = 0.5 * (figures.gain.left + figures.gain.right);
-  const double of_speed = effect.setting.variant == "command" ? gain : 1.0;
+  const double of_speed = own.variant == "command" ? gain : 1.0;
   const auto same = [](double value) { return value; };
   const auto to_speed = [of_speed](double value) { return of_speed * value; };
   const auto to_command = [gain](double value) { return value / gain; };
-  const std::string& name = effect.setting.name;
-  if (name == "transport_delay") figures.delay_s = figure_of(model, effect, 0, same);
-  if (name == "saturation") take(figures.largest_speed_m_s, figure_of(model, effect, 0, to_speed), true);
-  if (name == "rate_limit") take(figures.largest_change_m_s2, figure_of(model, effect, 0, to_speed), true);
-  if (name == "dead_zone") take(figures.smallest_command_m_s, figure_of(model, effect, 0, same), false);
-  if (is_made_up_for(effect)) return;
-  if (name == "coulomb_friction") {
-    take(figures.smallest_command_m_s, figure_of(model, effect, 0, to_command), false);
-    take(figures.friction_loss_m_s, figure_of(model, effect, 0, same), false);
+  const auto figure = [&](std::size_t parameter, const Map& map) {
+    return figure_of(model, effect, places[parameter], map);
+  };
+  if (own.name == "transport_delay") figures.delay_s = figure(0, same);
+  if (own.name == "saturation") {
+    take(limits.largest_speed_m_s, figure(0, to_speed), true);
+    take(figures.largest_speed_m_s, figure(0, to_speed), true);
   }
-  if (name == "stiction") {
-    const double sliding = effect.setting.parameters[1];
-    take(figures.smallest_command_m_s,
-         figure_of(model, effect, 0, [&](double excess) { return to_command(excess + sliding); }), false);
-    take(figures.friction_loss_m_s, figure_of(model, effect, 1, same), false);
+  if (own.name == "rate_limit") take(figures.largest_change_m_s2, figure(0, to_speed), true);
+  if (own.name == "dead_zone") take(figures.smallest_command_m_s, figure(0, same), false);
+  if (is_made_up_for(effect)) return;
+  if (own.name == "coulomb_friction") {
+    take(figures.smallest_command_m_s, figure(0, to_command), false);
+    take(limits.friction_loss_m_s, figure(0, same), false);
+  }
+  if (own.name == "stiction") {
+    const double sliding = own.parameters[1];
+    take(figures.smallest_command_m_s, figure(0, [&](double excess) { return to_command(excess + sliding); }),
+         false);
+    take(limits.friction_loss_m_s, figure(1, same), false);
   }
 }
 
@@ -130,7 +140,8 @@ DriveFigures drive_figures(const RobotModel& model) {
   figures.right_response = first_order_response(model.linear_part, false);
   for (const AddedEffect& effect : model.effects) {
     add_scale(model, effect, figures);
-    add_limit(model, effect, figures);
+    for (const WheelSide wheel : {WheelSide::left, WheelSide::right})
+      add_limit(model, effect, wheel, figures);
   }
   return figures;
 }

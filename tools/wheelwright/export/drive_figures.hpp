@@ -18,6 +18,12 @@ struct Figure {
   std::string from;                           // effects, and when they were found
 };
 
+// Of one wheel.
+struct WheelLimits {
+  std::optional<Figure> largest_speed_m_s;
+  std::optional<Figure> friction_loss_m_s;  // speed that dry friction costs
+};
+
 struct DriveFigures {
   double wheel_separation_m = 0.0;  // as the logs give it
   Figure separation_multiplier;     // what turning shows, relative to it
@@ -29,10 +35,11 @@ struct DriveFigures {
   FirstOrderResponse left_response;  // of the linear part
   FirstOrderResponse right_response;
   std::optional<Figure> delay_s;               // beyond that of the linear part
-  std::optional<Figure> largest_speed_m_s;     // of a wheel
+  std::optional<Figure> largest_speed_m_s;     // of the slower wheel
   std::optional<Figure> largest_change_m_s2;   // of a wheel's speed
   std::optional<Figure> smallest_command_m_s;  // that moves a wheel
-  std::optional<Figure> friction_loss_m_s;     // speed that dry friction costs
+  WheelLimits left_limits;
+  WheelLimits right_limits;
 };
 
 DriveFigures drive_figures(const RobotModel& model);

@@ -52,14 +52,17 @@ struct DrivenWheel {
   Figure gain;
   FirstOrderResponse response;
   Figure radius_multiplier;
+  WheelLimits limits;
   MujocoSide given;
 };
 
 std::array<DrivenWheel, 2> wheels_of(const DriveFigures& figures, const MujocoTarget& target) {
-  return {DrivenWheel{"left", Part::left_joint, Part::left_actuator, Part::left_wheel, figures.left_gain,
-                      figures.left_response, figures.left_radius_multiplier, target.left},
-          DrivenWheel{"right", Part::right_joint, Part::right_actuator, Part::right_wheel, figures.right_gain,
-                      figures.right_response, figures.right_radius_multiplier, target.right}};
+  return {
+      DrivenWheel{"left", Part::left_joint, Part::left_actuator, Part::left_wheel, figures.left_gain,
+                  figures.left_response, figures.left_radius_multiplier, figures.left_limits, target.left},
+      DrivenWheel{"right", Part::right_joint, Part::right_actuator, Part::right_wheel, figures.right_gain,
+                  figures.right_response, figures.right_radius_multiplier, figures.right_limits,
+                  target.right}};
 }
 
 // Torque = gain times control less damping times speed: settles at the model's gain, with its lag.
@@ -143,7 +146,7 @@ void add_wheel(std::vector<PlacedNumber>& numbers, const DrivenWheel& side, cons
   WheelGeometry rolling = wheel;
   if (rolling.inertia_kg_m2 && side.given.takes_radius)
     *rolling.inertia_kg_m2 *= std::pow(side.radius_multiplier.value, 2);
-  const auto torque = wheel_torque(figures, lag_s, rolling);
+  const auto torque = wheel_torque(side.limits, lag_s, rolling);
   if (!torque || !(side.gain.value > 0.0)) {
     throw std::invalid_argument("its " + side.name +
                                 " wheel has no lag or no gain, of which MuJoCo's actuator is made; "
@@ -155,8 +158,8 @@ void add_wheel(std::vector<PlacedNumber>& numbers, const DrivenWheel& side, cons
       measured(side.joint, "frictionloss", {torque->friction_n_m}, "N m", torque->friction_remark));
   if (torque->friction_n_m.value > 0.0) add_dryness(numbers, side.joint, target.timestep_s);
   add_gain(numbers, side, torque->damping_n_m_s, target.control_per_rad_s);
-  if (figures.largest_speed_m_s)
-    add_range(numbers, side, *figures.largest_speed_m_s, target.control_per_rad_s / wheel.radius_m);
+  if (side.limits.largest_speed_m_s)
+    add_range(numbers, side, *side.limits.largest_speed_m_s, target.control_per_rad_s / wheel.radius_m);
   if (!target.knows_delay) return;
   const Figure beyond_s = figures.delay_s.value_or(Figure{});
   add_delay(numbers, side, shifted(beyond_s, side.response.dead_time_s), target.timestep_s);

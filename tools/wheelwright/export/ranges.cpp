@@ -4,7 +4,7 @@
 
 #include "config/load/text_format.hpp"
 #include "model/effects/library/effect_library.hpp"
-#include "tools/wheelwright/export/c/c_header.hpp"
+#include "tools/wheelwright/export/c/placed_effects.hpp"
 
 namespace wheelwright::tools {
 namespace {
@@ -66,13 +66,16 @@ std::vector<ParameterRange> ranges_of(const std::vector<PlacedNumber>& numbers) 
 
 std::vector<ParameterRange> c_ranges(const RobotModel& model) {
   std::vector<ParameterRange> ranges;
-  for (const auto& [array, effect] : c_parameter_arrays(model)) {
+  for (const PlacedEffect& placed : place_effects(model).placed) {
+    const AddedEffect* effect = placed.effect;
     const auto parameters = parameters_of(effect->setting);
-    for (std::size_t i = 0; i < std::min(parameters.size(), effect->intervals.size()); ++i) {
-      ranges.push_back({array + "[" + std::to_string(i) + "]",
-                        {effect->setting.parameters[i], effect->intervals[i],
-                         source_of(model, *effect) + ", " + parameters[i].name},
-                        parameters[i].unit});
+    for (std::size_t i = 0; i < placed.places.size(); ++i) {
+      const std::size_t place = placed.places[i];
+      if (place >= effect->intervals.size()) continue;
+      ranges.push_back({placed.numbers + "[" + std::to_string(i) + "]",
+                        {effect->setting.parameters[place], effect->intervals[place],
+                         source_of(model, *effect) + ", " + parameters[place].name},
+                        parameters[place].unit});
     }
   }
   return ranges;

@@ -104,8 +104,8 @@ ModelNumbers sdf_numbers(const RobotModel& model, const WheelGeometry& wheel) {
   const DriveFigures figures = drive_figures(model);
   const double left_s = figures.left_response.mean_delay_s;
   const double right_s = figures.right_response.mean_delay_s;
-  const auto left = wheel_torque(figures, left_s, wheel);
-  const auto right = wheel_torque(figures, right_s, wheel);
+  const auto left = wheel_torque(figures.left_limits, left_s, wheel);
+  const auto right = wheel_torque(figures.right_limits, right_s, wheel);
   const bool torques = left && right;
   ModelNumbers result;
   add_plugin(result.numbers, figures, wheel);

@@ -25,7 +25,6 @@ struct WheelTorque {
 };
 
 // Nothing without an inertia, or where the linear part answers at once.
-std::optional<WheelTorque> wheel_torque(const DriveFigures& figures, double lag_s,
-                                        const WheelGeometry& wheel);
+std::optional<WheelTorque> wheel_torque(const WheelLimits& limits, double lag_s, const WheelGeometry& wheel);
 
 }  // namespace wheelwright::tools

@@ -8,6 +8,7 @@
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/common/commands.hpp"
 #include "tools/wheelwright/import/conversion/repair_checks.hpp"
+#include "tools/wheelwright/import/conversion/stream_time.hpp"
 #include "tools/wheelwright/import/import_files.hpp"
 
 namespace wheelwright::tools {
@@ -83,6 +84,58 @@ void check_that_it_moves(const DriveLog& simulated, const DriveLog& real) {
                    config::fixed_number(asked.turn_rad, 1) + " rad");
 }
 
+double commanded_since(const DriveLog& log, double t_s) {
+  DriveLog rest = log;
+  std::erase_if(rest.samples, [&](const DriveSample& sample) { return sample.t_s < t_s; });
+  const Motion motion = commanded_motion(rest);
+  return motion.travel_m + motion.turn_rad;
+}
+
+bool is_same_pose(const DriveSample& one, const DriveSample& other) {
+  return one.reference_x_m == other.reference_x_m && one.reference_y_m == other.reference_y_m &&
+         one.reference_theta_rad == other.reference_theta_rad;
+}
+
+// A simulator that has hung writes its last pose again and again.
+void check_that_it_goes_on(const DriveLog& simulated, const DriveLog& real) {
+  constexpr double least_asked = 0.5;  // metres and radians
+  if (simulated.has_ticks()) return;
+  const DriveSample* last = nullptr;
+  double moved_s = 0.0;  // when the pose last changed
+  const double start_s = simulated.samples.front().t_s;
+  for (const DriveSample& sample : simulated.samples) {
+    if (!sample.reference_x_m && !sample.reference_theta_rad) continue;
+    if (last != nullptr && !is_same_pose(*last, sample)) moved_s = sample.t_s - start_s;
+    last = &sample;
+  }
+  const double rolls_out_s = 1.0;
+  if (last == nullptr ||
+      commanded_since(real, real.samples.front().t_s + moved_s + rolls_out_s) < least_asked)
+    return;
+  throw UsageError(simulated.name + ": the robot stands still from " + config::fixed_number(moved_s, 1) +
+                   " s on, but its commands are for motion");
+}
+
+// Places that end before the headings do are those of a simulation without numbers.
+void check_that_places_go_on(const DriveLog& simulated) {
+  constexpr double longest_s = 1.0;
+  double place_s = 0.0;
+  double heading_s = 0.0;
+  bool has_places = false;
+  for (const DriveSample& sample : simulated.samples) {
+    const double t_s = sample.t_s - simulated.samples.front().t_s;
+    if (sample.reference_x_m && sample.reference_y_m) {
+      place_s = t_s;
+      has_places = true;
+    }
+    if (sample.reference_theta_rad) heading_s = t_s;
+  }
+  if (!has_places || heading_s < place_s + longest_s) return;
+  throw UsageError(simulated.name + ": no numbers for x and y after " + config::fixed_number(place_s, 1) +
+                   " s, but headings until " + config::fixed_number(heading_s, 1) +
+                   " s; the simulation diverges");
+}
+
 // Millimetres and degrees are plain numbers, too.
 void check_units(const DriveLog& simulated, const DriveLog& real) {
   constexpr double times = 10.0;
@@ -129,6 +182,20 @@ std::string end_of_motion(const DriveLog& simulated, const DriveLog& real) {
          last_of(real);
 }
 
+// Commands and simulator have to count the same time.
+void check_clock(const import::Understood& simulated, const DriveLog& real, const std::string& out) {
+  constexpr double longest_s = 0.5;
+  for (const import::Recording& recording : simulated.recordings) {
+    for (const import::Stream& stream : recording.streams) {
+      const std::vector<double> t_s = import::stream_times(stream, simulated.mapping.time);
+      if (t_s.empty() || !std::isfinite(t_s.front())) continue;
+      if (std::abs(t_s.front()) < std::max(longest_s, 3.0 * real.period_s)) continue;
+      throw UsageError(out + ": its first row is of " + config::plain_number(t_s.front()) +
+                       " s, the first command of 0 s; write the times of the commands");
+    }
+  }
+}
+
 // A simulator that writes poses alone was driven by the commands that it was given.
 DriveLog load_with_commands(const SimulatorRun& run, const import::GivenMapping& given, std::ostream& err) {
   const std::string out = run.out.string();
@@ -151,15 +218,18 @@ DriveLog load_with_commands(const SimulatorRun& run, const import::GivenMapping&
 }
 
 // What it was given and does not write again are commands and wheel base.
-DriveLog load_unchecked(const SimulatorRun& run, double given_base_m, ImportOptions options,
+DriveLog load_unchecked(const SimulatorRun& run, const DriveLog& real, ImportOptions options,
                         std::ostream& err) {
   const std::string out = run.out.string();
   if (import::is_drive_log(out)) return load_one_run({{out}, options}, err);
   const import::GivenMapping given(options.mapping, options.settings);
   const auto alone = import::understand({{run.out}, std::nullopt, given});
-  if (alone && !alone->mapping.command) return load_with_commands(run, given, err);
+  if (alone && !alone->mapping.command) {
+    check_clock(*alone, real, out);
+    return load_with_commands(run, given, err);
+  }
   if (alone && !alone->mapping.wheel_base_m)
-    options.settings.push_back("robot.wheel_base_m=" + config::plain_number(given_base_m));
+    options.settings.push_back("robot.wheel_base_m=" + config::plain_number(real.wheel_base_m));
   return load_one_run({{out}, options}, err);
 }
 
@@ -167,18 +237,22 @@ DriveLog load_unchecked(const SimulatorRun& run, double given_base_m, ImportOpti
 
 void check_simulation_run(const DriveLog& simulated, std::ostream& err) {
   check_divergence(simulated);
+  check_that_places_go_on(simulated);
   check_that_it_moves(simulated, simulated);
+  check_that_it_goes_on(simulated, simulated);
   if (const std::string end = end_of_motion(simulated, simulated); !end.empty())
     err << "wheelwright: " << end << "\n";
 }
 
 DriveLog load_simulated_run(const SimulatorRun& run, const DriveLog& real, const ImportOptions& options,
                             std::ostream& err) {
-  DriveLog simulated = load_unchecked(run, real.wheel_base_m, options, err);
+  DriveLog simulated = load_unchecked(run, real, options, err);
   check_length(simulated, real);
   check_divergence(simulated);
   if (std::string end = end_of_motion(simulated, real); !end.empty()) throw UsageError(end);
+  check_that_places_go_on(simulated);
   check_that_it_moves(simulated, real);
+  check_that_it_goes_on(simulated, real);
   check_units(simulated, real);
   return simulated;
 }

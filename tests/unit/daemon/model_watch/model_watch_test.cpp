@@ -9,6 +9,7 @@
 
 #include "config/load/drive_log_file.hpp"
 #include "config/load/model_file.hpp"
+#include "daemon/model_watch/model_changes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/plant_log.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -112,4 +113,28 @@ TEST_CASE("A watch that is off, or that no drive is long enough for, looks at no
   robot.config.gap_watch = config::GapWatch::after_run;
   fs::remove(robot.last_run / "drive_log.csv");
   CHECK_THAT(robot.watched(), ContainsSubstring("no drive is recorded"));
+}
+
+TEST_CASE("An effect that is gone is named only where the drives would have shown it") {
+  const RobotModel before = model_in_use();
+  RobotModel after = before;
+  after.effects.clear();
+  GapAnswer answer;
+  CHECK(effect_changes(before, after, answer, "").empty());
+  answer.detectable = {{"dead_zone", "threshold", 2.0 * former_threshold_m_s}};
+  CHECK(effect_changes(before, after, answer, "").empty());
+  answer.detectable = {{"dead_zone", "threshold", 0.5 * former_threshold_m_s}};
+  const auto said = effect_changes(before, after, answer, "");
+  REQUIRE(said.size() == 1);
+  CHECK(said.front() == "dead_zone: is not seen any more");
+}
+
+TEST_CASE("A size that one wheel alone has changed is compared with the one that both had") {
+  const RobotModel before = model_in_use();
+  RobotModel after = before;
+  after.effects.front().setting = {"dead_zone", "each_wheel", {former_threshold_m_s, 0.04, 0.02}};
+  after.effects.front().intervals = {{0.019, 0.021}, {0.039, 0.041}, {0.02, 0.05}};
+  const auto said = effect_changes(before, after, {}, "");
+  REQUIRE(said.size() == 1);
+  CHECK(said.front().starts_with("dead_zone: threshold_right rose from 0.02 to 0.04 m/s"));
 }

@@ -82,3 +82,19 @@ TEST_CASE("Given commands need no model and calibrate only where that is always 
   config.pose_source = PoseSource::arma;
   CHECK(daemon::make_plan(config, model_of(ModelType::fir)).model);
 }
+
+TEST_CASE("A model that was made with another wheel base is refused with both") {
+  RobotModel model = model_of(ModelType::fir);
+  model.linear_part.wheel_base_m = 0.3;
+  CHECK_THAT(refusal(PoseSource::fir, model),
+             ContainsSubstring("was made with a wheel base of 0.3 m, but robot.wheel_base_m is 0.235 m"));
+}
+
+TEST_CASE("A port that cannot carry the sensors of a period within it is refused") {
+  config::DaemonConfig config;
+  config.pose_source = PoseSource::odometry;
+  config.baud = 19200;
+  CHECK_THROWS_WITH(daemon::make_plan(config, std::nullopt), ContainsSubstring("link.baud is too slow"));
+  config.link.period_s = 0.05;
+  CHECK_NOTHROW(daemon::make_plan(config, std::nullopt));
+}

@@ -164,3 +164,33 @@ TEST_CASE("Text between frames is collected") {
   readings_in(reader, frame_of(reader, driving_robot(random)));
   CHECK(reader.stray_text().finished() == "do-charging-complete");
 }
+
+TEST_CASE("Each damaged frame between two sound ones is known, whatever was damaged of it") {
+  Random random(7);
+  for (int i = 0; i < 300; ++i) {
+    StreamReader reader;
+    const SensorValues values = driving_robot(random);
+    readings_in(reader, frame_of(reader, values));
+    const int lost = between(random, 0, 5);
+    bool all_show = true;  // one sum in 256 does not
+    for (int k = 0; k < lost; ++k) {
+      Bytes frame = frame_of(reader, values);
+      damage(random, frame);
+      all_show = readings_in(reader, frame).empty() && all_show;
+    }
+    if (!all_show) continue;
+    INFO(lost);
+    REQUIRE(readings_in(reader, frame_of(reader, values)).size() == 1);
+    CHECK(reader.damaged_before() == lost);
+    REQUIRE(readings_in(reader, frame_of(reader, values)).size() == 1);
+    CHECK(reader.damaged_before() == 0);
+  }
+}
+
+TEST_CASE("What a robot sends before its first frame is no damage") {
+  Random random(8);
+  StreamReader reader;
+  readings_in(reader, text("bl-start\r\n2007-05-14-1715-L \r\nRDK by iRobot!\r\n"));
+  REQUIRE(readings_in(reader, frame_of(reader, driving_robot(random))).size() == 1);
+  CHECK(reader.damaged_before() == 0);
+}

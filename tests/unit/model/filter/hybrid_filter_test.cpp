@@ -1,5 +1,6 @@
 // The hybrid filter as the brain uses it, on drives of the simulated robot.
 #include <cmath>
+#include <optional>
 
 #include "model/simulation/odometry.hpp"
 #include "tests/support/catch.hpp"
@@ -110,4 +111,39 @@ TEST_CASE("Another floor calls for a recalibration, but not while the robot stan
     ++rest.tick;
     REQUIRE_FALSE(standing.step(rest).recalibration_due);
   }
+}
+
+TEST_CASE("A stop does not bring into the pose what a faulty encoder has not counted") {
+  HybridFilter filter(model());
+  const auto& frames = drive().frames;
+  constexpr std::size_t frozen_from = 1000;
+  constexpr std::size_t stopped_from = 1150;
+  const std::int64_t stays = frames[frozen_from].ticks.left;
+  WheelTicks at_stop;
+  Pose before_stop;
+  double driven_m = 0.0;
+  std::optional<double> kept_out_m;
+  for (std::size_t k = 0; k < stopped_from + 60; ++k) {
+    SensorFrame frame = frames[k];
+    if (k == stopped_from) {
+      at_stop = frame.ticks;
+      before_stop = filter.pose();
+      driven_m = model().encoder_scale->metres_per_tick.left * static_cast<double>(frame.ticks.left - stays);
+    }
+    if (k >= stopped_from) {
+      frame.ticks = at_stop;
+      frame.command = {};
+      frame.command.tick = frame.tick;
+      frame.armed = false;
+    }
+    if (k >= frozen_from) frame.ticks.left = stays;
+    for (const FaultEvent& event : filter.step(frame).events) {
+      if (event.stage == FaultEvent::Stage::ended && event.wheel == FaultyWheel::left)
+        kept_out_m = event.size;
+    }
+  }
+  REQUIRE(std::abs(driven_m) > 0.2);
+  REQUIRE(kept_out_m);
+  CHECK_THAT(*kept_out_m, Catch::Matchers::WithinAbs(-driven_m, 0.05));
+  CHECK(distance_between_m(filter.pose(), before_stop) < 0.04);  // it rolls out
 }

@@ -227,5 +227,14 @@ TEST_CASE("The ellipse of a covariance has its axes where the position scatters 
   CHECK(ellipse.direction_rad == Approx(angle));
 }
 
+TEST_CASE("Two poses exclude each other beyond twice what both may err") {
+  Eigen::Matrix3d narrow = Eigen::Matrix3d::Zero();
+  narrow.diagonal() << 0.01 * 0.01, 0.01 * 0.01, 0.0;
+  const double radius_m = std::sqrt(2.0) * position_radius95_m(narrow);
+  CHECK_FALSE(exclude_each_other({1.0, 0.0, 0.0}, narrow, {1.0, 1.99 * radius_m, 0.0}, narrow));
+  CHECK(exclude_each_other({1.0, 0.0, 0.0}, narrow, {1.0, 2.01 * radius_m, 0.0}, narrow));
+  CHECK_FALSE(exclude_each_other({1.0, 0.0, 0.0}, 9.0 * narrow, {1.0, 2.01 * radius_m, 0.0}, narrow));
+}
+
 }  // namespace
 }  // namespace wheelwright

@@ -1,65 +1,15 @@
 #include "tools/wheelwright/export/c/c_header.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "config/load/text_format.hpp"
 #include "model/effects/library/effect_library.hpp"
 #include "tools/wheelwright/export/c/c_core.hpp"
-#include "tools/wheelwright/export/c/c_fragment.hpp"
+#include "tools/wheelwright/export/c/placed_effects.hpp"
 
 namespace wheelwright::tools {
 namespace {
-
-// An effect of the model, and where it is in the header.
-struct Placed {
-  const AddedEffect* effect;
-  const CFragment* fragment;
-  EffectStage stage;
-  std::size_t variant;       // that of the fragment
-  bool wheel_load_variants;  // it acts on the body, and the wheels feel it
-  bool loads_motors;
-  std::string state;    // the member that holds it; empty without one
-  std::string numbers;  // the array of its parameters
-};
-
-struct Header {
-  std::vector<Placed> placed;  // in the order in which they act (ModelSimulation)
-  std::vector<Unsaid> unsaid;
-};
-
-Placed place(const AddedEffect& effect, const CFragment& fragment, std::size_t number) {
-  const EffectInfo& info = *find_effect(effect.setting.name);
-  const std::size_t variant = variant_index(info, effect.setting.variant);
-  const std::size_t own = info.may_load_wheels ? info.variants.size() / 2 : info.variants.size();
-  const std::string name = "effect_" + std::to_string(number);
-  return {&effect,
-          &fragment,
-          info.variants[variant].stage,
-          variant % own,
-          variant >= own,
-          make_effect(effect.setting)->hooks().load,
-          fragment.has("reset") ? name : std::string(),
-          "ww_" + name};
-}
-
-Header arrange(const RobotModel& model) {
-  Header header;
-  for (const AddedEffect& effect : model.effects) {
-    const CFragment* fragment = find_c_fragment(effect.setting.name);
-    if (fragment == nullptr) {
-      header.unsaid.push_back({effect.setting.name, "nobody has written it in C yet"});
-    } else if (std::string reason = fragment->remark("Not said:"); !reason.empty()) {
-      header.unsaid.push_back({effect.setting.name, std::move(reason)});
-    } else {
-      header.placed.push_back(place(effect, *fragment, header.placed.size() + 1));
-    }
-  }
-  std::stable_partition(header.placed.begin(), header.placed.end(),
-                        [](const Placed& one) { return acts_first(one.effect->setting); });
-  return header;
-}
 
 std::string in_comment(std::string text) {
   for (std::size_t at = text.find("*/"); at != std::string::npos; at = text.find("*/", at))
@@ -69,7 +19,12 @@ std::string in_comment(std::string text) {
   return text;
 }
 
-std::string head(const RobotModel& model, const Header& header) {
+// What of a pair a wheel is, in C.
+std::string member_of(WheelSide wheel) {
+  return wheel == WheelSide::left ? "left" : "right";
+}
+
+std::string head(const RobotModel& model, const PlacedEffects& header) {
   std::string text =
       "/* wheelwright_c_header: 1\n   " + in_comment(origin_of(model)) +
       "\n\n   Units are metres, seconds and radians; commands are those of the model's logs. Periods of "
@@ -79,7 +34,8 @@ std::string head(const RobotModel& model, const Header& header) {
       "   Use: wheelwright_init once; wheelwright_step once per period, with the commands of both "
       "wheels;\n"
       "   wheelwright_commands_for says what to send so that the robot moves as commanded.\n";
-  for (const Placed& placed : header.placed) {
+  for (const PlacedEffect& placed : header.placed) {
+    if (placed.wheel == WheelSide::right) continue;  // with the left one
     text += "\n   " + full_name(placed.effect->setting) + ": " + in_comment(with_intervals(*placed.effect)) +
             "\n     Inverse: " + placed.fragment->remark("Inverse:");
   }
@@ -89,10 +45,10 @@ std::string head(const RobotModel& model, const Header& header) {
   return text + "\n*/\n";
 }
 
-std::string fragments_of(const Header& header) {
+std::string fragments_of(const PlacedEffects& header) {
   std::vector<const CFragment*> used;
   std::string text;
-  for (const Placed& placed : header.placed) {
+  for (const PlacedEffect& placed : header.placed) {
     if (std::ranges::find(used, placed.fragment) != used.end()) continue;
     used.push_back(placed.fragment);
     text += "\n" + std::string(placed.fragment->text);
@@ -100,23 +56,24 @@ std::string fragments_of(const Header& header) {
   return text;
 }
 
-std::string numbers_of(const Header& header) {
+std::string numbers_of(const PlacedEffects& header) {
   std::string text;
-  for (const Placed& placed : header.placed) {
-    text += "/* " + full_name(placed.effect->setting) + ":";
-    for (const ParameterInfo& parameter : parameters_of(placed.effect->setting)) text += " " + parameter.name;
-    text += " */\n" + c_array(placed.numbers, placed.effect->setting.parameters);
+  for (const PlacedEffect& placed : header.placed) {
+    text += "/* " + full_name(placed.effect->setting) +
+            (placed.wheel ? ", " + member_of(*placed.wheel) : "") + ":";
+    for (const ParameterInfo& parameter : parameters_of(placed.setting)) text += " " + parameter.name;
+    text += " */\n" + c_array(placed.numbers, placed.setting.parameters);
   }
   return text;
 }
 
-std::string arguments_of(const Placed& placed, const std::string& context, const std::string& what) {
+std::string arguments_of(const PlacedEffect& placed, const std::string& context, const std::string& what) {
   return "(" + (placed.state.empty() ? "" : "&m->" + placed.state + ", ") + placed.numbers + ", " +
          std::to_string(placed.variant) + ", " + context + ", " + what + ")";
 }
 
 // One effect on `speed` or, of the body, on `twist`.
-std::string call(const Placed& placed, const std::string& what) {
+std::string call(const PlacedEffect& placed, const std::string& what) {
   const std::string name(placed.fragment->name);
   if (placed.wheel_load_variants) {
     return "  at = *around;\n  at.next_speed = speed;\n  twist = ww_floor_twist(around, speed);\n  " + name +
@@ -124,21 +81,27 @@ std::string call(const Placed& placed, const std::string& what) {
            ";\n  speed = ww_counted_wheels(around, twist);\n";
   }
   const std::string function = what == "twist" ? "_body" : "_wheels";
+  if (placed.wheel) {
+    const std::string wheel = member_of(*placed.wheel);
+    return "  {\n    ww_pair one = " + what + ";\n    " + name + function +
+           arguments_of(placed, "around", "&one") + ";\n    " + what + "." + wheel + " = one." + wheel +
+           ";\n  }\n";
+  }
   return "  " + name + function + arguments_of(placed, "around", "&" + what) + ";\n";
 }
 
-std::string calls(const Header& header, EffectStage stage, const std::string& what) {
+std::string calls(const PlacedEffects& header, EffectStage stage, const std::string& what) {
   std::string text;
-  for (const Placed& placed : header.placed) {
+  for (const PlacedEffect& placed : header.placed) {
     if (placed.stage == stage) text += call(placed, what);
   }
   return text;
 }
 
 // Those on the wheels, and what loads among them take.
-std::string wheel_calls(const Header& header) {
+std::string wheel_calls(const PlacedEffects& header) {
   std::string text;
-  for (const Placed& placed : header.placed) {
+  for (const PlacedEffect& placed : header.placed) {
     if (placed.stage != EffectStage::wheel) continue;
     text += placed.loads_motors ? "  before = speed;\n" + call(placed, "speed") +
                                       "  load.left += before.left - speed.left;\n"
@@ -148,7 +111,7 @@ std::string wheel_calls(const Header& header) {
   return text + "  around->load = load;\n";
 }
 
-std::string undo_call(const Placed& placed, const std::string& what) {
+std::string undo_call(const PlacedEffect& placed, const std::string& what) {
   const std::string name(placed.fragment->name);
   const bool of_body = placed.wheel_load_variants || what == "twist";
   if (!placed.fragment->has(of_body ? "undo_body" : "undo_wheels")) return "";
@@ -156,11 +119,17 @@ std::string undo_call(const Placed& placed, const std::string& what) {
     return "  twist = ww_floor_twist(around, speed);\n  reached &= " + name + "_undo_body" +
            arguments_of(placed, "around", "&twist") + ";\n  speed = ww_counted_wheels(around, twist);\n";
   }
+  if (placed.wheel) {  // what the other wheel cannot reach is not asked of this one
+    const std::string wheel = member_of(*placed.wheel);
+    return "  {\n    ww_pair one = {0.0, 0.0};\n    one." + wheel + " = " + what + "." + wheel +
+           ";\n    reached &= " + name + "_undo_wheels" + arguments_of(placed, "around", "&one") + ";\n    " +
+           what + "." + wheel + " = one." + wheel + ";\n  }\n";
+  }
   return "  reached &= " + name + (of_body ? "_undo_body" : "_undo_wheels") +
          arguments_of(placed, "around", "&" + what) + ";\n";
 }
 
-std::string undo_calls(const Header& header, EffectStage stage, const std::string& what) {
+std::string undo_calls(const PlacedEffects& header, EffectStage stage, const std::string& what) {
   std::string text;
   for (auto placed = header.placed.rbegin(); placed != header.placed.rend(); ++placed) {
     if (placed->stage == stage) text += undo_call(*placed, what);
@@ -168,7 +137,7 @@ std::string undo_calls(const Header& header, EffectStage stage, const std::strin
   return text;
 }
 
-std::string model_type(const Header& header) {
+std::string model_type(const PlacedEffects& header) {
   std::string text = R"c(
 /* The caller owns it. Between two steps, `around.pose` and `around.battery_v` may be set. */
 typedef struct {
@@ -178,14 +147,14 @@ typedef struct {
   ww_twist twist;      /* of the middle of the axle */
   ww_linear_state linear;
 )c";
-  for (const Placed& placed : header.placed) {
+  for (const PlacedEffect& placed : header.placed) {
     if (!placed.state.empty())
       text += "  " + std::string(placed.fragment->name) + "_state " + placed.state + ";\n";
   }
   return text + "} wheelwright_model;\n";
 }
 
-std::string init_function(const RobotModel& model, const Header& header) {
+std::string init_function(const RobotModel& model, const PlacedEffects& header) {
   std::string text = R"c(
 /* To rest, at x = y = theta = 0. */
 static inline void wheelwright_init(wheelwright_model* m) {
@@ -197,12 +166,12 @@ static inline void wheelwright_init(wheelwright_model* m) {
 )c";
   text += "  m->around.period_s = " + config::plain_number(model.linear_part.period_s) + ";\n";
   text += "  m->around.wheel_base_m = " + config::plain_number(model.linear_part.wheel_base_m) + ";\n";
-  for (const Placed& placed : header.placed) {
+  for (const PlacedEffect& placed : header.placed) {
     if (!placed.fragment->has("rolling")) continue;
     text += "  m->around.rolling = ww_scaled(m->around.rolling, " + std::string(placed.fragment->name) +
             "_rolling(" + placed.numbers + ", " + std::to_string(placed.variant) + "));\n";
   }
-  for (const Placed& placed : header.placed) {
+  for (const PlacedEffect& placed : header.placed) {
     if (placed.state.empty()) continue;
     text += "  " + std::string(placed.fragment->name) + "_reset(&m->" + placed.state + ", " + placed.numbers +
             ", " + std::to_string(placed.variant) + ");\n";
@@ -210,9 +179,9 @@ static inline void wheelwright_init(wheelwright_model* m) {
   return text + "}\n";
 }
 
-std::string step_function(const Header& header) {
-  const bool loads_wheels = std::ranges::any_of(header.placed, &Placed::wheel_load_variants);
-  const bool loads_motors = std::ranges::any_of(header.placed, [](const Placed& placed) {
+std::string step_function(const PlacedEffects& header) {
+  const bool loads_wheels = std::ranges::any_of(header.placed, &PlacedEffect::wheel_load_variants);
+  const bool loads_motors = std::ranges::any_of(header.placed, [](const PlacedEffect& placed) {
     return placed.loads_motors && placed.stage == EffectStage::wheel;
   });
   return R"c(
@@ -241,20 +210,20 @@ static inline void wheelwright_step(wheelwright_model* m, double left_command, d
 )c";
 }
 
-std::string observed_function(const Header& header) {
+std::string observed_function(const PlacedEffects& header) {
   std::string text = R"c(
 /* The pose of the point that an outside reference measures. */
 static inline ww_pose wheelwright_observed(const wheelwright_model* m) {
   ww_pose pose = m->around.pose;
 )c";
-  for (const Placed& placed : header.placed) {
+  for (const PlacedEffect& placed : header.placed) {
     if (placed.stage != EffectStage::observation) continue;
     text += "  pose = " + std::string(placed.fragment->name) + "_observed(" + placed.numbers + ", pose);\n";
   }
   return text + "  return pose;\n}\n";
 }
 
-std::string inverse_function(const RobotModel& model, const Header& header) {
+std::string inverse_function(const RobotModel& model, const PlacedEffects& header) {
   const auto linear_part = c_core_inverse(model.linear_part);
   if (!linear_part) return "\n/* No inverse: no commands of this model set both wheels' speeds. */\n";
   return "\n" + *linear_part + R"c(
@@ -281,14 +250,8 @@ static inline int wheelwright_commands_for(const wheelwright_model* m, double v,
 
 }  // namespace
 
-std::vector<CParameters> c_parameter_arrays(const RobotModel& model) {
-  std::vector<CParameters> arrays;
-  for (const Placed& placed : arrange(model).placed) arrays.push_back({placed.numbers, placed.effect});
-  return arrays;
-}
-
 ModelText to_c(const RobotModel& model) {
-  Header header = arrange(model);
+  PlacedEffects header = place_effects(model);
   std::string text = head(model, header) +
                      "#ifndef WHEELWRIGHT_MODEL_H\n#define WHEELWRIGHT_MODEL_H\n\n#include <math.h>\n\n" +
                      std::string(c_prelude()) + "\n" + c_core(model.linear_part) + fragments_of(header) +

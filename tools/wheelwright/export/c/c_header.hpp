@@ -7,11 +7,4 @@ namespace wheelwright::tools {
 
 ModelText to_c(const RobotModel& model);
 
-// The arrays of it that hold the parameters of an effect.
-struct CParameters {
-  std::string array;
-  const AddedEffect* effect;  // of the model
-};
-std::vector<CParameters> c_parameter_arrays(const RobotModel& model);
-
 }  // namespace wheelwright::tools

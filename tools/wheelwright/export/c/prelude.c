@@ -148,25 +148,23 @@ static inline ww_friction ww_friction_at_rest(void) {
   return rest;
 }
 
-static inline double ww_friction_step(ww_friction* s, double frictionless, ww_friction_levels levels,
-                                      double period_s) {
-  const double drive =
-      frictionless + levels.lag_s / period_s * (frictionless - s->frictionless_before) + s->added;
-  const double before = s->frictionless_before;
-  const double share = period_s / (period_s + levels.lag_s);
+/* `change` of the speed without friction since the step before. */
+static inline double ww_friction_small_step(ww_friction* s, double frictionless, double change,
+                                            ww_friction_levels levels, double step_s) {
+  const double drive = frictionless + levels.lag_s / step_s * change + s->added;
+  const double share = step_s / (step_s + levels.lag_s);
   double speed;
-  s->frictionless_before = frictionless;
   if (s->rests) {
     if (fabs(drive) <= levels.breakaway) {
-      s->added += period_s * levels.recovery_per_s * frictionless;
+      s->added += step_s * levels.recovery_per_s * frictionless;
       return 0.0;
     }
     s->rests = 0;
     s->direction = copysign(1.0, drive);
-    s->taken = before;
+    s->taken = frictionless - change;
   }
   s->taken += share * (levels.sliding * s->direction - s->added - s->taken);
-  s->added += period_s * levels.recovery_per_s * s->taken;
+  s->added += step_s * levels.recovery_per_s * s->taken;
   speed = frictionless - s->taken;
   if ((speed * s->direction <= 0.0 || fabs(speed) < levels.sticking) && fabs(drive) <= levels.breakaway) {
     s->rests = 1;
@@ -174,6 +172,19 @@ static inline double ww_friction_step(ww_friction* s, double frictionless, ww_fr
   }
   if (speed * s->direction < 0.0) s->direction = -s->direction;
   return speed;
+}
+
+/* The wheel's mean speed over the period, which is gone through in steps of about 20 ms. */
+static inline double ww_friction_step(ww_friction* s, double frictionless, ww_friction_levels levels,
+                                      double period_s) {
+  const double steps = fmax(1.0, round(period_s / 0.02));
+  const double change = (frictionless - s->frictionless_before) / steps;
+  const double first = frictionless - 0.5 * (steps - 1.0) * change;
+  double sum = 0.0, k;
+  for (k = 0.0; k < steps; k += 1.0)
+    sum += ww_friction_small_step(s, first + k * change, change, levels, period_s / steps);
+  s->frictionless_before = frictionless;
+  return sum / steps;
 }
 
 /* The speed without friction that leaves `*speed` in the end; 0 where a wheel at rest would not begin to move,

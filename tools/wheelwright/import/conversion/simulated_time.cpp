@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "config/load/text_format.hpp"
+#include "tools/wheelwright/import/conversion/stream_time.hpp"
 
 namespace wheelwright::import {
 namespace {
@@ -15,13 +16,6 @@ constexpr std::size_t min_stamps = 20;
 constexpr double min_apart_s = 0.5;
 constexpr double min_rate_off = 0.01;
 constexpr double max_rates_apart = 0.02;  // of topics of one clock
-
-const Channel* stamp_channel(const Stream& stream) {
-  for (const auto& channel : stream.channels) {
-    if (channel.name == "header.stamp" || channel.name == "stamp") return &channel;
-  }
-  return nullptr;
-}
 
 struct Stamped {
   const Stream* stream = nullptr;
@@ -33,7 +27,7 @@ struct Stamped {
 };
 
 std::optional<Stamped> stamped(const Stream& stream) {
-  const Channel* channel = stamp_channel(stream);
+  const Channel* channel = stamps_of_sender(stream);
   if (channel == nullptr || stream.received_s.size() < min_stamps ||
       channel->values.size() != stream.received_s.size())
     return std::nullopt;
@@ -77,7 +71,7 @@ void take_simulated_time(Recording& recording) {
   if (!clock) return;
   const double rate = clock->rate();
   const Stream clock_as_it_was = *clock->stream;
-  const Stamped as_it_was{&clock_as_it_was, &stamp_channel(clock_as_it_was)->values};
+  const Stamped as_it_was{&clock_as_it_was, &stamps_of_sender(clock_as_it_was)->values};
   for (Stream& stream : recording.streams) {
     const auto own = stamped(stream);
     if (own) {

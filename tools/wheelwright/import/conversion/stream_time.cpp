@@ -18,14 +18,6 @@ namespace {
 
 constexpr double max_between_stamps_s = 1.0;
 
-// Stamps of the sender, where a message has them and its clock is that of the recorder.
-const Channel* stamps_of(const Stream& stream) {
-  for (const auto& channel : stream.channels) {
-    if (channel.name == "header.stamp" || channel.name == "stamp") return &channel;
-  }
-  return nullptr;
-}
-
 bool agree(const std::vector<double>& stamps, const std::vector<double>& received_s) {
   std::vector<double> differences;
   for (std::size_t i = 0; i < stamps.size(); ++i) {
@@ -100,6 +92,11 @@ const Channel* channel_of(const Stream& stream, const ChannelName& name) {
   return channel_of(stream, name.channel.substr(stream.name.size() + 1));
 }
 
+const Channel* stamps_of_sender(const Stream& stream) {
+  const Channel* stamps = stream.find("header.stamp");
+  return stamps != nullptr ? stamps : stream.find("stamp");
+}
+
 bool is_tum(const Stream& stream) {
   if (stream.channels.size() != 8 || stream.channels.front().name != "1") return false;
   std::size_t unit_quaternions = 0;
@@ -166,7 +163,7 @@ std::vector<double> stream_times(const Stream& stream, const TimeMapping& time) 
     }
   }
   if (!stream.received_s.empty()) {
-    const Channel* stamps = stamps_of(stream);
+    const Channel* stamps = stamps_of_sender(stream);
     return stamps != nullptr && agree(stamps->values, stream.received_s) ? stamps->values : stream.received_s;
   }
   if (const Channel* channel = own_time(stream)) {

@@ -29,6 +29,9 @@ std::vector<double> stream_times(const Stream& stream, const TimeMapping& time);
 const Channel* channel_of(const Stream& stream, const std::string& name);
 const Channel* channel_of(const Stream& stream, const ChannelName& name);
 
+// Stamps of the sender, where a message has them; nullptr where it has none.
+const Channel* stamps_of_sender(const Stream& stream);
+
 // A trajectory in the TUM format: t x y z qx qy qz qw, without names.
 bool is_tum(const Stream& stream);
 

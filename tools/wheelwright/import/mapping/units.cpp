@@ -17,12 +17,8 @@ using Spelling = std::pair<std::string_view, std::string_view>;
 constexpr double inch_m = 0.0254;
 constexpr double foot_m = 0.3048;
 
-constexpr Unit imperial(std::string_view name, double in_si) {
-  return {name, in_si, false, false, true};
-}
-
-// So near to another that motion does not show which it is.
-constexpr Unit uncommon(std::string_view name, double in_si) {
+// So near to another that motion does not show which it is, or of another system of units.
+constexpr Unit stated(std::string_view name, double in_si) {
   return {name, in_si, false, false, true};
 }
 
@@ -34,11 +30,11 @@ constexpr std::array speed_table{Unit{"m/s", 1.0},
                                  Unit{"mm/s", 1e-3},
                                  Unit{"cm/s", 1e-2},
                                  Unit{"km/h", 1.0 / 3.6},
-                                 imperial("ft/s", foot_m),
-                                 imperial("inch/s", inch_m),
-                                 imperial("mph", 1609.344 / 3600.0),
-                                 uncommon("dm/s", 0.1),
-                                 uncommon("m/min", 1.0 / 60.0),
+                                 stated("ft/s", foot_m),
+                                 stated("inch/s", inch_m),
+                                 stated("mph", 1609.344 / 3600.0),
+                                 stated("dm/s", 0.1),
+                                 stated("m/min", 1.0 / 60.0),
                                  Unit{"rad/s", 1.0, true},
                                  Unit{"deg/s", pi / 180.0, true},
                                  Unit{"rpm", pi / 30.0, true},
@@ -47,9 +43,9 @@ constexpr std::array speed_table{Unit{"m/s", 1.0},
                                  raw_speed("0.229rpm", 0.229 * pi / 30.0)};
 constexpr std::array angular_table{Unit{"rad/s", 1.0}, Unit{"deg/s", pi / 180.0}, Unit{"rpm", pi / 30.0},
                                    Unit{"mrad/s", 1e-3}};
-constexpr std::array distance_table{
-    Unit{"m", 1.0},         Unit{"mm", 1e-3},         Unit{"cm", 1e-2},    Unit{"km", 1e3},
-    imperial("ft", foot_m), imperial("inch", inch_m), uncommon("dm", 0.1), imperial("yd", 3.0 * foot_m)};
+constexpr std::array distance_table{Unit{"m", 1.0},    Unit{"mm", 1e-3},          Unit{"cm", 1e-2},
+                                    Unit{"km", 1e3},   stated("ft", foot_m),      stated("inch", inch_m),
+                                    stated("dm", 0.1), stated("yd", 3.0 * foot_m)};
 constexpr std::array angle_table{
     Unit{"rad", 1.0},   Unit{"deg", pi / 180.0},     Unit{"turn", 2.0 * pi},
     Unit{"mrad", 1e-3}, Unit{"0.1deg", pi / 1800.0}, Unit{"0.01deg", pi / 18000.0}};

@@ -123,10 +123,27 @@ TEST_CASE("Friction that a controller makes up for is no dead band and no fricti
   test::add_effect(model, "coulomb_friction", "controlled", {0.05, 0.03, 0.2});
   const tools::DriveFigures figures = tools::drive_figures(model);
   CHECK_FALSE(figures.smallest_command_m_s);
-  CHECK_FALSE(figures.friction_loss_m_s);
+  CHECK_FALSE(figures.left_limits.friction_loss_m_s);
   const auto [text, unsaid] = tools::to_ros2_control(model, radius_m);
   REQUIRE(unsaid.size() == 1);
   CHECK_THAT(unsaid.front().reason, ContainsSubstring("controller of the wheels' speed makes up for it"));
+}
+
+TEST_CASE("Sizes of each wheel go to each joint, and of what is one number for both the tighter limit") {
+  RobotModel model = linear_model();
+  test::add_effect(model, "coulomb_friction", "each_wheel", {0.012, 0.03, 0.1});
+  test::add_effect(model, "saturation", "speed_each_wheel", {0.4, 0.3, 0.0, 0.0});
+  const tools::DriveFigures figures = tools::drive_figures(model);
+  REQUIRE(figures.left_limits.friction_loss_m_s);
+  REQUIRE(figures.right_limits.friction_loss_m_s);
+  CHECK(figures.left_limits.friction_loss_m_s->value == 0.012);
+  CHECK(figures.right_limits.friction_loss_m_s->value == 0.03);
+  CHECK_THAT(figures.right_limits.friction_loss_m_s->interval->upper, WithinAbs(0.032, 1e-12));
+  CHECK(figures.left_limits.largest_speed_m_s->value == 0.4);
+  REQUIRE(figures.largest_speed_m_s);
+  CHECK(figures.largest_speed_m_s->value == 0.3);
+  const double gain = 0.5 * (figures.gain.left + figures.gain.right);
+  CHECK_THAT(figures.smallest_command_m_s->value, WithinAbs(0.03 / gain, 1e-12));
 }
 
 TEST_CASE(

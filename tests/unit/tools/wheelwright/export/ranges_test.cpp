@@ -49,6 +49,18 @@ TEST_CASE("Ranges give each number of a format its place, bounds and unit, as YA
   CHECK_THAT(mujoco.out, ContainsSubstring("# dead_zone: cannot be said in this format"));
 }
 
+TEST_CASE("Ranges for C name the wheel where an effect has a size for each") {
+  RobotModel model = test::linear_model();
+  test::add_effect(model, "dead_zone", "each_wheel", {0.03, 0.05, 1.0});
+  const auto outcome = ranges(model, {"--to", "c"});
+  INFO(outcome.err << outcome.out);
+  REQUIRE(outcome.status == ExitStatus::done);
+  const auto places = by_place(outcome.out);
+  CHECK(places.at("ww_effect_1[0]")["value"].as<double>() == 0.03);
+  CHECK(places.at("ww_effect_2[0]")["value"].as<double>() == 0.05);
+  CHECK_THAT(places.at("ww_effect_2[0]")["from"].as<std::string>(), ContainsSubstring("threshold_right"));
+}
+
 TEST_CASE("Ranges for C give the parameters of every effect at their places in the header") {
   const auto outcome = ranges(test::model_with_effects(), {"--to", "c"});
   INFO(outcome.err << outcome.out);

@@ -326,6 +326,18 @@ TEST_CASE(
              ContainsSubstring("the simulation diverges"));
   CHECK_THAT(said_of("!/^#|t,/ { $4 = $5 = \"\"; $6 = $7 = $8 = 0 } { print }"),
              ContainsSubstring("run1.csv: the robot stands still, but its commands are for "));
+  CHECK_THAT(
+      said_of(
+          "!/^#|t,/ { $4 = $5 = \"\"; if (NR < 300) { x = $6; y = $7; a = $8 } else { $6 = x; $7 = y; $8 = a "
+          "} } { print }"),
+      ContainsSubstring("run1.csv: the robot stands still from 5."));
+  CHECK_THAT(said_of("!/^#|t,/ { $4 = $5 = \"\"; if (NR > 300) $6 = $7 = \"\" } { print }"),
+             ContainsSubstring("no numbers for x and y after 5."));
+  for (const char* late_s : {"2", "1000"}) {
+    CHECK_THAT(said_of("BEGIN { print \"t,x,y,theta\" } !/^#|t,/ && $6 != \"\" { print $1 + " +
+                       std::string(late_s) + ", $6, $7, $8 }"),
+               ContainsSubstring("s, the first command of 0 s; write the times of the commands"));
+  }
   CHECK_THAT(said_of("!/^#|t,/ { $6 *= 1000; $7 *= 1000 } { print }"),
              ContainsSubstring("if its positions are in mm give --simulation-set reference.unit=mm"));
   CHECK_THAT(

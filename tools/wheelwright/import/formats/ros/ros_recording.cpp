@@ -81,11 +81,6 @@ bool is_zstd(std::string_view head) {
   return ros::is_zstd(head);
 }
 
-bool is_bag_folder(const std::filesystem::path& path) {
-  std::error_code error;
-  return std::filesystem::is_directory(path, error) && ros::list_bag_folder(path).has_value();
-}
-
 ReadResult read_ros_file(const std::filesystem::path& path) {
   BagRecording recording(path.string());
   return finish(scan_packed_or_not(path, "", recording), path.string(), recording);

@@ -26,8 +26,6 @@ bool is_ros1_bag(std::string_view head);
 bool is_mcap(std::string_view head);
 bool is_sqlite(std::string_view head);
 bool is_zstd(std::string_view head);  // rosbag2 compresses whole files so
-// A folder with a metadata.yaml of rosbag2, or with bags alone.
-bool is_bag_folder(const std::filesystem::path& path);
 
 // A file of any of these kinds. One behind zstd is unpacked to the folder for temporary files.
 ReadResult read_ros_file(const std::filesystem::path& path);

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "config/load/ascii_text.hpp"
 #include "config/load/text_format.hpp"
 #include "tools/wheelwright/import/formats/text/run_column.hpp"
 
@@ -18,19 +19,12 @@ namespace {
 
 constexpr std::size_t max_table_streams = 64;
 
-std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(), [](char character) {
-    return character >= 'A' && character <= 'Z' ? static_cast<char>(character - 'A' + 'a') : character;
-  });
-  return text;
-}
-
 bool names_a_kind(const std::string& name) {
   constexpr std::array<std::string_view, 22> words{
       "topic", "message", "msg",   "type",   "kind",    "id",      "source", "sensor",
       "frame", "name",    "label", "tag",    "channel", "key",     "signal", "device",
       "motor", "wheel",   "side",  "record", "field",   "variable"};
-  const std::string lower = lower_case(name);
+  const std::string lower = config::lower_case(name);
   return std::ranges::any_of(words, [&](std::string_view word) {
     return lower == word || lower.ends_with("_" + std::string(word)) ||
            lower.ends_with(" " + std::string(word)) || lower.starts_with(std::string(word) + "_");
@@ -59,7 +53,7 @@ double variation(const std::vector<double>& values, const std::vector<double>* l
 bool names_a_thing(const std::string& name) {
   constexpr std::array<std::string_view, 10> words{"id",        "tag",   "marker", "robot", "body",
                                                    "rigidbody", "track", "object", "agent", "vehicle"};
-  const std::string lower = lower_case(name);
+  const std::string lower = config::lower_case(name);
   return std::ranges::any_of(words, [&](std::string_view word) {
     return lower == word || lower.ends_with("_" + std::string(word)) ||
            lower == std::string(word) + "_number" || lower == std::string(word) + "id";

@@ -93,7 +93,18 @@ void number_runs(TextTable& table, std::vector<std::string>& remarks) {
   }
 }
 
+void drop_empty_columns(TextTable& table, std::vector<std::string>& remarks) {
+  std::string names;
+  for (std::size_t i = table.width(); i-- > 0;) {
+    if (table.columns[i].kind != ColumnKind::text || !table.labels[i].names().empty()) continue;
+    names = in_quotes(table.columns[i].name) + (names.empty() ? "" : ", ") + names;
+    erase_column(table, i);
+  }
+  if (!names.empty()) remarks.push_back("no value in any row of " + names + ": left out");
+}
+
 void drop_text_columns(TextTable& table, std::vector<std::string>& remarks) {
+  drop_empty_columns(table, remarks);
   for (std::size_t i = table.width(); i-- > 0;) {
     if (table.columns[i].kind != ColumnKind::text) continue;
     remarks.push_back("column " + in_quotes(table.columns[i].name) + " holds text (" +

@@ -85,11 +85,6 @@ void TextTable::reserve(std::size_t rows) {
   places.reserve(rows);
 }
 
-void TextTable::drop_last_row() {
-  for (auto& column : values) column.pop_back();
-  places.pop_back();
-}
-
 void TextTable::say_unread_cells(std::vector<std::string>& remarks) const {
   for (std::size_t i = 0; i < width(); ++i) {
     unread_cells_[i].say("no number in column '" + config::excerpt(columns[i].name) + "', taken as missing",

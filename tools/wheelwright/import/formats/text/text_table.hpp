@@ -35,7 +35,6 @@ class TextTable {
   // Takes a row whose cells are as many as the columns, or says that it is none.
   Taken take(const std::vector<std::string_view>& cells, const Line& line, const Dialect& dialect);
   void reserve(std::size_t rows);
-  void drop_last_row();
   void say_unread_cells(std::vector<std::string>& remarks) const;
 
   std::size_t width() const { return columns.size(); }

@@ -37,6 +37,8 @@ EffectSetting strong(const EffectInfo& info, const EffectVariant& variant) {
     double value = parameter.lower + 0.3 * (parameter.upper - parameter.lower);
     if (!parameter.sizes.empty())
       value = parameter.scales_effect ? parameter.sizes.back() : parameter.sizes.front();
+    const bool is_limit = parameter.lower > 0.0;
+    if (parameter.name.ends_with("_left")) value *= is_limit ? 1.5 : 0.5;
     if (parameter.name == "step") value = step_m_s;
     if (parameter.name == "x") value = 0.4;
     if (parameter.name == "y") value = 0.1;

@@ -16,7 +16,6 @@ namespace wheelwright::import::ros {
 class Query {
  public:
   explicit Query(sqlite3_stmt* statement) : statement_(statement) {}
-  bool is_valid() const { return statement_ != nullptr; }
   bool next_row() {
     status_ = statement_ ? sqlite3_step(statement_.get()) : SQLITE_ERROR;
     return status_ == SQLITE_ROW;

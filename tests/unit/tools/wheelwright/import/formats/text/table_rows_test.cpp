@@ -98,6 +98,15 @@ TEST_CASE("A state that stands for many rows does not part them") {
   CHECK(has_remark(recording, "column 'state' holds text ('STOP', 'DRIVE'): left out"));
 }
 
+TEST_CASE("Columns without a value in any row are left out in one line, and no text") {
+  std::string text = "t,ref_x,v,gyro_z\n";
+  for (int i = 0; i < 40; ++i) text += std::to_string(i) + ",," + std::to_string(2 * i) + ",\n";
+  const import::Recording recording = read_text(text);
+  REQUIRE(recording.streams.size() == 1);
+  CHECK(recording.streams[0].channels.size() == 2);
+  CHECK(has_remark(recording, "no value in any row of 'ref_x', 'gyro_z': left out"));
+}
+
 TEST_CASE("Lines without numbers in number columns and endless widths take no memory") {
   std::string text = "t,v\n0,1\n1,2\n2,3\n";
   text.append(1'000'000, ',');
