@@ -1,7 +1,7 @@
 // Is one model better than another on driving that neither has seen? Both run free, from commands alone;
-// judged are the travel of each wheel and the turn of the robot since the start of a block, against the
-// encoders. The turn by itself, since half a percent between the wheels leads a route farther astray than two
-// percent of both.
+// judged is the travel of each wheel since the start of a block against the encoders, and how far the robot
+// turned over all blocks: half a percent between the wheels leads a route farther astray than two percent of
+// both, and shows in no block by itself.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ class ModelTrial {
   // Blocks of 2 s so far in which the robot drove.
   int blocks() const { return blocks_; }
   // The candidate is better in travel by more than one standard error of the difference over the blocks, and
-  // not worse by as much in turns.
+  // over all of them it turns no farther from the counts than the present model, but for their noise.
   bool is_better() const;
   // Root mean square of the travel error within a block, in metres; nothing before the first block.
   std::optional<double> present_error_m() const { return rms(present_.square_sum); }
@@ -41,19 +41,9 @@ class ModelTrial {
     ModelSimulation simulation;
     WheelPair travel_m;  // since the start of the block
     double block_squares = 0.0;
-    double block_turn_squares = 0.0;
-    double square_sum = 0.0;  // of the mean squares of all blocks
-  };
-  // Of the present model's mean squares less the candidate's, over the blocks.
-  struct Advantage {
-    double sum = 0.0;
-    double squares = 0.0;
-    void add(double difference) {
-      sum += difference;
-      squares += difference * difference;
-    }
-    double mean(int blocks) const { return sum / blocks; }
-    double standard_error(int blocks) const;
+    double ahead_m = 0.0;      // the right wheel of the left one, beyond the counts, within the block
+    double square_sum = 0.0;   // of the mean squares of all blocks
+    double ahead_sum_m = 0.0;  // at the ends of all blocks
   };
 
   std::optional<double> rms(double square_sum) const;
@@ -74,8 +64,8 @@ class ModelTrial {
   double commanded_m_ = 0.0;  // within the block
   WheelTicks start_;
   int blocks_ = 0;
-  Advantage in_travel_;
-  Advantage in_turns_;
+  double difference_sum_ = 0.0;
+  double difference_squares_ = 0.0;
 };
 
 }  // namespace wheelwright
