@@ -51,7 +51,8 @@ std::optional<RunOutcome> Supervisor::obey(int signal) {
     case SIGUSR1:
       return arm_or_begin_next_run();
     case SIGUSR2:
-      stop_asked_ = armed_once_;
+      armed_once_ = true;  // an arming that is still to come is taken back
+      stop_asked_ = true;
       parts_.sensor_loop.request_stop(StopReason::requested);
       return std::nullopt;
     case SIGHUP:

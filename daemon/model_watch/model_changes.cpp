@@ -50,15 +50,7 @@ bool moved(const AddedEffect& before, const Change& change) {
   return value < interval.lower || value > interval.upper;
 }
 
-// With a size for each wheel, where one has one size for both wheels and the other has not.
-AddedEffect with_size_for_each_wheel(const AddedEffect& effect) {
-  AddedEffect parted = effect;
-  parted.setting = of_each_wheel(effect.setting);
-  if (effect.intervals.size() == effect.setting.parameters.size())
-    parted.intervals = values_of_each_wheel(parted.setting, effect.intervals);
-  return parted;
-}
-
+// Both with a size for each wheel where one has it.
 std::pair<std::optional<AddedEffect>, AddedEffect> comparable(const AddedEffect* before,
                                                               const AddedEffect& after) {
   if (before == nullptr) return {std::nullopt, after};

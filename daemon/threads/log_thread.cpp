@@ -94,7 +94,8 @@ void LogThread::take(const LogEntry& entry) {
   }
   recorder_next_ = (recorder_next_ + 1) % recorder_ticks;
   note_activity(entry);
-  if (is_logged(entry)) {
+  run_has_begun_ = run_has_begun_ || entry.frame.armed;
+  if (run_has_begun_ && is_logged(entry)) {
     drive_log_.add_line(drive_log_line(entry));
     pose_log_.add_line(pose_log_line(entry, config_.limits.wheel_base_m));
     if (mcap_log_) mcap_log_->take(entry);

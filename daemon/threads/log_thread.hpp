@@ -69,7 +69,8 @@ class LogThread {
   std::size_t recorder_next_ = 0;
   StopReason last_stop_ = StopReason::none;
   Activity last_activity_ = Activity::idle;
-  int apart_ticks_ = 0;  // in a row
+  int apart_ticks_ = 0;         // in a row
+  bool run_has_begun_ = false;  // what stops a robot before it is armed is no part of a run
   LogReport report_;
 };
 

@@ -42,8 +42,8 @@ class DryFriction {
   // The wheel's mean speed over the period; `frictionless_m_s` is what the linear part says. A long period is
   // gone through in steps, since friction sets in and turns around at a moment within it.
   double step(double frictionless_m_s, const FrictionLevels& levels, double period_s) {
-    constexpr double longest_step_s = 0.02;
-    const double steps = std::max(1.0, std::round(period_s / longest_step_s));
+    constexpr double usual_step_s = 0.02;
+    const double steps = std::max(1.0, std::round(period_s / usual_step_s));
     const double change = (frictionless_m_s - frictionless_before_) / steps;
     const double first = frictionless_m_s - 0.5 * (steps - 1.0) * change;
     double sum = 0.0;

@@ -119,8 +119,9 @@ void HybridFilter::step_wheel(Side& side, const SensorFrame& frame, std::int64_t
   reading.new_origin = frame.after_gap;
   reading.believed =
       frame.tick - last_not_driven_tick_ < believed_after_rest_ticks || side.stalled || model_is_off_;
+  // Where both wheels leave the model, what looked like faulty counts was the model.
   reading.counts_are_faulty =
-      is_of_encoder(detector_.fault(&side == &right_ ? WheelSide::right : WheelSide::left));
+      !model_is_off_ && is_of_encoder(detector_.fault(&side == &right_ ? WheelSide::right : WheelSide::left));
   reading.distrusted = side.distrusted && !model_is_off_;
   if (frame.valid) reading.counted_m = side.metres_per_tick * static_cast<double>(ticks);
   const WheelEstimate estimate = side.filter.step(reading);

@@ -79,6 +79,29 @@ TEST_CASE("A robot that is armed again after its run drives another, with a fold
   }
 }
 
+TEST_CASE("A stop while the next run begins takes its arming back, and no log holds two runs") {
+  Bench bench;
+  const auto robot = bench.start_robot("default");
+  const auto daemon = bench.start_daemon(bench.configure({.run = "at_end: stay", .route = "[[3, 0]]"}));
+  REQUIRE(daemon->says("route: driving", 10s));
+  daemon->signal(SIGUSR2);
+  REQUIRE(daemon->says("stopped", 5s));
+  std::this_thread::sleep_for(1200ms);
+  for (const int signal : {SIGUSR1, SIGUSR2, SIGUSR1}) {
+    daemon->signal(signal);
+    std::this_thread::sleep_for(120ms);
+  }
+  REQUIRE(eventually(10s, [&] { return times_said(daemon->err(), "route: driving") == 2; }));
+  std::this_thread::sleep_for(500ms);
+  CHECK(daemon->end() == 1);
+  for (const auto& run : bench.runs()) {
+    INFO(run.string());
+    const Table log = Table::load(run / "drive_log.csv");
+    for (std::size_t row = 1; row < log.rows(); ++row)
+      REQUIRE(log.number(row, "t") > log.number(row - 1, "t"));
+  }
+}
+
 TEST_CASE("A cable that is pulled out costs the run, and put in again, the robot is stopped, not followed") {
   Bench bench;
   const auto robot = bench.start_robot("perfect");

@@ -37,6 +37,7 @@ class DryFrictionWheel {
       way_m_ += step_s * speed_m_s_;
     }
   }
+  double way_m() const { return way_m_; }
   std::int64_t ticks() const { return std::llround(std::floor(way_m_ / robot_.metres_per_tick)); }
 
  private:

@@ -1,9 +1,9 @@
 #include "model/effects/library/each_wheel_variants.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -107,6 +107,7 @@ EffectInfo with_each_wheel_variants(EffectInfo info) {
   const auto at = [alike, count](WheelSide wheel, const EffectArguments& arguments) {
     return taken(arguments.parameters, places(wheel, alike.parameters_of(arguments.variant - count)));
   };
+  info.cause += " 'each_wheel': not alike at both wheels.";
   info.make = [alike, count, at](const EffectArguments& arguments) -> std::unique_ptr<Effect> {
     if (arguments.variant < count) return alike.make(arguments);
     const std::size_t variant = arguments.variant - count;
@@ -124,21 +125,6 @@ EffectInfo with_each_wheel_variants(EffectInfo info) {
     };
   }
   return info;
-}
-
-std::optional<std::size_t> each_wheel_variant(const EffectInfo& info, std::size_t alike) {
-  const auto found = std::ranges::find(info.variants, std::optional(alike), &EffectVariant::alike);
-  if (found == info.variants.end()) return std::nullopt;
-  return static_cast<std::size_t>(std::distance(info.variants.begin(), found));
-}
-
-std::vector<double> each_wheel_parameters(const EffectInfo& info, std::size_t alike,
-                                          const std::vector<double>& parameters) {
-  std::vector<double> of_each;
-  const std::vector<ParameterInfo>& infos = info.parameters_of(alike);
-  for (std::size_t i = 0; i < infos.size(); ++i)
-    of_each.insert(of_each.end(), infos[i].scales_effect ? 2 : 1, parameters[i]);
-  return of_each;
 }
 
 EffectSetting as_at(WheelSide wheel, const EffectSetting& setting) {
@@ -166,10 +152,13 @@ EffectSetting of_each_wheel(const EffectSetting& setting) {
   const EffectInfo* info = find_effect(setting.name);
   if (info == nullptr) return setting;
   const std::size_t alike = variant_index(*info, setting.variant);
-  const auto variant = each_wheel_variant(*info, alike);
-  if (!variant) return setting;
-  return {setting.name, info->variants[*variant].name,
-          each_wheel_parameters(*info, alike, setting.parameters)};
+  const auto variant = std::ranges::find(info->variants, std::optional(alike), &EffectVariant::alike);
+  if (variant == info->variants.end()) return setting;
+  EffectSetting each{setting.name, variant->name, {}};
+  const std::vector<ParameterInfo>& parameters = info->parameters_of(alike);
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    each.parameters.insert(each.parameters.end(), parameters[i].scales_effect ? 2 : 1, setting.parameters[i]);
+  return each;
 }
 
 }  // namespace wheelwright

@@ -4,7 +4,7 @@
 // parameters are of both wheels.
 #pragma once
 
-#include <optional>
+#include <cstddef>
 #include <vector>
 
 #include "model/effects/effect.hpp"
@@ -14,13 +14,6 @@ namespace wheelwright {
 
 // Gives an effect a second set of variants. Requires one whose wheels do not feel each other.
 EffectInfo with_each_wheel_variants(EffectInfo info);
-
-// The variant of `info` that has a size for each wheel in the place of `alike`; none where there is none.
-std::optional<std::size_t> each_wheel_variant(const EffectInfo& info, std::size_t alike);
-
-// Parameters of a variant whose wheels are alike, as those of its variant with a size for each wheel.
-std::vector<double> each_wheel_parameters(const EffectInfo& info, std::size_t alike,
-                                          const std::vector<double>& parameters);
 
 // The effect that has the size of one wheel at both. `setting` itself where the wheels are alike. Requires a
 // variant of the library.
@@ -35,15 +28,18 @@ bool is_of_each_wheel(const EffectSetting& setting);
 // The same with a size for each wheel; `setting` itself where there is no such variant, or it is one.
 EffectSetting of_each_wheel(const EffectSetting& setting);
 
-// One value for each parameter of `each`, from one for each of its variant whose wheels are alike.
-template <typename Value>
-std::vector<Value> values_of_each_wheel(const EffectSetting& each, const std::vector<Value>& alike) {
-  std::vector<Value> values(each.parameters.size());
+// The same of what holds a setting and an interval for each parameter, or none.
+template <typename Sized>
+Sized with_size_for_each_wheel(const Sized& alike) {
+  Sized each = alike;
+  each.setting = of_each_wheel(alike.setting);
+  if (alike.intervals.size() != alike.setting.parameters.size()) return each;
+  each.intervals.resize(each.setting.parameters.size());
   for (const WheelSide wheel : {WheelSide::left, WheelSide::right}) {
-    const std::vector<std::size_t> places = places_at(wheel, each);
-    for (std::size_t i = 0; i < places.size(); ++i) values[places[i]] = alike[i];
+    const std::vector<std::size_t> places = places_at(wheel, each.setting);
+    for (std::size_t i = 0; i < places.size(); ++i) each.intervals[places[i]] = alike.intervals[i];
   }
-  return values;
+  return each;
 }
 
 }  // namespace wheelwright

@@ -1,40 +1,33 @@
 #include "model/gap/selection/unequal_wheels.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "model/effects/library/each_wheel_variants.hpp"
+#include "model/effects/library/effect_library.hpp"
 #include "model/gap/candidates/threshold_search.hpp"
 #include "model/gap/selection/candidate_evaluation.hpp"
 
 namespace wheelwright::gap {
 namespace {
 
-// The model whose last effect has a size for each wheel, or one for both where it has one for each and they
-// are near each other; nothing where there is no such variant.
+// The model whose last effect has a size for each wheel, or their mean for both where it has one for each;
+// nothing where there is no such variant.
 std::optional<TrialModel> otherwise_sized(TrialModel model) {
-  constexpr double near = 1.5;
   TrialEffect& last = model.effects.back();
-  if (const auto alike = last.info->variants[last.variant].alike) {
-    const EffectSetting setting{last.info->name, last.info->variants[last.variant].name, last.parameters};
-    const std::vector<double> left = as_at(WheelSide::left, setting).parameters;
+  const EffectSetting setting{last.info->name, last.info->variants[last.variant].name, last.parameters};
+  EffectSetting other = of_each_wheel(setting);
+  if (is_of_each_wheel(setting)) {
+    other = as_at(WheelSide::left, setting);
     const std::vector<double> right = as_at(WheelSide::right, setting).parameters;
-    for (std::size_t i = 0; i < left.size(); ++i) {
-      const auto [less, more] = std::minmax(std::abs(left[i]), std::abs(right[i]));
-      if (more > near * less) return std::nullopt;
-    }
-    last.variant = *alike;
-    last.parameters.resize(left.size());
-    for (std::size_t i = 0; i < left.size(); ++i) last.parameters[i] = 0.5 * (left[i] + right[i]);
-    return model;
+    for (std::size_t i = 0; i < right.size(); ++i)
+      other.parameters[i] = 0.5 * (other.parameters[i] + right[i]);
   }
-  const auto variant = each_wheel_variant(*last.info, last.variant);
-  if (!variant) return std::nullopt;
-  last.parameters = each_wheel_parameters(*last.info, last.variant, last.parameters);
-  last.variant = *variant;
+  if (other.variant == setting.variant) return std::nullopt;
+  last.variant = variant_index(*last.info, other.variant);
+  last.parameters = other.parameters;
   return model;
 }
 

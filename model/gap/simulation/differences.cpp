@@ -54,15 +54,6 @@ EffectDifference of_one(const Finding& found, bool of_robot, DifferenceKind kind
   return difference;
 }
 
-// As one whose wheels differ, where they are alike.
-Finding with_size_for_each_wheel(const Finding& found) {
-  Finding parted = found;
-  parted.setting = of_each_wheel(found.setting);
-  if (found.intervals.size() == found.setting.parameters.size())
-    parted.intervals = values_of_each_wheel(parted.setting, found.intervals);
-  return parted;
-}
-
 EffectDifference of_both(const Finding& simulation, const Finding& robot) {
   const bool parted = is_of_each_wheel(simulation.setting);
   if (parted != is_of_each_wheel(robot.setting)) {

@@ -1,11 +1,13 @@
 // Friction and stiction of a wheel, against its equation of motion.
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <utility>
 #include <vector>
 
 #include "model/simulation/model_simulation.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/dry_friction_drive.hpp"
 #include "tests/support/one_effect.hpp"
 
 using namespace wheelwright;
@@ -100,4 +102,35 @@ TEST_CASE("A wheel with stiction stands again at the speed below which friction 
   };
   CHECK_THAT(stands_at(0.012), WithinAbs(0.012, 0.0005));
   CHECK_THAT(stands_at(0.004), WithinAbs(0.004, 0.0005));
+}
+
+TEST_CASE("In rows of 50 and 100 ms friction takes as much way as by the wheel's equation of motion") {
+  const double period_s = GENERATE(0.05, 0.1);
+  constexpr double friction_m_s = 0.03;
+  const test::DryFrictionRobot motor{.gain = 1.0, .lag_s = 0.07};
+  LinearModel passed_on{ModelType::fir, period_s, 0.25, {{1.0}, {0.0}, {}}, {{0.0}, {1.0}, {}}};
+  ModelSimulation simulation(
+      passed_on, std::vector<EffectSetting>{{"coulomb_friction", "", {friction_m_s, motor.lag_s}}});
+  test::DryFrictionWheel free(motor);
+  test::DryFrictionWheel robot(motor);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> any_m_s(-0.25, 0.25);
+  double command_m_s = 0.0;
+  double free_m = 0.0;
+  double off_squares = 0.0;
+  double taken_squares = 0.0;
+  constexpr int periods = 2000;
+  for (int k = 0; k < periods; ++k) {
+    if (k % 5 == 0) command_m_s = any_m_s(random);
+    const double robot_before_m = robot.way_m();
+    free.move(command_m_s, 0.0, period_s);
+    robot.move(command_m_s, friction_m_s, period_s);
+    const double free_m_s = (free.way_m() - std::exchange(free_m, free.way_m())) / period_s;
+    const double robot_m_s = (robot.way_m() - robot_before_m) / period_s;
+    const double speed_m_s = simulation.step({free_m_s, free_m_s}).wheel_m_s.left;
+    off_squares += std::pow(speed_m_s - robot_m_s, 2);
+    taken_squares += std::pow(free_m_s - robot_m_s, 2);
+  }
+  // Of what friction takes. With one step per period it is 0.30 and 0.36.
+  CHECK(std::sqrt(off_squares / taken_squares) < 0.2);
 }

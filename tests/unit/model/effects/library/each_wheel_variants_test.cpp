@@ -70,7 +70,7 @@ TEST_CASE(
     "With one size for both wheels, an effect with a size for each is the effect whose wheels are alike") {
   for (const EffectInfo& info : effect_library()) {
     for (std::size_t alike = 0; alike < info.variants.size(); ++alike) {
-      if (!each_wheel_variant(info, alike)) continue;
+      if (!info.by_wheel || info.variants[alike].alike) continue;
       EffectSetting setting{info.name, info.variants[alike].name, {}};
       for (const ParameterInfo& parameter : info.parameters_of(alike))
         setting.parameters.push_back(parameter.sizes.back());
